@@ -1,0 +1,192 @@
+"""What the parts of subdiv say to each other: frozen data, standard library only.
+
+A stage answers a question about a scheme with a `Finding`: a `Verdict`, a statement with the numbers in it, a witness
+from which anyone can recheck it without a search, and the theorem. The findings of one mask, its facts and its judged
+expectations make a `Result`; a report renders results and nothing else. What is wrong with a file is a `Problem`.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from fractions import Fraction
+from typing import Literal, NoReturn
+
+Data = None | bool | int | str | Fraction | tuple["Data", ...] | Mapping[str, "Data"]
+"""Exact plain data, as facts and witnesses hold it. Floats are left out on purpose."""
+
+
+class Verdict(Enum):
+    """The answer to a question. Three of the four are not yes, so it refuses to be used as a bool."""
+
+    PROVED = "proved"
+    REFUTED = "refuted"
+    UNDECIDED = "undecided"
+    SKIPPED = "skipped"
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError("a Verdict is not a bool: compare it with `is`")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Log:
+    """The real number log_base(argument) / divisor, as closed forms print it."""
+
+    base: int
+    """At least 2."""
+    argument: Fraction
+    """Positive."""
+    divisor: int = 1
+    """At least 1."""
+
+    def __str__(self) -> str:
+        return f"log{self.base}({self.argument})" + (f"/{self.divisor}" if self.divisor > 1 else "")
+
+
+ClosedForm = Fraction | Log
+"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Interval:
+    """A real number enclosed: lower <= x <= upper, the bounds doubles rounded outward and certified; None is unknown."""
+
+    lower: float | None = None
+    upper: float | None = None
+    exact: str | None = None
+    """The number itself as text, where it is known: a rational or a closed form."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Finding:
+    """One question asked of a scheme, and its answer."""
+
+    code: str
+    """SDnnn; `subdiv explain` has a page for it."""
+    name: str
+    """The code in words, for instance `residue-sums`."""
+    verdict: Verdict
+    statement: str
+    """What was decided, with its numbers; for UNDECIDED and SKIPPED what was asked."""
+    source: str
+    """Paper and theorem."""
+    reason: str | None = None
+    """Why it is undecided or skipped."""
+    value: Interval | None = None
+    witness: Mapping[str, Data] = field(default_factory=dict)
+    """Enough to recheck the verdict without a search; the stage's docstring says what its keys mean."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Smoothness:
+    """`order`: the largest n with C^n proved for all limit functions, None where convergence is not proved."""
+
+    order: int | None = None
+    sharp: bool = False
+    """C^(order+1) is refuted."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Exponent:
+    """A Hölder or Sobolev exponent of the refinable function: certified outward doubles, exact where it is known."""
+
+    lower: float | None = None
+    upper: float | None = None
+    exact: ClosedForm | None = None
+    attained: bool | None = None
+
+
+ExpectationKey = Literal["convergent", "smoothness", "holder", "sobolev", "generation", "reproduction", "stable"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Expectation:
+    """What a mask is held to: `key` equals `lower` (then upper == lower), is at least it (upper None), or is between."""
+
+    key: ExpectationKey
+    text: str
+    """As the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
+    lower: bool | int | ClosedForm
+    """bool for convergent and stable; int for smoothness, generation and reproduction; a closed form for exponents."""
+    upper: bool | int | ClosedForm | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judgement:
+    """An expectation and what became of it."""
+
+    expectation: Expectation
+    verdict: Verdict
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Problem:
+    """Why a file or an option was not usable: where, what, and how to mend it."""
+
+    code: str
+    """SD0nn."""
+    message: str
+    """What is wrong and what was expected, in one line."""
+    help: str | None = None
+    """How to mend it, in one line."""
+    file: str | None = None
+    key: str | None = None
+    """Key path, for instance `mask.coefficients[3]`."""
+    line: int | None = None
+    """1-based, like `column`: the first character that cannot stand there. Both None where unknown."""
+    column: int | None = None
+    source: str | None = None
+    """The text of that line."""
+
+
+Status = Literal["passed", "failed", "undecided", "invalid"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Result:
+    """Everything that is said about one mask; the JSON contract is a rendering of it."""
+
+    file: str
+    status: Status
+    name: str | None = None
+    kind: str | None = None
+    parameters: Mapping[str, Fraction] = field(default_factory=dict)
+    reference: str | None = None
+    stopped: Literal["budget"] | None = None
+    problems: tuple[Problem, ...] = ()
+    facts: Mapping[str, Data] = field(default_factory=dict)
+    sum_rule_order: int | None = None
+    convergent: Verdict = Verdict.SKIPPED
+    smoothness: Smoothness = Smoothness()
+    holder: Exponent | None = None
+    sobolev: Exponent | None = None
+    stable: Verdict = Verdict.SKIPPED
+    linearly_independent: Verdict = Verdict.SKIPPED
+    generation: int | None = None
+    reproduction: int | None = None
+    expectations: tuple[Judgement, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+
+DEFAULT_EFFORT = 20_000
+
+
+class Effort:
+    """How much work one question may cost: a deterministic count, and a clock as a safety net.
+
+    The count is of elementary exact numbers: coefficients of an iterated symbol, entries of a matrix product. What a
+    run finds depends on it alone unless the clock strikes; then `struck` is True and the result says so.
+    """
+
+    def __init__(self, work: int = DEFAULT_EFFORT, seconds: float | None = None) -> None:
+        self.work = work
+        self.struck = False
+        self._deadline = None if seconds is None else time.monotonic() + seconds
+
+    def allows(self, work: int) -> bool:
+        """Whether a question that has cost `work` so far, its next step included, may take that step."""
+        if self._deadline is not None and time.monotonic() > self._deadline:
+            self.struck = True
+        return not self.struck and work <= self.work
