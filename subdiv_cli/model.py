@@ -49,9 +49,52 @@ ClosedForm = Fraction | Log
 """An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`."""
 
 
+def logarithm(base: int, argument: Fraction, divisor: int = 1) -> ClosedForm:
+    """log_base(argument) / divisor in canonical form, so that equal numbers are equal objects.
+
+    The base is no perfect power, argument and divisor share no root, and a rational value is a Fraction. Raises
+    ValueError for base < 2, argument <= 0 or divisor < 1.
+    """
+    if base < 2 or argument <= 0 or divisor < 1:
+        raise ValueError(f"no logarithm: base {base}, argument {argument}, divisor {divisor}")
+    if argument == 1:
+        return Fraction(0)
+    for e in range(base.bit_length(), 1, -1):
+        if (root := _exact_root(base, e)) is not None:
+            base, divisor = root, divisor * e
+            break
+    for d in range(divisor, 1, -1):
+        numerator, denominator = _exact_root(argument.numerator, d), _exact_root(argument.denominator, d)
+        if divisor % d == 0 and numerator is not None and denominator is not None:
+            argument, divisor = Fraction(numerator, denominator), divisor // d
+            break
+    power = max(argument.numerator, argument.denominator)
+    exponent = _exact_log(power, base)
+    if exponent is not None and min(argument.numerator, argument.denominator) == 1:
+        return Fraction(exponent if argument > 1 else -exponent, divisor)
+    return Log(base=base, argument=argument, divisor=divisor)
+
+
+def _exact_root(n: int, d: int) -> int | None:
+    """The integer m >= 1 with m^d = n, by bisection."""
+    low, high = 1, 1 << -(-n.bit_length() // d)
+    while low < high:
+        middle = (low + high) // 2
+        low, high = (middle + 1, high) if middle**d < n else (low, middle)
+    return low if low**d == n else None
+
+
+def _exact_log(n: int, base: int) -> int | None:
+    """The integer e with base^e = n."""
+    e = 0
+    while n > 1 and n % base == 0:
+        n, e = n // base, e + 1
+    return e if n == 1 else None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interval:
-    """A real number enclosed: lower <= x <= upper, the bounds doubles rounded outward and certified; None is unknown."""
+    """A real number enclosed: lower <= x <= upper, certified doubles rounded outward; None is unknown."""
 
     lower: float | None = None
     upper: float | None = None
@@ -103,7 +146,7 @@ ExpectationKey = Literal["convergent", "smoothness", "holder", "sobolev", "gener
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Expectation:
-    """What a mask is held to: `key` equals `lower` (then upper == lower), is at least it (upper None), or is between."""
+    """What a mask is held to: `key` equals `lower` (and upper == lower), is at least it (upper None), or between."""
 
     key: ExpectationKey
     text: str

@@ -1,0 +1,1 @@
+"""Many mask files: which ones are meant (discovery)."""

@@ -1,0 +1,121 @@
+"""Which files are meant: arguments of the command line -> mask files to read, in a stable order and once each."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from subdiv_cli.maskfile import is_mask
+from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
+from subdiv_cli.maskfile.problems import unreadable
+from subdiv_cli.model import Problem
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Discovery:
+    """What the arguments come to; iterating gives the entries."""
+
+    entries: tuple[str | Problem, ...]
+    """A path for `maskfile.read_path` ("-" is standard input), or why there is none; in the order of the arguments."""
+    skipped: int = 0
+    """`*.toml` files met in directories that are no masks."""
+
+    def __iter__(self) -> Iterator[str | Problem]:
+        return iter(self.entries)
+
+
+def discover(paths: Iterable[str | Path]) -> Discovery:
+    """Looks every argument up.
+
+    A directory is searched recursively for `*.toml` with `kind`, `mask` or `matrices` at the top, sorted by path;
+    hidden files and directories are left out, links are followed once. A file named explicitly is always an entry:
+    whether it is a mask, the reader says (SD016). Problems: SD002 for what is missing or unreadable, SD014 for a
+    directory without masks. Never raises for what is on disk.
+    """
+    entries: list[str | Problem] = []
+    seen: set[object] = set()
+    skipped = 0
+    for path in map(str, paths):
+        try:
+            directory = path != "-" and Path(path).is_dir()
+            if not directory:
+                if (same := _identity(path)) not in seen:
+                    seen.add(same)
+                    entries.append(path)
+                continue
+        except OSError as error:
+            entries.append(unreadable(path, None, error))
+            continue
+        except ValueError:  # a null character in the name
+            entries.append(unreadable(path, None, FileNotFoundError()))
+            continue
+        masks = 0
+        others = 0
+        for found in _search(Path(path), set()):
+            if isinstance(found, Problem):
+                entries.append(found)
+            elif not _looks_like_mask(found):
+                others += 1
+            else:
+                masks += 1
+                if (same := _identity(str(found))) not in seen:
+                    seen.add(same)
+                    entries.append(str(found))
+        skipped += others
+        if not masks:
+            entries.append(_without_masks(path, others))
+    return Discovery(entries=tuple(entries), skipped=skipped)
+
+
+def _identity(path: str) -> object:
+    """Equal for two names of one file. Raises OSError."""
+    if path == "-":
+        return path
+    status = Path(path).stat()
+    return status.st_dev, status.st_ino
+
+
+def _search(directory: Path, visited: set[object]) -> Iterator[Path | Problem]:
+    """Every visible `*.toml` below, files of a directory before its subdirectories, by name; no directory twice."""
+    try:
+        same = _identity(str(directory))
+        if same in visited:
+            return
+        visited.add(same)
+        with os.scandir(directory) as scan:
+            children = sorted(entry.name for entry in scan if not entry.name.startswith("."))
+    except OSError as error:
+        yield unreadable(str(directory), None, error)
+        return
+    below = []
+    for name in children:
+        child = directory / name
+        if child.is_dir():
+            below.append(child)
+        elif name.endswith(".toml"):
+            yield child
+    for child in below:
+        yield from _search(child, visited)
+
+
+def _looks_like_mask(path: Path) -> bool:
+    """An unreadable file does: the reader then says why it cannot be read."""
+    try:
+        if not path.is_file() and path.exists():  # a pipe or a device would block
+            return False
+        with path.open("rb") as stream:
+            return is_mask(stream.read(MAX_FILE_BYTES))
+    except OSError:
+        return True
+
+
+def _without_masks(path: str, others: int) -> Problem:
+    what = f" ({others} other TOML files)" if others > 1 else " (one other TOML file)" if others else ""
+    return Problem(
+        code="SD014",
+        message=f"no mask files in this directory{what}",
+        help="a mask file is a *.toml with kind, mask or matrices at the top; name another directory or a file",
+        file=path,
+    )

@@ -1,0 +1,50 @@
+"""`subdiv explain`: the page of a finding code."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from subdiv_cli.cli.streams import columns, emit, has_colour, speaks_mathematics
+
+
+@click.command("explain")
+@click.argument("code", required=False)
+def command(code: str | None) -> None:
+    """Explain a finding CODE: what it means, why it matters, how to mend it, its source.
+
+    CODE is as in a report, SD201, or its name, convergence. Without CODE the codes are listed.
+    """
+    from subdiv_cli.explain import UnknownCodeError, codes, page, title
+
+    if code is None:
+        _print("".join(f"{known}  {title(known)}\n" for known in codes()))
+        return
+    try:
+        text = page(code)
+    except UnknownCodeError as error:
+        raise click.UsageError(str(error)) from None
+    if has_colour(sys.stdout) and speaks_mathematics(sys.stdout):
+        _print(_rendered(text))
+    else:
+        _print(text)
+
+
+def _print(text: str) -> None:
+    from subdiv_cli.report.letters import letters
+
+    unicode = speaks_mathematics(sys.stdout)
+    emit(text if unicode else "\n".join(letters(line, unicode) for line in text.split("\n")), sys.stdout)
+
+
+def _rendered(text: str) -> str:
+    """A page as a terminal shows it best."""
+    from io import StringIO
+
+    from rich.console import Console
+    from rich.markdown import Markdown
+
+    buffer = StringIO()
+    Console(file=buffer, force_terminal=True, width=min(columns(sys.stdout), 100)).print(Markdown(text))
+    return buffer.getvalue()

@@ -1,0 +1,95 @@
+"""The command group: it knows its commands by name and imports one when it is called, so that `--help` is quick.
+
+It also sees to it that an exit code means what `exits` says: click's own is 1 for an uncaught exception.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from io import TextIOWrapper
+from typing import Any, NoReturn
+
+import click
+
+from subdiv_cli.cli.exits import ExitCode
+
+COMMANDS = {
+    "check": ("subdiv_cli.cli.check", "Check masks: convergence, smoothness, expectations."),
+    "explain": ("subdiv_cli.cli.explain", "Explain a finding code: what it means, why, its source."),
+}
+"""Command -> the module that has it as `command`, and what it does in a line."""
+
+
+class LazyGroup(click.Group):
+    """A group whose commands are modules, imported on use."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """The commands in the order of use."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import and return a command; None for an unknown one, which click then reports."""
+        if cmd_name not in COMMANDS:
+            return None
+        command: click.Command = import_module(COMMANDS[cmd_name][0]).command
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """As click does it, with near names for an unknown command (click looks only at commands it has imported)."""
+        name = args[0]
+        if name not in COMMANDS and not name.startswith("-") and not ctx.resilient_parsing:
+            from difflib import get_close_matches
+
+            near = get_close_matches(name, COMMANDS, n=1, cutoff=0.5)
+            hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(COMMANDS)}."
+            ctx.fail(f"no command {name!r}: {hint}")
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the commands without importing them."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, summary) for name, (_, summary) in COMMANDS.items()])
+
+    def main(self, args: Sequence[str] | None = None, *positional: Any, **extra: Any) -> NoReturn:
+        """Run, and exit with an ExitCode whatever happens."""
+        args = list(sys.argv[1:] if args is None else args)
+        for stream in (sys.stdout, sys.stderr):
+            if isinstance(stream, TextIOWrapper):
+                stream.reconfigure(errors="backslashreplace")  # click prints names as they are given
+        extra["standalone_mode"] = False
+        try:
+            code = super().main(args, *positional, **extra)
+        except click.Abort:
+            code = ExitCode.INTERRUPTED
+        except click.ClickException as error:
+            error.show()
+            code = ExitCode.ERROR
+        except BrokenPipeError:
+            code = ExitCode.PASSED
+        except Exception as error:
+            _report(error, debug="--debug" in args)
+            code = ExitCode.ERROR
+        sys.exit(int(code) if isinstance(code, int) else ExitCode.PASSED)
+
+
+def _report(error: Exception, *, debug: bool) -> None:
+    """Say that this is our mistake, not the reader's."""
+    from subdiv_cli.cli.streams import emit, look_of
+    from subdiv_cli.model import Problem
+    from subdiv_cli.report.problems import render
+
+    if debug:
+        from traceback import format_exception
+
+        emit("".join(format_exception(error)), sys.stderr)
+    problem = Problem(
+        code="SD099",
+        message=f"internal error: {type(error).__name__}: {error}",
+        help="this is a bug in subdiv: please report it with the mask"
+        + ("" if debug else "; --debug shows the traceback"),
+    )
+    emit(render([problem], look_of(sys.stderr)), sys.stderr)

@@ -1,0 +1,134 @@
+"""Where output goes: the terminal or pipe there is, and files that are whole or not there at all."""
+
+from __future__ import annotations
+
+import os
+import sys
+from contextlib import suppress
+from typing import TextIO
+
+from subdiv_cli.report.look import Look
+
+_NEEDED = "φαρνεΣ½‖∞≥≤−²·—…ö✓✗─"
+WIDEST = 120
+"""A report is not wider than this on a terminal, however wide that is."""
+
+
+def look_of(stream: TextIO, **settings: int | bool) -> Look:
+    """How a report is to look on this stream; settings are passed on to Look."""
+    width = columns(stream)
+    chosen = {"width": width, "unicode": speaks_mathematics(stream), "colour": has_colour(stream), **settings}
+    return Look(**chosen)  # type: ignore[arg-type]
+
+
+def columns(stream: TextIO) -> int:
+    """COLUMNS if it is set, else the terminal's width up to a pleasant one, else that of a file."""
+    with suppress(ValueError):
+        if (told := int(os.environ.get("COLUMNS", ""))) > 0:
+            return told
+    with suppress(OSError, ValueError, AttributeError):
+        if (seen := os.get_terminal_size(stream.fileno()).columns) > 0:
+            return min(seen, WIDEST)
+    return Look().width
+
+
+def speaks_mathematics(stream: TextIO) -> bool:
+    """Whether the stream's encoding has the letters a report is written with."""
+    try:
+        _NEEDED.encode(stream.encoding or "ascii")
+    except (UnicodeEncodeError, LookupError, AttributeError):
+        return False
+    return True
+
+
+def has_colour(stream: TextIO) -> bool:
+    """NO_COLOR wins, then FORCE_COLOR, then whether it is a terminal that can."""
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    return stream.isatty() and os.environ.get("TERM") not in ("dumb", "unknown")
+
+
+def emit(text: str, stream: TextIO, *, encoding: str | None = None) -> None:
+    """Write all of it; a letter that cannot be encoded as its escape. A reader that went away is no error."""
+    raw = text.encode(encoding or stream.encoding or "utf-8", "backslashreplace")
+    try:
+        stream.flush()
+        buffer = getattr(stream, "buffer", None)
+        if buffer is None:
+            stream.write(raw.decode(encoding or stream.encoding or "utf-8"))
+        else:
+            buffer.write(raw)
+        stream.flush()
+    except BrokenPipeError:
+        _abandon(stream)
+
+
+def _abandon(stream: TextIO) -> None:
+    """Point a stream nobody reads at nothing, so that its last flush is quiet too."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def write_whole(file: str, text: str) -> None:
+    """Write a file so that it is the old one or the new one and never a part; after an OSError it is the old one.
+
+    What is not a plain file (a pipe, /dev/stdout) is written to as it is.
+    """
+    from pathlib import Path
+
+    data = text.encode("utf-8", "backslashreplace")
+    path = Path(os.path.realpath(file))
+    if path.exists() and not path.is_file():
+        path.write_bytes(data)
+        return
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with part.open("xb") as new:
+            new.write(data)
+            new.flush()
+            os.fsync(new.fileno())
+        if path.exists():
+            part.chmod(path.stat().st_mode & 0o7777)
+        part.replace(path)
+    except BaseException:
+        with suppress(OSError):
+            part.unlink()
+        raise
+
+
+def why_not(file: str) -> str | None:
+    """Why a file cannot be written, as far as can be told before the work is done."""
+    from pathlib import Path
+
+    path = Path(os.path.realpath(file))
+    if path.is_dir():
+        return "it is a directory"
+    if not path.parent.is_dir():
+        return f"there is no directory {path.parent}"
+    if path.exists() and not path.is_file():
+        return None
+    return None if os.access(path.parent, os.W_OK) else f"the directory {path.parent} is not writable"
+
+
+class Progress:
+    """A line on stderr that says how far a long run is; nothing at all unless that is a terminal."""
+
+    def __init__(self, stream: TextIO | None = None) -> None:
+        self.stream = sys.stderr if stream is None else stream
+        self.shown = self.stream.isatty() and os.environ.get("TERM") != "dumb"
+        self.done = 0
+
+    def step(self) -> None:
+        """One more mask is done."""
+        self.done += 1
+        if self.shown and self.done > 1:
+            self.stream.write(f"\r{self.done} masks checked")
+            self.stream.flush()
+
+    def close(self) -> None:
+        """Wipe the line away."""
+        if self.shown and self.done > 1:
+            self.stream.write("\r" + " " * 30 + "\r")
+            self.stream.flush()

@@ -1,0 +1,50 @@
+"""Rational matrices: what python-flint's `fmpq_mat` leaves out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from flint import fmpq_mat
+
+from subdiv_cli.exact.rationals import to_fmpq, to_fraction
+
+Vector = tuple[Fraction, ...]
+
+
+def matrix(rows: Sequence[Sequence[Fraction | int]]) -> fmpq_mat:
+    """The matrix with these rows; at least one row and one column."""
+    return fmpq_mat([[to_fmpq(x) for x in row] for row in rows])
+
+
+def rows_of(a: fmpq_mat) -> tuple[Vector, ...]:
+    return tuple(tuple(to_fraction(x) for x in row) for row in a.table())
+
+
+def identity(n: int) -> fmpq_mat:
+    return fmpq_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
+
+
+def nullspace(a: fmpq_mat) -> tuple[Vector, ...]:
+    """A basis of {x : a x = 0}, read off the reduced row echelon form: one vector for each free column."""
+    echelon, rank = a.rref()
+    columns = a.ncols()
+    pivots = [next(j for j in range(columns) if echelon[i, j]) for i in range(rank)]
+    basis = []
+    for free in (j for j in range(columns) if j not in pivots):
+        x = [Fraction(0)] * columns
+        x[free] = Fraction(1)
+        for i, pivot in enumerate(pivots):
+            x[pivot] = -to_fraction(echelon[i, free])
+        basis.append(tuple(x))
+    return tuple(basis)
+
+
+def eigenvectors(a: fmpq_mat, eigenvalue: Fraction | int) -> tuple[Vector, ...]:
+    """A basis of the right eigenspace of a rational eigenvalue; empty where it is none. Transpose for left ones."""
+    return nullspace(a - identity(a.nrows()) * to_fmpq(eigenvalue))
+
+
+def infinity_norm(a: fmpq_mat) -> Fraction:
+    """The largest absolute row sum."""
+    return max(sum((abs(x) for x in row), Fraction(0)) for row in rows_of(a))

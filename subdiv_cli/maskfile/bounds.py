@@ -1,0 +1,27 @@
+"""How big a mask file and everything in it may be. Each bound is checked before the work it bounds is done."""
+
+from __future__ import annotations
+
+MAX_FILE_BYTES = 1 << 20
+"""One mebibyte: a mask of 2000 coefficients with a hundred digits each stays below."""
+MAX_NESTING = 32
+"""Parentheses in an expression; arrays, inline tables and dotted keys in TOML."""
+MAX_DIGITS = 1000
+"""Decimal digits of a number as written, and the largest decimal exponent (`1e1000`)."""
+MAX_BITS = 3322
+"""Bits of a numerator or a denominator: what `MAX_DIGITS` decimal digits take."""
+MAX_EXPONENT = 1_000_000
+"""The size of `start`, of a power, and of an exponent of z."""
+MAX_MASK_LENGTH = 2000
+"""Coefficients of a mask, and terms of a Laurent polynomial on the way to it."""
+MAX_ARITY = 64
+MAX_ORDER = 1000
+"""An expected smoothness, generation or reproduction degree."""
+MAX_LOG_BASE = 1024
+MAX_LOG_DIVISOR = 64
+MAX_LOG_BITS = 1024
+"""Bits of a closed form's numbers, `log2(64/9)`, also once powers are gathered into the argument."""
+MAX_WORK = 2_000_000
+"""Products of small integers that all expressions of a file together may cost: about a second."""
+MAX_PROBLEMS = 50
+"""Problems of one file that are shown."""

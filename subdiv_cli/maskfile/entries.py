@@ -1,0 +1,136 @@
+"""The pieces of a mask file that every kind shares: tables with known keys, texts, numbers, expressions, parameters."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping
+
+from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
+from subdiv_cli.maskfile.grammar import parse
+from subdiv_cli.maskfile.mask import Expression
+from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, near, shown
+from subdiv_cli.maskfile.tokens import is_name
+from subdiv_cli.maskfile.values import Decimal, described
+
+_VARIABLE = re.compile(r"z[0-9]*")
+
+
+class Table:
+    """A TOML table and where it stands; what is wrong with it goes to `problems`."""
+
+    def __init__(self, data: Mapping[str, object], path: KeyPath, problems: Collector) -> None:
+        self.data = data
+        self.path = path
+        self.problems = problems
+
+    def only(self, known: Iterable[str], elsewhere: Mapping[str, str] | None = None) -> None:
+        """Records every key that is not known (SD004), with the known key it resembles."""
+        known = tuple(known)
+        for key in self.data:
+            if key in known:
+                continue
+            where = f"in [{'.'.join(map(str, self.path))}]" if self.path else "at the top"
+            if elsewhere and key in elsewhere:
+                mend = elsewhere[key]
+            elif guess := near(key, known):
+                mend = f"did you mean {guess}?"
+            else:
+                mend = "known keys: " + ", ".join(known)
+            self.problems.add(
+                Fault("SD004", f'unknown key "{shown(key)}" {where}', mend), (*self.path, key), of_key=True
+            )
+
+    def table(self, key: str, mend: str | None = None) -> Table | None:
+        """The table at `key`; None where it is missing or (recorded, SD006) something else."""
+        value = self.data.get(key)
+        if isinstance(value, dict):
+            return Table(value, (*self.path, key), self.problems)
+        if key in self.data:
+            fault = Fault(
+                "SD006", f"{key} must be a table, not {described(value)}", mend or f"write [{key}] on its own line"
+            )
+            self.problems.add(fault, (*self.path, key))
+        return None
+
+    def integer(self, key: str, default: int | None, lowest: int, highest: int, mend: str) -> int | None:
+        """The integer at `key`; None where it is missing without default (SD005), no integer (SD006), out of bounds."""
+        if key not in self.data and default is None:
+            self.problems.add(Fault("SD005", f"{key} is missing", mend), self.path, of_key=True)
+            return None
+        value = self.data.get(key, default)
+        if isinstance(value, bool) or not isinstance(value, int):
+            said = f'the string "{shown(value)}"' if isinstance(value, str) else described(value)
+            quoted = isinstance(value, str) and re.fullmatch(r"[+-]?(0|[1-9][0-9]{0,9})", value)
+            mend = f"write it without quotes: {key} = {value}" if quoted else mend
+            self.problems.add(Fault("SD006", f"{key} must be an integer, not {said}", mend), (*self.path, key))
+            return None
+        if not lowest <= value <= highest:
+            said = str(value) if value.bit_length() < 64 else "a long number"
+            fault = Fault("SD010", f"{key} must be between {lowest} and {highest}, not {said}", mend)
+            self.problems.add(fault, (*self.path, key))
+            return None
+        return value
+
+
+def text_at(table: Table, key: str) -> str | None:
+    """The string at `key`, None where there is none; another type is recorded (SD006)."""
+    value = table.data.get(key)
+    if value is not None and not isinstance(value, str):
+        fault = Fault("SD006", f"{key} must be a string, not {described(value)}", f'put it in quotes: {key} = "…"')
+        table.problems.add(fault, (*table.path, key))
+        return None
+    return value
+
+
+def read_expression(value: object, path: KeyPath, names: Collection[str]) -> Expression:
+    """An exact number or an expression over `names`, as TOML gives it. Raises Fault: SD006, SD007, SD008 or SD010."""
+    if isinstance(value, int) and not isinstance(value, bool):
+        if value.bit_length() > MAX_BITS:
+            raise Fault("SD010", f"the number has more than {MAX_DIGITS} digits", "use a shorter number")
+        text = str(value)
+    elif isinstance(value, Decimal):
+        text = value.text
+        if text.lstrip("+-") in ("nan", "inf"):
+            raise Fault("SD007", f"{text} is not a rational number", "write a finite number")
+    elif isinstance(value, str):
+        text = value
+    else:
+        mend = 'write an integer, a decimal or a string such as "-1/16"'
+        if isinstance(value, list):
+            mend = 'lists inside the list belong to kind = "multivariate" or "vector"; a scalar mask is one flat list'
+        raise Fault("SD006", f"a number was expected, not {described(value)}", mend)
+    return Expression(text=text, node=parse(text, names), path=path)
+
+
+def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expression | None]:
+    """name -> default in order of declaration: a number, an expression in earlier parameters, or "" for none."""
+    found: dict[str, Expression | None] = {}
+    for name, value in table.data.items() if table else ():
+        path = ("parameters", name)
+        if not is_name(name) or _VARIABLE.fullmatch(name):
+            if _VARIABLE.fullmatch(name):
+                message, mend = f"{name} is the variable of symbols and cannot be a parameter", "call it w"
+            else:
+                message, mend = f'"{shown(name)}" cannot be a parameter\'s name', "use letters, digits and _: w, w_1"
+            problems.add(Fault("SD011", message, mend), path, of_key=True)
+            continue
+        found[name] = None
+        if value == "":
+            continue
+        earlier = [other for other in found if other != name]
+        try:
+            found[name] = read_expression(value, path, earlier)
+        except Fault as fault:
+            if fault.code == "SD008" and fault.message.endswith("is not declared") and table:
+                _explain_order(fault, name, table.data)
+            problems.add(fault, path)
+    return found
+
+
+def _explain_order(fault: Fault, name: str, declared: Mapping[str, object]) -> None:
+    used = fault.message.split('"')[1]
+    if used == name:
+        fault.message, fault.help = f"the default of {shown(name)} uses itself", "write a number"
+    elif used in declared:
+        fault.message = f"{shown(used)} is declared after {shown(name)}, whose default uses it"
+        fault.help = f"move {shown(used)} above {shown(name)}"

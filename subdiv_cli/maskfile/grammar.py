@@ -1,0 +1,250 @@
+"""Expressions as trees, and the recursive descent that reads them. Each function's docstring is its grammar line.
+
+    -w      1/2 + w      z^-3 (1+z)^2 (z^2/2 - w (z-1)^2 (1+z^2))      log2(64/9)   (expectations only)
+
+Sums and products read left to right; `-z^2` is -(z^2). Juxtaposition multiplies, but directly after the operand of a
+`/` it is refused, since 1/2 w has two readings. The trees have no binary chains, so their depth is that of the
+parentheses, which is bounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from subdiv_cli.maskfile.bounds import MAX_EXPONENT, MAX_NESTING
+from subdiv_cli.maskfile.problems import Fault, shown
+from subdiv_cli.maskfile.tokens import Token, number, tokens
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    value: Fraction
+    at: int = field(default=0, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A parameter, or the variable z."""
+
+    name: str
+    at: int = field(default=0, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """Terms with their signs, 1 or -1; a negation is a sum of one term."""
+
+    terms: tuple[tuple[int, Node], ...]
+    at: int = field(default=0, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Factor:
+    node: Node
+    divides: bool = False
+    at: int = field(default=0, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    factors: tuple[Factor, ...]
+    at: int = field(default=0, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    base: Node
+    exponent: int
+    at: int = field(default=0, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Logarithm:
+    """log_base(argument), in expectations only."""
+
+    base: int
+    argument: Node
+    at: int = field(default=0, compare=False)
+
+
+Node = Number | Name | Sum | Product | Power | Logarithm
+
+
+def parse(text: str, names: Collection[str], *, logarithms: bool = False, at: int = 0) -> Node:
+    """The tree of an expression over `names`. Raises Fault, its offset counted from `at` for the first character."""
+    parser = Parser(text, names, logarithms=logarithms, at=at)
+    node = parser.sum()
+    parser.finish()
+    return node
+
+
+class Parser:
+    """One pass over the tokens of one text; `token` is the next one."""
+
+    def __init__(self, text: str, names: Collection[str], *, logarithms: bool = False, at: int = 0) -> None:
+        self._tokens = tokens(text, at)
+        self._names = names
+        self._logarithms = logarithms
+        self._depth = 0
+        self.token = next(self._tokens)
+        if self.token.kind == "end":
+            raise Fault("SD008", "the expression is empty", 'write a number or an expression, for instance "-1/16"', at)
+
+    def advance(self) -> Token:
+        """Takes the next token."""
+        taken = self.token
+        self.token = next(self._tokens)
+        return taken
+
+    def finish(self) -> None:
+        """Refuses anything after a complete expression."""
+        if self.token.kind == "end":
+            return
+        if self.token.kind == ")":
+            raise Fault("SD008", 'this ")" closes nothing', 'remove it, or add the "(" it belongs to', self.token.at)
+        raise self.unexpected("an operator or the end")
+
+    def unexpected(self, expected: str) -> Fault:
+        """The fault of a token that cannot stand where it does."""
+        token = self.token
+        if token.kind == "end":
+            return Fault("SD008", f"the expression ends where {expected} was expected", "complete it", token.at)
+        if token.kind == ",":
+            mend = "write decimals with a point: 0.5"
+        elif token.kind == "^":
+            mend = "a power needs a base before ^ and a single integer after it: (z^2)^3"
+        elif token.kind in ("[", "]"):
+            mend = "an expression has no lists; use parentheses"
+        else:
+            mend = f"remove it or write {expected} before it"
+        return Fault("SD008", f'"{shown(token.text)}" stands where {expected} was expected', mend, token.at)
+
+    def sum(self) -> Node:
+        """sum = product { ("+" | "-") product }"""
+        at = self.token.at
+        terms = [(1, self.product())]
+        while self.token.kind in ("+", "-"):
+            sign = 1 if self.advance().kind == "+" else -1
+            terms.append((sign, self.product()))
+        return terms[0][1] if len(terms) == 1 else Sum(tuple(terms), at)
+
+    def product(self) -> Node:
+        """product = factor { "*" factor | "/" factor | power }, the bare power not directly after a divisor"""
+        at = self.token.at
+        factors = [Factor(self.factor(), False, at)]
+        while True:
+            where = self.token.at
+            if self.token.kind in ("*", "/"):
+                divides = self.advance().kind == "/"
+                factors.append(Factor(self.factor(), divides, where if not divides else self._divisor_at))
+            elif self.token.kind in ("name", "("):
+                if factors[-1].divides:
+                    raise Fault(
+                        "SD008",
+                        f'"{shown(self.token.text)}" directly after a division has two readings',
+                        "write * to multiply, 1/2 * w, or put the divisor in parentheses, 1/(2 w)",
+                        where,
+                    )
+                factors.append(Factor(self.power(), False, where))
+            elif self.token.kind == "number":
+                raise Fault(
+                    "SD008",
+                    f'the number {shown(self.token.text)} stands directly after "{self._before(factors[-1])}"',
+                    "write * or / or + between them, or ^ for a power",
+                    where,
+                )
+            else:
+                break
+        return factors[0].node if len(factors) == 1 else Product(tuple(factors), at)
+
+    def factor(self) -> Node:
+        """factor = { "-" | "+" } power"""
+        at = self._divisor_at = self.token.at
+        negative = False
+        while self.token.kind in ("+", "-"):
+            negative ^= self.advance().kind == "-"
+        node = self.power()
+        self._divisor_at = at
+        return Sum(((-1, node),), at) if negative else node
+
+    def power(self) -> Node:
+        """power = atom [ "^" exponent ]"""
+        at = self.token.at
+        base = self.atom()
+        if self.token.kind != "^":
+            return base
+        self.advance()
+        node = Power(base, self.exponent(), at)
+        if self.token.kind == "^":
+            raise Fault("SD008", "a power of a power has two readings", "use parentheses: (z^2)^3", self.token.at)
+        return node
+
+    def exponent(self) -> int:
+        """exponent = [ "-" | "+" ] INTEGER | "(" exponent ")\""""
+        closing = 0
+        while self.token.kind == "(" and closing < MAX_NESTING:
+            self.advance()
+            closing += 1
+        sign = 1
+        if self.token.kind in ("+", "-"):
+            sign = 1 if self.advance().kind == "+" else -1
+        token = self.token
+        if token.kind != "number" or not token.text.isdigit():
+            what = "ends" if token.kind == "end" else f'continues with "{shown(token.text)}"'
+            message = f"an integer was expected after ^, but the expression {what}"
+            raise Fault("SD008", message, "an exponent is an integer: z^2, z^-3", token.at)
+        value = number(token)
+        if value > MAX_EXPONENT:
+            message = f"the exponent {shown(token.text)} is too large; the limit is {MAX_EXPONENT}"
+            raise Fault("SD010", message, "use a smaller power", token.at)
+        self.advance()
+        for _ in range(closing):
+            if self.token.kind != ")":
+                raise Fault(
+                    "SD008", "an exponent must be a single integer", "write the integer: z^2, z^-3", self.token.at
+                )
+            self.advance()
+        return sign * int(value)
+
+    def atom(self) -> Node:
+        """atom = NUMBER | NAME | "(" sum ")" | "log" BASE "(" sum ")\""""
+        token = self.token
+        if token.kind == "number":
+            self.advance()
+            return Number(number(token), token.at)
+        if token.kind == "(":
+            return self._group()
+        if token.kind != "name":
+            raise self.unexpected("a number, a name or a parenthesis")
+        self.advance()
+        if self._logarithms and token.text.startswith("log") and token.text[3:].isdigit() and self.token.kind == "(":
+            base = number(Token("number", token.text[3:], token.at + 3))
+            return Logarithm(int(base), self._group(), token.at)
+        if token.text not in self._names:
+            from subdiv_cli.maskfile.names import unknown_name
+
+            raise unknown_name(token, self._names, called=self.token.kind == "(", logarithms=self._logarithms)
+        return Name(token.text, token.at)
+
+    def _group(self) -> Node:
+        opening = self.advance()
+        self._depth += 1
+        if self._depth > MAX_NESTING:
+            message = f"parentheses are nested more than {MAX_NESTING} deep"
+            raise Fault("SD010", message, "multiply something out", opening.at)
+        node = self.sum()
+        if self.token.kind == "end":
+            raise Fault("SD008", 'this "(" is never closed', 'add the missing ")"', opening.at)
+        if self.token.kind != ")":
+            raise self.unexpected('an operator or ")"')
+        self.advance()
+        self._depth -= 1
+        return node
+
+    def _before(self, factor: Factor) -> str:
+        node = factor.node
+        if isinstance(node, Name):
+            return shown(node.name)
+        return "another number" if isinstance(node, Number) else "a factor"

@@ -1,0 +1,126 @@
+"""Laurent polynomials in z over Q, small and bounded: integer numerators over one common denominator."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from math import gcd, lcm
+
+from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH, MAX_WORK
+
+
+class TooLargeError(Exception):
+    """A bound is reached; the message says which."""
+
+
+class Work:
+    """What the expressions of one file have cost so far, in products of small integers."""
+
+    __slots__ = ("_spent",)
+
+    def __init__(self) -> None:
+        self._spent = 0
+
+    def charge(self, products: int, bits_a: int = 1, bits_b: int = 1) -> None:
+        """Takes the cost of products of integers of that many bits. Raises TooLargeError beyond MAX_WORK."""
+        self._spent += products * (1 + (bits_a // 30) * (bits_b // 30) // 100)
+        if self._spent > MAX_WORK:
+            raise TooLargeError("multiplying this out takes too long")
+
+
+class Laurent:
+    """Σ numerators[k] z^k / denominator: no zero numerators, denominator positive, no common factor."""
+
+    __slots__ = ("bits", "denominator", "numerators")
+
+    def __init__(self, numerators: Mapping[int, int], denominator: int = 1) -> None:
+        kept = {k: n for k, n in numerators.items() if n}
+        if denominator > 1:
+            common = denominator
+            for n in kept.values():
+                if common == 1:
+                    break
+                common = gcd(common, n)
+            if common > 1:
+                kept = {k: n // common for k, n in kept.items()}
+                denominator //= common
+        self.numerators = kept
+        self.denominator = denominator
+        self.bits = max([denominator.bit_length(), *(n.bit_length() for n in kept.values())])
+        if len(kept) > MAX_MASK_LENGTH:
+            raise TooLargeError(f"a Laurent polynomial of more than {MAX_MASK_LENGTH} terms")
+        if self.bits > MAX_BITS:
+            raise TooLargeError(f"numbers of more than {MAX_DIGITS} digits come up")
+        if kept and max(max(kept), -min(kept)) > MAX_EXPONENT:
+            raise TooLargeError(f"an exponent of z beyond {MAX_EXPONENT}")
+
+    @property
+    def coefficients(self) -> dict[int, Fraction]:
+        """exponent -> coefficient, the non-zero ones."""
+        return {k: Fraction(n, self.denominator) for k, n in self.numerators.items()}
+
+    def constant(self) -> Fraction | None:
+        """The number this is; None where z is in it."""
+        if any(self.numerators):
+            return None
+        return Fraction(self.numerators.get(0, 0), self.denominator)
+
+
+def constant(value: Fraction) -> Laurent:
+    """A number. Raises TooLargeError."""
+    return Laurent({0: value.numerator}, value.denominator)
+
+
+def total(terms: Iterable[tuple[int, Laurent]], work: Work) -> Laurent:
+    """Σ sign · term. Raises TooLargeError."""
+    numerators: dict[int, int] = {}
+    denominator = 1
+    for sign, term in terms:
+        common = lcm(denominator, term.denominator)
+        if common.bit_length() > MAX_BITS:
+            raise TooLargeError(f"a common denominator of more than {MAX_DIGITS} digits")
+        if common != denominator:
+            work.charge(len(numerators), MAX_BITS, common.bit_length() - denominator.bit_length())
+            scale = common // denominator
+            numerators = {k: n * scale for k, n in numerators.items()}
+            denominator = common
+        factor = sign * (common // term.denominator)
+        work.charge(1 + len(term.numerators), term.bits, factor.bit_length())
+        for k, n in term.numerators.items():
+            numerators[k] = numerators.get(k, 0) + factor * n
+    return Laurent(numerators, denominator)
+
+
+def times(a: Laurent, b: Laurent, work: Work) -> Laurent:
+    """a · b. Raises TooLargeError."""
+    work.charge(1 + len(a.numerators) * len(b.numerators), a.bits, b.bits)
+    numerators: dict[int, int] = {}
+    for j, m in a.numerators.items():
+        for k, n in b.numerators.items():
+            numerators[j + k] = numerators.get(j + k, 0) + m * n
+    return Laurent(numerators, a.denominator * b.denominator)
+
+
+def inverse(a: Laurent) -> Laurent | None:
+    """1/a for a monomial c z^k, c ≠ 0; None for anything else."""
+    if len(a.numerators) != 1:
+        return None
+    ((k, n),) = a.numerators.items()
+    return Laurent({-k: a.denominator if n > 0 else -a.denominator}, abs(n))
+
+
+def power(a: Laurent, n: int, work: Work) -> Laurent:
+    """a^n for n >= 0, where a^0 = 1. Raises TooLargeError, before numbers or terms grow out of hand."""
+    if n == 0:
+        return Laurent({0: 1})
+    if len(a.numerators) == 1:
+        ((k, c),) = a.numerators.items()
+        if max(abs(c).bit_length() - 1, a.denominator.bit_length() - 1) * n > MAX_BITS:
+            raise TooLargeError(f"numbers of more than {MAX_DIGITS} digits come up")
+        return Laurent({k * n: c**n}, a.denominator**n)
+    result = a
+    for bit in bin(n)[3:]:
+        result = times(result, result, work)
+        if bit == "1":
+            result = times(result, a, work)
+    return result

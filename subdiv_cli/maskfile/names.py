@@ -1,0 +1,46 @@
+"""The fault of a name that is not known in an expression; loaded only when there is one."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from subdiv_cli.maskfile.problems import Fault, near, shown
+from subdiv_cli.maskfile.tokens import Token
+
+_NOT_FINITE = ("nan", "inf", "infinity")
+_IRRATIONAL = ("sqrt", "cbrt", "root", "exp", "log", "ln", "sin", "cos", "tan", "pow", "pi", "phi", "tau", "e")
+
+
+def unknown_name(token: Token, names: Collection[str], *, called: bool = False, logarithms: bool = False) -> Fault:
+    """SD008 (SD007 for nan and inf) with the likeliest mend. `called`: a parenthesis follows."""
+    name, at = token.text, token.at
+    if name.lower() in _NOT_FINITE:
+        return Fault("SD007", f"{name} is not a rational number", "write a finite number", at)
+    if logarithms and name.lower().startswith(("log", "ln")):
+        return Fault("SD008", f'"{shown(name)}" needs its base and an argument', "write log2(64/9) or log3(11)/2", at)
+    if called and (name.lower() in _IRRATIONAL or len(name) > 1) and not _split(name, names):
+        mend = "rational masks only: write the rational value, or a parameter"
+        return Fault("SD008", f'"{shown(name)}(…)" is a function call, and there are none', mend, at)
+    message = f'the name "{shown(name)}" is not declared'
+    if parts := _split(name, names):
+        return Fault("SD008", message, f"to multiply, write {'*'.join(parts)}", at)
+    if guess := near(name, names):
+        return Fault("SD008", message, f"did you mean {shown(guess)}?", at)
+    if name == "z":
+        return Fault("SD008", "z cannot stand in a single number", "use mask.symbol for an expression in z", at)
+    if name.lower() in _IRRATIONAL:
+        return Fault("SD008", message, "rational masks only: write a rational number", at)
+    if names and names != {"z"}:
+        known = ", ".join(sorted(shown(n, 20) for n in names)[:8])
+        return Fault("SD008", message, f"known here: {known}; declare it in [parameters]: {shown(name)} = 1", at)
+    if logarithms:
+        return Fault("SD008", message, 'write a number or a closed form: "1.5", "log2(64/9)"', at)
+    return Fault("SD008", message, f'declare it in [parameters], for instance {shown(name)} = "1/16"', at)
+
+
+def _split(name: str, names: Collection[str]) -> list[str]:
+    """zw as [z, w], where both are known."""
+    for i in range(1, min(len(name), 30)):
+        if name[:i] in names and name[i:] in names:
+            return [name[:i], name[i:]]
+    return []

@@ -1,0 +1,164 @@
+"""Masks, parameter values and properties from the command line: `--mask`, `-p`, `--require`."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from typing import cast
+
+from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH
+from subdiv_cli.maskfile.evaluate import evaluate
+from subdiv_cli.maskfile.grammar import Node, Parser, Sum, parse
+from subdiv_cli.maskfile.laurent import Work
+from subdiv_cli.maskfile.mask import Coefficients, Expression, MaskFile, Symbol, expand
+from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
+from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
+from subdiv_cli.maskfile.tokens import is_name
+from subdiv_cli.model import Expectation, ExpectationKey, Problem
+
+_ORDER = re.compile(r"C\^?([0-9]+)")
+_PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
+
+
+def from_option(text: str, *, start: int = 0, arity: int = 2) -> MaskFile:
+    """The mask of `--mask`: "[-1,0,9,16,9,0,-1]/16", its first index `start`, or a symbol, "(1+z)^2/2".
+
+    Raises MaskFileError; positions count in the text.
+    """
+    source = Source("--mask", text, toml=False)
+    problems = Collector(source)
+    try:
+        if len(text) > MAX_FILE_BYTES:
+            raise Fault("SD010", "the mask is too long", "write it to a file")
+        if not 2 <= arity <= MAX_ARITY:
+            raise Fault("SD010", f"the arity must be between 2 and {MAX_ARITY}, not {shown(str(arity))}", "--arity 2")
+        if not -MAX_EXPONENT <= start <= MAX_EXPONENT:
+            raise Fault("SD010", f"start must be between -{MAX_EXPONENT} and {MAX_EXPONENT}", "--start 0")
+        body: Coefficients | Symbol
+        if text.lstrip().startswith("["):
+            body = Coefficients(arity=arity, start=start, entries=_list(text))
+        elif start:
+            raise Fault("SD015", "--start and a symbol both say where the mask begins", "leave --start out")
+        else:
+            body = Symbol(arity=arity, expression=Expression(text=text.strip(), node=parse(text, ("z",))))
+        expand(body, {}, problems, Work())
+    except Fault as fault:
+        problems.add(fault)
+    problems.raise_any()
+    return MaskFile(file="--mask", body=body, source=source)
+
+
+def _list(text: str) -> tuple[Expression, ...]:
+    """list = "[" sum { "," sum } "]" { ("*" | "/") factor }; the factors go into every coefficient"""
+    parser = Parser(text, ())
+    opening = parser.advance()
+    spans: list[tuple[Node, str]] = []
+    while True:
+        start = parser.token.at
+        if parser.token.kind == "]" and not spans:
+            raise Fault("SD009", "the mask is empty", "write its coefficients: [1, 2, 1]/2", start)
+        node = parser.sum()
+        spans.append((node, text[start : parser.token.at].strip()))
+        if parser.token.kind == "end":
+            raise Fault("SD008", 'this "[" is never closed', 'add the missing "]"', opening.at)
+        if parser.token.kind not in (",", "]"):
+            raise parser.unexpected('a comma or "]"')
+        if parser.advance().kind == "]":
+            break
+        if len(spans) > MAX_MASK_LENGTH:
+            raise Fault("SD010", f"more than {MAX_MASK_LENGTH} coefficients", "use a shorter mask", opening.at)
+    tail = parser.token.at
+    while parser.token.kind in ("*", "/"):
+        parser.advance()
+        parser.factor()
+    if parser.token.kind != "end":
+        raise parser.unexpected("* or / or the end")
+    scale = text[tail:].strip()
+    if not scale:
+        return tuple(Expression(text=said, node=node) for node, said in spans)
+    return tuple(
+        _scaled(f"({said})" if isinstance(node, Sum) and len(node.terms) > 1 else said, scale) for node, said in spans
+    )
+
+
+def _scaled(said: str, scale: str) -> Expression:
+    return Expression(text=said + scale, node=parse(said + scale, ()))
+
+
+def parse_override(text: str) -> tuple[str, Fraction]:
+    """`-p w=1/20` -> ("w", 1/20); any expression in numbers. Raises MaskFileError (SD011, or what the number is)."""
+    name, equals, value = text.partition("=")
+    said = name.strip()
+    try:
+        if not equals:
+            raise Fault("SD011", f'"{shown(text)}" gives no value', "write NAME=VALUE: -p w=1/20", len(text))
+        if not is_name(said):
+            raise Fault("SD011", f'"{shown(said)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20")
+        if not value.strip():
+            raise Fault("SD011", f"no value for {shown(said)}", f"write a number: -p {shown(said)}=1/20", len(text))
+        if len(text) > MAX_FILE_BYTES:
+            raise Fault("SD010", "the value is too long", "use a shorter number")
+        node = parse(value, (), at=len(name) + 1)
+        number = evaluate(node, {}, Work()).constant()
+    except Fault as fault:
+        raise _of_option(text, fault, "-p") from None
+    assert number is not None, "z is not declared here"
+    return said, number
+
+
+def parse_expectation(key: str, value: object) -> Expectation:
+    """The expectation that `key = value` states in [expect]: value a bool, an int, a string or a `Decimal`.
+
+    Raises MaskFileError: SD004, SD006, SD010 or SD012.
+    """
+    try:
+        return expectation(key, value)
+    except Fault as fault:
+        raise _of_option(value if isinstance(value, str) else "", fault, key) from None
+
+
+def parse_property(text: str) -> Expectation:
+    """`holder>=1.5`, `smoothness=1`, `C1` (smoothness >= 1), `convergent`, `stable=false`. Raises MaskFileError."""
+    try:
+        return _property(text)
+    except Fault as fault:
+        raise _of_option(text, fault, None) from None
+
+
+def _property(text: str) -> Expectation:
+    body = text.strip()
+    if len(body) > 10_000:
+        raise Fault("SD010", "the property is too long", "write for instance holder>=1.5")
+    at = len(text) - len(text.lstrip())
+    if found := _ORDER.fullmatch(body):
+        return comparison("smoothness", f">={found[1]}", at + found.start(1) - 2)
+    parts = _PROPERTY.fullmatch(body)
+    if parts is None:
+        raise Fault("SD012", f'"{shown(text)}" is no property', "write for instance C1, holder>=1.5 or convergent", at)
+    key, rest = parts[1], parts[2]
+    if key not in KEYS:
+        guess = near(key, KEYS)
+        mend = f"did you mean {guess}?" if guess else "properties: C1, " + ", ".join(KEYS)
+        raise Fault("SD012", f'there is no property "{shown(key)}"', mend, at)
+    if key in TRUTHS:
+        truth = rest.lstrip("= ").lower() if rest else "true"
+        if truth not in ("true", "false") or (rest and not rest.startswith("=")):
+            raise Fault("SD012", f"{key} is true or false", f"write {key} or {key}=false", at + parts.start(2))
+        return expectation(key, truth == "true")
+    if not rest:
+        raise Fault("SD012", f"{key} needs a number", f"write for instance {key}>=1", at + len(body))
+    return comparison(cast(ExpectationKey, key), rest, at + parts.start(2))
+
+
+def _of_option(text: str, fault: Fault, key: str | None) -> MaskFileError:
+    at = min(fault.at, len(text))
+    problem = Problem(
+        code=fault.code,
+        message=fault.message,
+        help=fault.help,
+        key=key,
+        line=1 if text else None,
+        column=at + 1 if text else None,
+        source=text or None,
+    )
+    return MaskFileError([problem])

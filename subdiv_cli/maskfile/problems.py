@@ -1,0 +1,155 @@
+"""What is wrong with a file: faults as the parts raise them, and the one exception that leaves this folder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from pathlib import Path
+
+from subdiv_cli.maskfile.bounds import MAX_PROBLEMS
+from subdiv_cli.model import Problem
+
+KeyPath = tuple[str | int, ...]
+"""Where a value stands in a TOML document: ("mask", "coefficients", 3)."""
+
+
+class MaskFileError(Exception):
+    """A mask could not be read; `problems` is everything that is wrong with it, in the order of the file."""
+
+    problems: tuple[Problem, ...]
+
+    def __init__(self, problems: Iterable[Problem]) -> None:
+        self.problems = tuple(problems)
+        super().__init__(self.problems)
+
+    def __str__(self) -> str:
+        return "\n".join(f"{p.code}: {p.message}" for p in self.problems)
+
+
+class Fault(Exception):  # noqa: N818 (most are recorded, not handled)
+    """Something wrong at an offset (0-based) in a value's text; the caller knows the file and the key."""
+
+    def __init__(self, code: str, message: str, help: str | None = None, at: int = 0) -> None:
+        super().__init__(message)
+        self.code = code
+        self.message = message
+        self.help = help
+        self.at = at
+
+
+class Source:
+    """The text that positions refer to: a TOML file, or (toml=False) the text of an option.
+
+    Two sources are always equal, so that masks compare by what they say and not by where it stands.
+    """
+
+    __slots__ = ("file", "text", "toml")
+
+    def __init__(self, file: str | None, text: str, *, toml: bool = True) -> None:
+        self.file = file
+        self.text = text
+        self.toml = toml
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Source)
+
+    def __hash__(self) -> int:
+        return 0
+
+    def __repr__(self) -> str:
+        return f"Source({self.file!r})"
+
+
+class Collector:
+    """The problems of one file. `near` names are looked up and positions found only here, when something is wrong."""
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        self._faults: list[tuple[Fault, KeyPath, bool]] = []
+        self._left_out = 0
+
+    def __bool__(self) -> bool:
+        return bool(self._faults)
+
+    def add(self, fault: Fault, path: KeyPath = (), *, of_key: bool = False) -> None:
+        """Records a fault in the value at `path`, or (of_key) in the key itself."""
+        if len(self._faults) < MAX_PROBLEMS:
+            self._faults.append((fault, path, of_key))
+        else:
+            self._left_out += 1
+
+    def raise_any(self) -> None:
+        """Raises MaskFileError with everything recorded, sorted by position; returns where there is nothing."""
+        if not self._faults:
+            return
+        from subdiv_cli.maskfile.positions import Positions
+
+        positions = Positions(self._source)
+        problems = [positions.problem(*entry) for entry in self._faults]
+        problems.sort(key=lambda p: (p.line is None, p.line or 0, p.column or 0))
+        if self._left_out:
+            message = f"{self._left_out} more problems in this file are not shown"
+            problems.append(Problem(code="SD010", message=message, file=self._source.file))
+        raise MaskFileError(problems)
+
+
+def near(name: str, candidates: Iterable[str]) -> str | None:
+    """The candidate a misspelt name probably means."""
+    if len(name) > 50:
+        return None
+    from difflib import get_close_matches
+
+    options = {candidate.lower(): candidate for candidate in candidates}
+    matches = get_close_matches(name.lower(), list(options), n=1, cutoff=0.6)
+    return options[matches[0]] if matches else None
+
+
+def shown(text: str, limit: int = 60) -> str:
+    """Text from a file as a message may quote it: one line, no control characters, clipped."""
+    clipped = text if len(text) <= limit else text[: limit - 1] + "…"
+    return "".join(c if c.isprintable() else "\\n" if c == "\n" else f"\\u{ord(c):04x}" for c in clipped)
+
+
+def shown_number(value: Fraction) -> str:
+    """A rational as a message may quote it."""
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) > 120:
+        return "a long number"
+    return str(value)
+
+
+def shown_path(path: KeyPath) -> str:
+    """mask.coefficients[3]"""
+    out = ""
+    for part in path:
+        if isinstance(part, int):
+            out += f"[{part}]"
+        else:
+            bare = part.isascii() and part.replace("-", "_").replace("_", "a").isalnum()
+            out += ("." if out else "") + (shown(part) if bare else f'"{shown(part)}"')
+    return out
+
+
+def unreadable(file: str, path: Path | None, error: OSError) -> Problem:
+    """SD002 for a file that the system does not give us."""
+    if isinstance(error, FileNotFoundError):
+        return Problem(
+            code="SD002",
+            message="there is no such file",
+            help="check the path, or use - to read standard input",
+            file=file,
+        )
+    if isinstance(error, IsADirectoryError) or (path is not None and path.is_dir()):
+        return Problem(
+            code="SD002", message="this is a directory, not a mask file", help="name a file in it", file=file
+        )
+    if isinstance(error, PermissionError):
+        return Problem(
+            code="SD002",
+            message="permission to read this file is denied",
+            help=f"allow it: chmod +r {file}",
+            file=file,
+        )
+    reason = error.strerror or type(error).__name__
+    return Problem(
+        code="SD002", message=f"the file cannot be read: {reason}", help="check the path and the disk", file=file
+    )

@@ -1,0 +1,151 @@
+"""The one grammar of properties: `[expect]` in files, `holder>=1.5` and `C1` on the command line.
+
+convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01"
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import cast, get_args
+
+from subdiv_cli.maskfile.bounds import MAX_ORDER
+from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
+from subdiv_cli.maskfile.problems import Fault, near, shown
+from subdiv_cli.maskfile.values import Decimal, described
+from subdiv_cli.model import ClosedForm, Expectation, ExpectationKey
+
+KEYS: tuple[str, ...] = get_args(ExpectationKey)
+TRUTHS = ("convergent", "stable")
+ORDERS = ("smoothness", "generation", "reproduction")
+
+
+def expectation(key: str, value: object) -> Expectation:
+    """The expectation `key = value` of a file, value as TOML gives it (`Decimal` for a float).
+
+    Raises Fault: SD004 for an unknown key, SD006 for a type, SD010 for a size, SD012 for the rest; its offset counts
+    in the string that value is.
+    """
+    if key not in KEYS:
+        guess = near(key, KEYS)
+        mend = f"did you mean {guess}?" if guess else "properties: " + ", ".join(KEYS)
+        raise Fault("SD004", f'there is no property "{shown(key)}"', mend)
+    known = cast(ExpectationKey, key)
+    if key in TRUTHS:
+        if isinstance(value, bool):
+            return Expectation(key=known, text=str(value).lower(), lower=value, upper=value)
+        said = f'"{shown(value)}"' if isinstance(value, str) else described(value)
+        raise Fault("SD006", f"{key} must be true or false, not {said}", f"write {key} = true, without quotes")
+    if isinstance(value, bool) or not isinstance(value, int | str | Decimal):
+        what = "an integer or a string" if key in ORDERS else "a number or a string"
+        mend = f'write {key} = 1 or {key} = ">= 1"' if key in ORDERS else f'write {key} = "2" or {key} = ">= 1.99"'
+        raise Fault("SD006", f"{key} must be {what}, not {described(value)}", mend)
+    if isinstance(value, int):
+        if value.bit_length() > 64:
+            raise Fault("SD010", f"the expected {key} is far too large", f"the limit is {MAX_ORDER}")
+        value = str(value)
+    elif isinstance(value, Decimal):
+        value = value.text
+    return comparison(known, value)
+
+
+def comparison(key: ExpectationKey, text: str, at: int = 0) -> Expectation:
+    """`1`, `= 1`, `>= 1.99`, `1.99 .. 2.01` for a property that has a number. Raises Fault."""
+    if not text.strip():
+        raise Fault("SD012", f"the expected {key} is empty", _form(key), at)
+    body = text.lstrip()
+    at += len(text) - len(body)
+    body = body.rstrip()
+    if body.startswith(("≥", "=>", "≤", "<", ">")) and not body.startswith(">="):
+        raise Fault("SD012", f'"{shown(body[:2].strip())}" is no comparison here', _form(key), at)
+    equals = len(body) - len(body.lstrip("="))
+    if equals > 2:
+        raise Fault("SD012", f'"{shown(body[:equals])}" is no comparison here', _form(key), at)
+    at += len(body) - len(body[equals:].lstrip())
+    body = body[equals:].strip()
+    if body.startswith(">="):
+        lower = _number(key, body[2:], at + 2)
+        return Expectation(key=key, text=f">= {body[2:].strip()}", lower=lower)
+    if ".." in body:
+        first, second = body.split("..", 1)
+        lower, upper = _number(key, first, at), _number(key, second, at + len(first) + 2)
+        if certainly_less(Fraction(upper) if isinstance(upper, int) else upper, _closed(lower)):
+            mend = "write the smaller end first: 1.99 .. 2.01"
+            raise Fault("SD012", f"the interval {shown(body)} is empty", mend, at)
+        return Expectation(key=key, text=f"{first.strip()} .. {second.strip()}", lower=lower, upper=upper)
+    value = _number(key, body, at)
+    return Expectation(key=key, text=body, lower=value, upper=value)
+
+
+def _form(key: str) -> str:
+    if key in ORDERS:
+        return f'write {key} = 1 for exactly, or {key} = ">= 1" for at least'
+    return f'write {key} = "2" for exactly, ">= 1.99" for at least, or "1.99 .. 2.01"'
+
+
+def _closed(value: int | ClosedForm) -> ClosedForm:
+    return Fraction(value) if isinstance(value, int) else value
+
+
+def _number(key: str, text: str, at: int) -> int | ClosedForm:
+    """An integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
+    if not text.strip():
+        raise Fault("SD012", f"a number is missing in the expected {key}", _form(key), at)
+    try:
+        value = read_closed_form(text, at)
+    except Fault as fault:
+        code = "SD012" if fault.code == "SD008" else fault.code
+        raise Fault(code, fault.message, _form(key) if code == "SD012" else fault.help, fault.at) from None
+    if key not in ORDERS:
+        return value
+    start = at + len(text) - len(text.lstrip())
+    if not isinstance(value, Fraction) or value.denominator != 1:
+        raise Fault("SD012", f"{key} is an integer, not {shown(text.strip())}", _form(key), start)
+    if value < 0:
+        raise Fault("SD012", f"{key} cannot be negative", "write 0 or more, or leave it out", start)
+    if value > MAX_ORDER:
+        raise Fault("SD010", f"the expected {key} is too large; the limit is {MAX_ORDER}", "lower it", start)
+    return int(value)
+
+
+def contradictions(expectations: Sequence[Expectation]) -> list[tuple[ExpectationKey, Fault]]:
+    """Pairs of expectations that no scheme can meet, each with the key of the later one."""
+    given = {e.key: (i, e) for i, e in enumerate(expectations)}
+    found = []
+
+    def check(first: ExpectationKey, second: ExpectationKey, broken: bool, why: str) -> None:
+        later = max(first, second, key=lambda key: given[key][0])
+        said = [
+            f"{e.key} {'' if e.text.startswith('>') else '= '}{e.text}" for e in (given[first][1], given[second][1])
+        ]
+        if broken:
+            message = f"{shown(said[0])} contradicts {shown(said[1])}: {why}"
+            found.append((later, Fault("SD012", message, "correct one of the two, or leave it out")))
+
+    for first, second, why in _LAWS:
+        if first in given and second in given:
+            check(first, second, _broken(given[first][1], given[second][1]), why)
+    return found
+
+
+_LAWS: tuple[tuple[ExpectationKey, ExpectationKey, str], ...] = (
+    ("convergent", "smoothness", "a scheme without limits has no smoothness"),
+    ("convergent", "holder", "the refinable function of a convergent scheme is continuous"),
+    ("reproduction", "generation", "a polynomial that is reproduced is generated"),
+    ("smoothness", "holder", "C^n has a Hölder exponent n to n + 1, or more where C^(n+1) is not refuted"),
+    ("smoothness", "sobolev", "C^n has a Sobolev exponent of at least n"),
+    ("holder", "sobolev", "the Sobolev exponent is at least the Hölder exponent"),
+)
+
+
+def _broken(first: Expectation, second: Expectation) -> bool:
+    """Whether the law of _LAWS between the two keys cannot hold."""
+    if first.key == "convergent":
+        if second.key == "smoothness":
+            return first.lower is False
+        return first.lower is True and second.upper is not None and certainly_less(_closed(second.upper), Fraction(0))
+    if second.upper is not None and certainly_less(_closed(second.upper), _closed(first.lower)):
+        return True
+    if first.key == "smoothness" and second.key == "holder" and first.upper is not None:
+        return certainly_less(Fraction(first.upper) + 1, _closed(second.lower))  # type: ignore[arg-type]
+    return False

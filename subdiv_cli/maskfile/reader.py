@@ -1,0 +1,188 @@
+"""TOML mask files -> `MaskFile`. Everything that is wrong with a file is collected and raised at once."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Collection, Mapping
+from pathlib import Path
+
+from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
+from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
+from subdiv_cli.maskfile.evaluate import evaluate, names_in
+from subdiv_cli.maskfile.laurent import Work
+from subdiv_cli.maskfile.mask import Coefficients, MaskFile, Symbol, expand
+from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
+from subdiv_cli.maskfile.properties import contradictions, expectation
+from subdiv_cli.maskfile.recognise import MARKS
+from subdiv_cli.maskfile.scalar import read_scalar
+from subdiv_cli.maskfile.toml import load
+from subdiv_cli.maskfile.values import described
+from subdiv_cli.model import Expectation, Problem
+
+_TOP = ("format", "name", "reference", "kind", "parameters", "mask", "expect")
+_PLANNED = ("multivariate", "vector", "hermite", "matrices", "piecewise")
+
+BODIES: Mapping[str, Callable[[Table, Collection[str], Collector], Coefficients | Symbol | None]]
+BODIES = {"scalar": read_scalar}
+"""Who reads [mask], by kind."""
+
+
+def read_path(path: str | Path) -> MaskFile:
+    """Reads a mask file; "-" is standard input. Raises MaskFileError, also for what cannot be read (SD002)."""
+    file = str(path)
+    try:
+        if file == "-":
+            data = sys.stdin.buffer.read(MAX_FILE_BYTES + 1)
+        else:
+            with Path(path).open("rb") as stream:
+                data = stream.read(MAX_FILE_BYTES + 1)
+    except OSError as error:
+        raise MaskFileError([unreadable(file, Path(path), error)]) from None
+    except ValueError:  # a null character in the name
+        raise MaskFileError([unreadable(file, None, FileNotFoundError())]) from None
+    if len(data) > MAX_FILE_BYTES:
+        raise MaskFileError([_too_big(file)])
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise MaskFileError([_not_utf8(file, data, error)]) from None
+    return read_text(text, file=file)
+
+
+def _too_big(file: str) -> Problem:
+    message = f"the file is larger than {MAX_FILE_BYTES >> 20} MiB, the limit for a mask file"
+    return Problem(code="SD010", message=message, help="is this really a mask file?", file=file)
+
+
+def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
+    start = data.rfind(b"\n", 0, error.start) + 1
+    end = data.find(b"\n", error.start)
+    wide = data.startswith((b"\xff\xfe", b"\xfe\xff"))
+    return Problem(
+        code="SD002",
+        message=f"the file is not UTF-8: byte 0x{data[error.start]:02x} at byte {error.start + 1}",
+        help="it looks like UTF-16; save it as UTF-8" if wide else "save it as UTF-8",
+        file=file,
+        line=data.count(b"\n", 0, error.start) + 1,
+        column=len(data[start : error.start].decode("utf-8", "replace").removeprefix("\ufeff")) + 1,
+        source=data[start : end if end >= 0 else None].decode("utf-8", "replace").rstrip("\r"),
+    )
+
+
+def read_text(text: str, *, file: str) -> MaskFile:
+    """Reads the text of a mask file. Raises MaskFileError and nothing else, whatever the text.
+
+    Expressions without parameters are evaluated, so that their faults are reported here; the others are in
+    `MaskFile.scheme`.
+    """
+    text = text.removeprefix("\ufeff")
+    if len(text) > MAX_FILE_BYTES:
+        raise MaskFileError([_too_big(file)])
+    source = Source(file, text)
+    problems = Collector(source)
+    document = load(source)
+    kind = _kind(document, problems)
+    top = Table(document, (), problems)
+    top.only(_TOP, _BELONGS)
+    _format(document, problems)
+    name, reference = text_at(top, "name"), text_at(top, "reference")
+    parameters = read_parameters(top.table("parameters"), problems)
+    body = None
+    if "mask" not in document:
+        problems.add(Fault("SD005", "the table [mask] is missing", "add [mask] with start and coefficients, or symbol"))
+    elif (
+        table := top.table("mask", 'write [mask] and below it start = 0 and coefficients = ["1/2", 1, "1/2"]')
+    ) is not None:
+        body = BODIES[kind](table, parameters, problems)
+    expectations = _expectations(top.table("expect"), problems)
+    if body is not None:
+        _constants(body, problems)
+    problems.raise_any()
+    assert body is not None, "a missing body is a problem"
+    return MaskFile(
+        file=file,
+        body=body,
+        name=name,
+        reference=reference,
+        kind=kind,
+        parameters=parameters,
+        expectations=expectations,
+        source=source,
+    )
+
+
+_BELONGS = dict.fromkeys(("arity", "start", "coefficients", "symbol"), "it belongs below [mask]") | dict.fromkeys(
+    ("convergent", "smoothness", "holder", "sobolev", "generation", "reproduction", "stable"),
+    "it belongs below [expect]",
+)
+
+
+def _kind(document: Mapping[str, object], problems: Collector) -> str:
+    """The kind, where it can be read. Raises MaskFileError at once for another (SD013) and for no mask (SD016)."""
+    if not any(mark in document for mark in MARKS):
+        _is_meant(document, problems)
+    kind = document.get("kind", "matrices" if "matrices" in document and "mask" not in document else "scalar")
+    if not isinstance(kind, str):
+        problems.add(
+            Fault("SD006", f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'), ("kind",)
+        )
+    elif kind in BODIES:
+        return kind
+    elif kind in _PLANNED:
+        message = f"masks of kind {kind} cannot be checked yet"
+        problems.add(Fault("SD013", message, "this version reads: " + ", ".join(BODIES)), ("kind",))
+    else:
+        guess = near(kind, (*BODIES, *_PLANNED))
+        mend = f'did you mean "{guess}"?' if guess else "this version reads: " + ", ".join(BODIES)
+        problems.add(Fault("SD013", f'there is no kind "{shown(kind)}"', mend), ("kind",))
+    problems.raise_any()
+    raise AssertionError("unreachable: there is a problem")
+
+
+def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
+    """Refuses a document that does not look like a mask at all; a misspelt [mask] passes."""
+    if not document:
+        problems.add(Fault("SD016", "the file is empty", "write a mask: [mask] with start and coefficients"))
+    elif not any(
+        key in _TOP or key in _BELONGS or near(key, ("mask", "kind", "matrices")) for key in list(document)[:50]
+    ):
+        mend = "a mask file has [mask] with start and coefficients, or symbol"
+        problems.add(Fault("SD016", "this is TOML, but no mask file: it has no kind, mask or matrices", mend))
+    problems.raise_any()
+
+
+def _format(document: Mapping[str, object], problems: Collector) -> None:
+    version = document.get("format", 1)
+    if isinstance(version, bool) or not isinstance(version, int):
+        problems.add(Fault("SD006", f"format must be 1, not {described(version)}", "write format = 1"), ("format",))
+    elif version != 1:
+        said = str(version) if version.bit_length() < 64 else "a long number"
+        mend = "write format = 1, or use a newer subdiv"
+        problems.add(Fault("SD006", f"format must be 1, not {said}", mend), ("format",))
+
+
+def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation, ...]:
+    found: list[Expectation] = []
+    for key, value in table.data.items() if table else ():
+        try:
+            found.append(expectation(key, value))
+        except Fault as fault:
+            problems.add(fault, ("expect", key), of_key=fault.code == "SD004")
+    for later, contradiction in contradictions(found):
+        problems.add(contradiction, ("expect", later))
+    return tuple(found)
+
+
+def _constants(body: Coefficients | Symbol, problems: Collector) -> None:
+    """Evaluates what does not hang on parameters."""
+    entries = body.entries if isinstance(body, Coefficients) else (body.expression,)
+    fixed = [entry for entry in entries if names_in(entry.node) <= {"z"}]
+    work = Work()
+    if len(fixed) == len(entries):
+        expand(body, {}, problems, work)
+        return
+    for entry in fixed:
+        try:
+            evaluate(entry.node, {}, work)
+        except Fault as fault:
+            problems.add(fault, entry.path)

@@ -1,0 +1,86 @@
+"""The [mask] table of kind scalar: arity, and start with coefficients, or symbol."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
+from subdiv_cli.maskfile.entries import Table, read_expression
+from subdiv_cli.maskfile.mask import Coefficients, Expression, Symbol
+from subdiv_cli.maskfile.problems import Collector, Fault
+from subdiv_cli.maskfile.values import described
+
+_KEYS = ("arity", "start", "coefficients", "symbol")
+_MULTIVARIATE = 'it belongs to kind = "multivariate"; a scalar mask has start and coefficients, or symbol'
+_ELSEWHERE = {
+    "dilation": "a scalar mask has an arity: arity = 2",
+    "offset": "did you mean start?",
+    "mask": "did you mean coefficients?",
+    "terms": _MULTIVARIATE,
+    "box_spline": _MULTIVARIATE,
+    "tensor": _MULTIVARIATE,
+} | dict.fromkeys(("kind", "name", "reference", "format"), "it belongs at the top, above [mask]")
+
+
+def read_scalar(table: Table, parameters: Collection[str], problems: Collector) -> Coefficients | Symbol | None:
+    """The body of a scalar mask; None where something is wrong, which is recorded."""
+    table.only(_KEYS, _ELSEWHERE)
+    mend = "write arity = 2, or 3 for a ternary scheme"
+    arity = table.integer("arity", 2, 2, MAX_ARITY, mend)
+    if "symbol" in table.data:
+        return _symbol(table, arity, parameters)
+    mend = "write the index of the first coefficient: start = -3"
+    start = table.integer("start", None, -MAX_EXPONENT, MAX_EXPONENT, mend)
+    if "coefficients" not in table.data:
+        mend = 'write coefficients = ["1/2", 1, "1/2"], or symbol = "z^-1 (1+z)^2 / 2"'
+        problems.add(Fault("SD005", "coefficients are missing, and there is no symbol", mend), table.path, of_key=True)
+        return None
+    entries = _coefficients(table, parameters)
+    if arity is None or start is None or entries is None:
+        return None
+    return Coefficients(arity=arity, start=start, entries=entries)
+
+
+def _symbol(table: Table, arity: int | None, parameters: Collection[str]) -> Symbol | None:
+    path = (*table.path, "symbol")
+    for other in ("coefficients", "start"):
+        if other in table.data:
+            mend = f"keep one of the two: {other}, or the exponents of symbol"
+            table.problems.add(
+                Fault("SD015", f"{other} and symbol both give the mask", mend), (*table.path, other), of_key=True
+            )
+    value = table.data["symbol"]
+    if not isinstance(value, str):
+        mend = 'write an expression in z: symbol = "(1+z)^2 / 2"'
+        table.problems.add(Fault("SD006", f"symbol must be a string, not {described(value)}", mend), path)
+        return None
+    try:
+        expression = read_expression(value, path, {*parameters, "z"})
+    except Fault as fault:
+        table.problems.add(fault, path)
+        return None
+    return None if arity is None else Symbol(arity=arity, expression=expression)
+
+
+def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression, ...] | None:
+    path = (*table.path, "coefficients")
+    values = table.data["coefficients"]
+    fault = None
+    if not isinstance(values, list):
+        mend = 'write a list: coefficients = ["1/2", 1, "1/2"]'
+        fault = Fault("SD006", f"coefficients must be a list, not {described(values)}", mend)
+    elif not values:
+        fault = Fault("SD009", "the mask is empty", 'write its coefficients: ["1/2", 1, "1/2"]')
+    elif len(values) > MAX_MASK_LENGTH:
+        message = f"the mask has {len(values)} coefficients; the limit is {MAX_MASK_LENGTH}"
+        fault = Fault("SD010", message, "use a shorter mask")
+    if fault or not isinstance(values, list):
+        table.problems.add(fault or Fault("SD006", ""), path)
+        return None
+    entries = []
+    for i, value in enumerate(values):
+        try:
+            entries.append(read_expression(value, (*path, i), parameters))
+        except Fault as error:
+            table.problems.add(error, (*path, i))
+    return tuple(entries) if len(entries) == len(values) else None

@@ -1,0 +1,102 @@
+"""The tokens of an expression, and the exact value of a number as it is spelled."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
+from subdiv_cli.maskfile.problems import Fault, shown
+
+
+class Token(NamedTuple):
+    kind: str
+    """number, name, end, or the operator itself: + - * / ^ ( ) [ ] ,"""
+    text: str
+    at: int
+
+
+_SPACE = re.compile(r"[ \t\r\n]*")
+_NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_ASCII_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_OPERATORS = frozenset("+-*/^()[],")
+
+_MENDS = dict.fromkeys("−–—‐‑‒﹣－", "-") | dict.fromkeys("×·⋅∙•∗✕", "*") | dict.fromkeys("÷⁄∕／", "/")
+_MENDS |= {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)", "⅛": "(1/8)", "⁻": "^-", "＋": "+"}
+_MENDS |= {power: f"^{i}" for i, power in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"√": "", "\u00a0": "a space", "\u2009": "a space"}
+
+
+def tokens(text: str, at: int = 0) -> Iterator[Token]:
+    """The tokens of `text`, then "end" for ever. Offsets count from `at`. Raises Fault at what cannot be a token."""
+    position = 0
+    while True:
+        position = _SPACE.match(text, position).end()  # type: ignore[union-attr]
+        if position == len(text):
+            break
+        c = text[position]
+        if c in _OPERATORS:
+            if text.startswith("**", position):
+                raise Fault("SD008", '"**" is not the power here', "write ^ for a power: z^2", at + position)
+            kind, end = c, position + 1
+        elif found := _NUMBER.match(text, position):
+            kind, end = "number", found.end()
+        elif end := _name_end(text, position):
+            kind = "name"
+        else:
+            raise _stray(c, at + position)
+        yield Token(kind, text[position:end], at + position)
+        position = end
+    while True:
+        yield Token("end", "", at + len(text.rstrip(" \t\r\n")))
+
+
+def is_name(text: str) -> bool:
+    """Whether a parameter may be called so: a letter or _, then letters, digits and _."""
+    return bool(text) and text[0] not in _MENDS and _name_end(text, 0) == len(text)
+
+
+def _name_end(text: str, start: int) -> int:
+    """Where the name at `start` ends; 0 where there is none."""
+    if found := _ASCII_NAME.match(text, start):
+        end = found.end()
+    elif text[start].isidentifier():
+        end = start + 1
+    else:
+        return 0
+    while end < len(text) and text[end] not in _MENDS and ("a" + text[end]).isidentifier():
+        end += 1
+    return end
+
+
+def _stray(c: str, at: int) -> Fault:
+    if c == "√":
+        return Fault("SD008", "a square root is not rational", "rational masks only: write a rational number", at)
+    if c in _MENDS:
+        return Fault("SD008", f'the character "{shown(c)}" is not understood here', f"write {_MENDS[c]} instead", at)
+    mend = 'an expression has numbers, names, + - * / ^ and parentheses: "1/2 + w"'
+    return Fault("SD008", f'the character "{shown(c)}" cannot stand in an expression', mend, at)
+
+
+def number(token: Token) -> Fraction:
+    """The number that a token spells, exactly: 12, 0.5, .5, 1e-3. Raises Fault (SD010) for one that is too long."""
+    mantissa, _, power = token.text.lower().partition("e")
+    whole, _, decimals = mantissa.partition(".")
+    digits = whole + decimals
+    if len(digits) > MAX_DIGITS:
+        message = f"the number has {len(digits)} digits; the limit is {MAX_DIGITS}"
+        raise Fault("SD010", message, "use a shorter number", token.at)
+    exponent = 0
+    if power:
+        size = power.lstrip("+-").lstrip("0")
+        if len(size) > len(str(MAX_DIGITS)) or int(size or "0") > MAX_DIGITS:
+            message = f"the decimal exponent {shown(power, 20)} is too large; the limit is {MAX_DIGITS}"
+            raise Fault("SD010", message, "use a number of a sensible size", token.at)
+        exponent = int(power)
+    exponent -= len(decimals)
+    value = Fraction(int(digits) * 10 ** max(exponent, 0), 10 ** max(-exponent, 0))
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) > MAX_BITS:
+        message = f"the number {shown(token.text, 30)} has more than {MAX_DIGITS} digits"
+        raise Fault("SD010", message, "use a number of a sensible size", token.at)
+    return value

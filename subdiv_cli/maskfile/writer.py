@@ -1,0 +1,66 @@
+"""`MaskFile` -> TOML text; reading it again gives an equal mask."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from subdiv_cli.maskfile.mask import Coefficients, Expression, MaskFile
+
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+_INTEGER = re.compile(r"0|-?[1-9][0-9]{0,17}")
+_SHORT = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"}
+_WIDTH = 100
+
+
+def write(mask: MaskFile) -> str:
+    """The text of a mask file; its comments and layout are not kept, the spelling of every number is."""
+    lines = ["format = 1"]
+    for key, text in (("name", mask.name), ("reference", mask.reference)):
+        if text is not None:
+            lines.append(f"{key} = {_quoted(text)}")
+    lines.append(f"kind = {_quoted(mask.kind)}")
+    if mask.parameters:
+        lines += ["", "[parameters]"]
+        lines += [
+            f"{_key(name)} = {_number(default) if default else _quoted('')}"
+            for name, default in mask.parameters.items()
+        ]
+    lines += ["", "[mask]", f"arity = {mask.body.arity}"]
+    if isinstance(mask.body, Coefficients):
+        lines.append(f"start = {mask.body.start}")
+        lines += _list("coefficients", map(_number, mask.body.entries))
+    else:
+        lines.append(f"symbol = {_quoted(mask.body.expression.text)}")
+    if mask.expectations:
+        lines += ["", "[expect]"]
+        for e in mask.expectations:
+            bare = isinstance(e.lower, bool) or (isinstance(e.lower, int) and _INTEGER.fullmatch(e.text))
+            lines.append(f"{e.key} = {e.text if bare else _quoted(e.text)}")
+    return "\n".join(lines) + "\n"
+
+
+def _number(expression: Expression) -> str:
+    return expression.text if _INTEGER.fullmatch(expression.text) else _quoted(expression.text)
+
+
+def _list(key: str, items: Iterable[str]) -> list[str]:
+    """One line where it fits, else as many as are needed."""
+    items = list(items)
+    if len(one := f"{key} = [{', '.join(items)}]") <= _WIDTH:
+        return [one]
+    lines, line = [f"{key} = ["], "   "
+    for item in items:
+        if len(line) + len(item) + 2 > _WIDTH and line.strip():
+            lines.append(line)
+            line = "   "
+        line += f" {item},"
+    return [*lines, line, "]"]
+
+
+def _key(name: str) -> str:
+    return name if _BARE_KEY.fullmatch(name) else _quoted(name)
+
+
+def _quoted(text: str) -> str:
+    return '"' + "".join(_SHORT.get(c) or (c if c >= " " and c != "\x7f" else f"\\u{ord(c):04X}") for c in text) + '"'

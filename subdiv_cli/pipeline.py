@@ -1,0 +1,75 @@
+"""One scheme through the stages: findings in order, gathered into a result and held to its expectations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from subdiv_cli.model import (
+    Effort,
+    Expectation,
+    Exponent,
+    Finding,
+    Judgement,
+    Result,
+    Smoothness,
+    Status,
+    Verdict,
+    logarithm,
+)
+from subdiv_cli.schemes.scalar import ScalarScheme
+from subdiv_cli.stages.judge import judge
+from subdiv_cli.stages.scalar import analyse
+
+
+def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Effort) -> Result:
+    """Decide what the stages can decide within the effort. The caller adds file, name and parameters to the result."""
+    facts, findings = analyse(scheme, effort)
+    found = {finding.code: finding for finding in findings}
+    result = Result(
+        file="",
+        status="undecided",
+        kind="scalar",
+        stopped="budget" if effort.struck else None,
+        facts=facts,
+        sum_rule_order=_integer(found, "SD102", "order"),
+        convergent=found["SD201"].verdict,
+        smoothness=Smoothness(order=_integer(found, "SD302", "order"), sharp=found["SD303"].verdict is Verdict.REFUTED),
+        holder=_holder(found, scheme.arity),
+        stable=found["SD402"].verdict,
+        linearly_independent=found["SD401"].verdict,
+        generation=_integer(found, "SD103", "degree"),
+        reproduction=_integer(found, "SD104", "degree"),
+        findings=findings,
+    )
+    judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
+    return replace(result, expectations=judgements, status=_status(result, judgements))
+
+
+def _status(result: Result, judgements: Sequence[Judgement]) -> Status:
+    """Every expectation must be proved; where a mask states none, convergence must."""
+    verdicts = [judgement.verdict for judgement in judgements] or [result.convergent]
+    if Verdict.REFUTED in verdicts:
+        return "failed"
+    return "passed" if all(v is Verdict.PROVED for v in verdicts) else "undecided"
+
+
+def _integer(found: dict[str, Finding], code: str, key: str) -> int | None:
+    value = found[code].witness.get(key)
+    return value if isinstance(value, int) else None
+
+
+def _holder(found: dict[str, Finding], p: int) -> Exponent | None:
+    """None without sum rules. What is exact for D = S_(Δ^k) is the exponent of φ where φ is stable."""
+    below, above = found["SD311"], found["SD312"]
+    if below.verdict is Verdict.SKIPPED:
+        return None
+    lower = below.value.lower if below.value else None
+    upper = above.value.upper if above.value else None
+    norm, level = below.witness.get("norm"), below.witness.get("level")
+    closed = "word" in below.witness and above.verdict is Verdict.PROVED
+    if not closed or not isinstance(norm, Fraction) or not isinstance(level, int):
+        return Exponent(lower=lower, upper=upper)
+    upper = below.value.upper if below.value else upper
+    return Exponent(lower=lower, upper=upper, exact=logarithm(p, 1 / norm, level))

@@ -1,0 +1,147 @@
+"""Products of transition matrices: the search for one of large spectral radius.
+
+Any product Π of ℓ matrices bounds the joint spectral radius from below by ρ(Π)^(1/ℓ). Which one is found is a matter
+of luck and effort; what it proves rests on its exact characteristic polynomial.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+
+from flint import ctx, fmpq_mat, fmpz_mat
+
+from subdiv_cli.exact.algebraic import AlgebraicNumber, roots
+from subdiv_cli.exact.enclosures import ball, closed_interval, interval
+from subdiv_cli.exact.text import root
+from subdiv_cli.model import Effort, Interval, logarithm
+
+_WORK_PER_WORD = 200
+"""Beside the entries of its matrix, what a word costs: about what as many coefficients of a norm cost."""
+_SQUARINGS = 4
+_TIE = 1e-9
+"""Logarithms of radii closer than this count as equal in the search."""
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """Π = T_(w_ℓ) … T_(w_1) for the word w, and an eigenvalue λ of Π, the largest one as balls of 64 bits see it."""
+
+    word: tuple[int, ...]
+    matrix: fmpq_mat
+    eigenvalue: AlgebraicNumber
+
+    def compare(self, r: Fraction) -> int:
+        """The sign of |λ| - r^ℓ, exactly: >= 0 proves that the joint spectral radius is at least r. Needs r >= 0."""
+        return self.eigenvalue.compare_modulus(r ** len(self.word))
+
+    def closes(self, norm: Fraction, level: int) -> bool:
+        """Whether |λ|^(1/ℓ) = norm^(1/level), exactly.
+
+        With `norm` that of all products of `level` matrices, the joint spectral radius then is this number.
+        """
+        if norm == 0:
+            return False
+        target = norm ** len(self.word)
+        if (rational := self.eigenvalue.rational) is not None:
+            return abs(rational) ** level == target
+        size = math.log(float(self.eigenvalue.region.__abs__().mid()))
+        if abs(level * size - math.log(target.numerator) + math.log(target.denominator)) > 1e-6 * level:
+            return False
+        return any(root.compare_modulus(target) == 0 for root, _ in roots((self.matrix**level).charpoly()))
+
+
+def exponent_bound(product: Product, p: int) -> Interval:
+    """-log_p(|λ|) / ℓ, an upper bound of the Hölder exponent for a stable refinable function. Needs λ ≠ 0."""
+    length, eigenvalue = len(product.word), product.eigenvalue
+    if (rational := eigenvalue.rational) is not None:
+        return closed_interval(logarithm(p, 1 / abs(rational), length))
+    with ctx.workprec(128):
+        enclosure = -(eigenvalue.modulus().log() / ball(p).log()) / length
+        return interval(enclosure, _closed_form(eigenvalue, p, length))
+
+
+def _closed_form(eigenvalue: AlgebraicNumber, p: int, length: int) -> str | None:
+    """-log_p(|λ|)/ℓ as text for a real λ; for a complex one there is none in this grammar."""
+    if not eigenvalue.is_real:
+        return None
+    sign = "-" if eigenvalue.region.real < 0 else ""
+    return f"-log{p}({sign}{root(eigenvalue)})" + (f"/{length}" if length > 1 else "")
+
+
+def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> Product | None:
+    """The product with the largest |λ|^(1/ℓ) among short words; None where all are nilpotent or the effort is nil.
+
+    The words are primitive and one of each rotation class. ‖Π^16‖^(1/16) >= ρ(Π) ranks them, so that few
+    characteristic polynomials are needed. Ties go to the shortest word, then to the first.
+    """
+    integers, denominator = _over_common_denominator(matrices)
+    order, bits = matrices[0].nrows(), max(int(x).bit_length() for m in integers for x in m.entries())
+    ranked: list[tuple[float, tuple[int, ...], fmpz_mat]] = []
+    spent = 0
+    for word in lyndon_words(len(matrices)):
+        spent += (_WORK_PER_WORD + order * order) * (1 + bits * len(word) // 64)
+        if not effort.allows(spent):
+            break
+        product = reduce(lambda product, letter: integers[letter] * product, word[1:], integers[word[0]])
+        if (estimate := _log_radius_estimate(product) / len(word)) > -math.inf:
+            ranked.append((estimate, word, product))
+    ranked.sort(key=lambda entry: (-entry[0], len(entry[1]), entry[1]))
+    best: tuple[float, Product] | None = None
+    for estimate, word, product in ranked:
+        if best is not None and estimate < best[0] - _TIE:
+            break
+        exact = fmpq_mat(product) / denominator ** len(word)
+        number = roots(exact.charpoly())[0][0]
+        if number.rational == 0:
+            continue
+        size = float(number.region.__abs__().log().mid()) / len(word) + math.log(denominator)
+        candidate = size, Product(word, exact, number)
+        if best is None or _better(candidate, best):
+            best = candidate
+    return None if best is None else best[1]
+
+
+def _better(a: tuple[float, Product], b: tuple[float, Product]) -> bool:
+    if abs(a[0] - b[0]) > _TIE:
+        return a[0] > b[0]
+    return (len(a[1].word), a[1].word) < (len(b[1].word), b[1].word)
+
+
+def lyndon_words(letters: int) -> Iterator[tuple[int, ...]]:
+    """The primitive words over 0, …, letters-1, the least of each rotation class, by length; endless."""
+    length = 1
+    while True:
+        yield from _lyndon_words_of_length(letters, length)
+        length += 1
+
+
+def _lyndon_words_of_length(letters: int, length: int) -> Iterator[tuple[int, ...]]:
+    """Duval's generation: all Lyndon words of at most this length in order, the shorter ones dropped."""
+    word = [-1]
+    while word:
+        word[-1] += 1
+        if len(word) == length:
+            yield tuple(word)
+        period = len(word)
+        while len(word) < length:
+            word.append(word[-period])
+        while word and word[-1] == letters - 1:
+            word.pop()
+
+
+def _over_common_denominator(matrices: Sequence[fmpq_mat]) -> tuple[list[fmpz_mat], int]:
+    pairs = [m.numer_denom() for m in matrices]
+    denominator = math.lcm(*(int(d) for _, d in pairs))
+    return [numerators * (denominator // int(d)) for numerators, d in pairs], denominator
+
+
+def _log_radius_estimate(product: fmpz_mat) -> float:
+    """log of ‖Π^16‖∞^(1/16) >= ρ(Π); -inf where Π^16 = 0."""
+    for _ in range(_SQUARINGS):
+        product = product * product
+    norm = max(sum(abs(int(x)) for x in row) for row in product.table())
+    return math.log(norm) / (1 << _SQUARINGS) if norm else -math.inf

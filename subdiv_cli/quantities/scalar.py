@@ -1,0 +1,118 @@
+"""What has been computed for one scalar scheme: every number once, however many stages ask."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cached_property
+
+from flint import fmpq_mat, fmpz_poly
+
+from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.model import Effort
+from subdiv_cli.quantities.independence import circle_factors, cycles, polyphase_gcd
+from subdiv_cli.quantities.norms import power_norms
+from subdiv_cli.quantities.polynomials import residue_sums, sum_rules
+from subdiv_cli.quantities.products import Product, best_product
+from subdiv_cli.quantities.spectra import Spectrum, spectrum
+from subdiv_cli.schemes.operators import difference_symbol, refinement_matrices, symbol, transition_matrices
+from subdiv_cli.schemes.scalar import ScalarScheme
+
+
+class ScalarNumbers:
+    """The numbers of one scheme under one effort."""
+
+    def __init__(self, scheme: ScalarScheme, effort: Effort) -> None:
+        self.scheme = scheme
+        self.effort = effort
+        self.p = scheme.arity
+
+    @cached_property
+    def symbol(self) -> Laurent:
+        return symbol(self.scheme)
+
+    @cached_property
+    def residue_sums(self) -> tuple[Fraction, ...]:
+        return residue_sums(self.symbol, self.p)
+
+    @cached_property
+    def is_normalised(self) -> bool:
+        """a(1) = p, so that a refinable distribution φ with ∫φ = 1 exists."""
+        return sum(self.residue_sums) == self.p
+
+    @cached_property
+    def sum_rules(self) -> tuple[int, Laurent, Laurent]:
+        return sum_rules(self.symbol, self.p)
+
+    @property
+    def order(self) -> int:
+        """The sum-rule order k; 0 where a(1) ≠ p."""
+        return self.sum_rules[0] if self.is_normalised else 0
+
+    def difference(self, nu: int) -> Laurent:
+        """The symbol of (1/p) S_ν = p^(ν-1) S_(Δ^ν), 1 <= ν <= k."""
+        return difference_symbol(self.symbol, self.p, nu).scale(self.p ** (nu - 1))
+
+    @cached_property
+    def transition_order(self) -> int:
+        """N: the order of the transition matrices of S_(Δ^k)."""
+        return max(1, -(-self.scheme.degree // (self.p - 1)) - self.order)
+
+    @cached_property
+    def best_product(self) -> Product | None:
+        """Among the products of the transition matrices of D = S_(Δ^k)."""
+        if not self.effort.allows(self.p * self.transition_order**2):
+            return None
+        return best_product(
+            transition_matrices(difference_symbol(self.symbol, self.p, self.order), self.p), self.effort
+        )
+
+    @cached_property
+    def _norms(self) -> dict[int, tuple[Fraction, ...]]:
+        return {}
+
+    def norms(self, nu: int) -> tuple[Fraction, ...]:
+        """‖((1/p) S_ν)^L‖∞ for L = 1, 2, …, to the first below 1 or to the end of the effort.
+
+        For ν = k on to the end of the effort, or to the level that closes the Hölder exponent.
+        """
+        if nu not in self._norms:
+            self._norms[nu] = tuple(self._needed_norms(nu))
+        return self._norms[nu]
+
+    def _needed_norms(self, nu: int) -> Iterator[Fraction]:
+        for level, norm in enumerate(power_norms(self.difference(nu), self.p, self.effort), 1):
+            yield norm
+            if self.closes(nu, level, norm) or (norm < 1 and nu < self.order):
+                return
+
+    def closes(self, nu: int, level: int, norm: Fraction) -> bool:
+        """Whether the norm of ((1/p) S_ν)^level, ν = k, is what the best product attains: α then is exact."""
+        if nu < self.order or self.best_product is None:
+            return False
+        return self.best_product.closes(norm / self.p ** ((nu - 1) * level), level)
+
+    @cached_property
+    def refinement_matrices(self) -> tuple[fmpq_mat, ...]:
+        return refinement_matrices(self.scheme)
+
+    @cached_property
+    def spectra(self) -> tuple[Spectrum, ...] | None:
+        """Of A_0, …, A_(p-1); None where they are too large for the effort."""
+        order = -(-self.scheme.degree // (self.p - 1)) + 2
+        if not self.effort.allows(self.p * order**3 // 8):
+            return None
+        return tuple(spectrum(matrix) for matrix in self.refinement_matrices)
+
+    @cached_property
+    def polyphase_gcd(self) -> tuple[Laurent, tuple[Laurent, ...]]:
+        return polyphase_gcd(self.symbol, self.p)
+
+    @cached_property
+    def circle_factors(self) -> tuple[fmpz_poly, ...]:
+        return circle_factors(self.polyphase_gcd[0])
+
+    @cached_property
+    def cycle(self) -> int | None:
+        """The smallest n whose cycle of n-th roots of unity makes the translates dependent."""
+        return next(cycles(self.symbol, self.p), None)

@@ -1,0 +1,34 @@
+"""One file per output format: results in, a string out.
+
+`json` is a contract and `concise` is for grep; `text` is for people: `words` says it, `numbers` prints only certain
+digits, `letters` finds ASCII for the mathematics where it must, `layout` puts it into columns. `problems` shows what is
+wrong with a file. `look` is all that a format knows of the place it is printed to. A format's module is imported when
+it is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from subdiv_cli.model import Result
+from subdiv_cli.report.look import Look
+
+Render = Callable[[Sequence[Result], Look], str]
+
+FORMATS = {
+    "text": "subdiv_cli.report.text",
+    "concise": "subdiv_cli.report.concise",
+    "json": "subdiv_cli.report.json",
+}
+"""Format -> the module whose `render` makes it."""
+
+SUFFIXES = {".json": "json", ".txt": "text"}
+"""File suffix -> the format it stands for."""
+
+
+def renderer(name: str) -> Render:
+    """The function that renders a format. Raises KeyError for one that does not exist."""
+    from importlib import import_module
+
+    render: Render = import_module(FORMATS[name]).render
+    return render

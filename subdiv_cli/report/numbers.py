@@ -1,0 +1,127 @@
+"""Numbers in a report: exact first, then the digits that are certain and no others."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+
+from subdiv_cli.model import Data, Exponent, Interval
+
+PLACES = 10
+"""Decimal places at most, where a number is not known exactly."""
+
+
+def exact(value: Fraction | int) -> str:
+    """A rational as `p/q`, of any length (str refuses above 4300 digits)."""
+    try:
+        return str(value)
+    except ValueError:
+        from decimal import Decimal
+
+        value = Fraction(value)
+        return f"{Decimal(value.numerator):f}" + (f"/{Decimal(value.denominator):f}" if value.denominator > 1 else "")
+
+
+def finite(bound: float | None) -> float | None:
+    """The bound, or None where it says nothing."""
+    return bound if bound is not None and math.isfinite(bound) else None
+
+
+def decimal(value: Fraction, places: int, *, up: bool) -> str:
+    """The nearest decimal with so many places that is not below (`up`) or not above the value."""
+    scaled = value * 10**places
+    digits = math.ceil(scaled) if up else math.floor(scaled)
+    sign, text = "-" if digits < 0 else "", exact(abs(digits)).rjust(places + 1, "0")
+    return sign + (f"{text[:-places]}.{text[-places:]}" if places else text)
+
+
+def digits(lower: float, upper: float) -> str:
+    """What is certain of a number in [lower, upper].
+
+    `2` or `1.5` where both bounds are that number; `2.8300749985…` where all the digits shown are digits of the
+    number (cut, not rounded); otherwise `1.99 .. 2.01`, an interval that contains the given one.
+    """
+    low, high = Fraction(lower), Fraction(upper)
+    if low > high:
+        raise ValueError(f"no number is at least {lower} and at most {upper}")
+    if low == high and not (low * 10**PLACES).denominator > 1:
+        return _strip(decimal(low, PLACES, up=False))
+    wanted = worth(lower, upper)
+    for places in (wanted, wanted - 1, wanted - 2):
+        if places > 0 and low * high > 0:
+            cut = decimal(low, places, up=low < 0)
+            if cut == decimal(high, places, up=low < 0) and float(cut) != 0:
+                return cut + "…"
+    first, last = decimal(low, wanted, up=False), decimal(high, wanted, up=True)
+    return f"{_strip(first)} .. {_strip(last)}"
+
+
+def at_least(lower: float, places: int = 6) -> str:
+    """`≥ 1.833915`: rounded down."""
+    return f"≥ {_strip(decimal(Fraction(lower), places, up=False))}"
+
+
+def at_most(upper: float, places: int = 6) -> str:
+    """`≤ 2.000001`: rounded up."""
+    return f"≤ {_strip(decimal(Fraction(upper), places, up=True))}"
+
+
+def enclosed(lower: float | None, upper: float | None, closed: str | None = None) -> str | None:
+    """An exact number followed by its digits, or an interval, or a bound; None where nothing is known."""
+    lower, upper = finite(lower), finite(upper)
+    if lower is not None and upper is not None:
+        shown = digits(lower, upper)
+        if closed is None or closed == shown:
+            return shown
+        if _is_rational(closed) and _terminates(closed):
+            return closed
+        return f"{closed} {'∈' if ' .. ' in shown else '='} {shown}"
+    if closed is not None:
+        return closed
+    if lower is not None:
+        return at_least(lower)
+    return None if upper is None else at_most(upper)
+
+
+def interval(value: Interval | Exponent) -> str | None:
+    """An interval or an exponent as text, exact value first."""
+    attained = getattr(value, "attained", None)
+    shown = enclosed(value.lower, value.upper, None if value.exact is None else str(value.exact))
+    return shown if shown is None or attained is None else f"{shown}, {'attained' if attained else 'not attained'}"
+
+
+def data(value: Data) -> str:
+    """A fact or a witness as text, whatever its shape."""
+    if value is None:
+        return "none"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, int | Fraction):
+        return exact(value)
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{key}: {data(item)}" for key, item in value.items()) + "}"
+    return "(" + ", ".join(map(data, value)) + ")"
+
+
+def worth(lower: float, upper: float) -> int:
+    """How many decimal places an interval is worth: three digits of its length, and never too many."""
+    spread, places = Fraction(upper) - Fraction(lower), 1
+    while places < PLACES and spread * 10**places < 100:
+        places += 1
+    return places
+
+
+def _strip(text: str) -> str:
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def _is_rational(text: str) -> bool:
+    return text.removeprefix("-").replace("/", "", 1).isdecimal()
+
+
+def _terminates(text: str) -> bool:
+    """Whether a rational needs no digits beside it: an integer, or a short decimal such as 3/2."""
+    return (Fraction(text) * 1000).denominator == 1

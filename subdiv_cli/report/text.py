@@ -1,0 +1,264 @@
+"""The report for people: the verdict in words, one table, the expectations, then each finding with its why and source.
+
+One mask has the full report; several have a line each, then the full report of those that did not pass.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from subdiv_cli.model import Exponent, Finding, Judgement, Result, Verdict
+from subdiv_cli.report import words
+from subdiv_cli.report.layout import Cell, Line, joined, paint, paragraph, stacked, table
+from subdiv_cli.report.letters import letters
+from subdiv_cli.report.look import Look
+from subdiv_cli.report.numbers import at_least, at_most, data, exact, finite, interval, worth
+from subdiv_cli.report.problems import problem_lines
+
+INDENT = 2
+NARROW = 60
+"""Below so many columns findings are indented less."""
+TITLES = ("property", "verdict", "value", "proof")
+
+
+def render(results: Sequence[Result], look: Look) -> str:
+    """The report on these masks, in this order."""
+    page = _Page(look)
+    if look.verbosity < 0:
+        page.failures(results)
+    elif len(results) == 1:
+        page.full(results[0])
+        page.closing(results[0])
+    else:
+        page.overview(results)
+    return paint(page.lines, colour=look.colour)
+
+
+class _Page:
+    """Lines gathered so far; every text goes through `say`, which knows what the console can print."""
+
+    def __init__(self, look: Look) -> None:
+        self.look = look
+        self.lines: list[Line] = []
+
+    def say(self, text: str) -> str:
+        return letters(text, self.look.unicode)
+
+    def cell(self, text: str | None, role: str = "text") -> Cell:
+        return self.say(text or ""), role
+
+    def put(self, text: str, role: str = "text", *, indent: int = 0, hanging: int = 0) -> None:
+        self.lines += paragraph(self.say(text), self.look.width, role=role, indent=indent, hanging=hanging)
+
+    def blank(self) -> None:
+        if self.lines and self.lines[-1]:
+            self.lines.append([])
+
+    def table(self, header: Sequence[str], rows: Sequence[Sequence[Cell]]) -> None:
+        header = [self.say(title) for title in header]
+        self.lines += table(header, rows, self.look.width, rule=self.say("─"), indent=INDENT)
+
+    # several masks
+
+    def failures(self, results: Sequence[Result]) -> None:
+        """Nothing but what did not pass."""
+        failing = [result for result in results if result.status != "passed"]
+        failing = [r for r in failing if not (self.look.allow_undecided and r.status == "undecided")]
+        for result in failing:
+            self.headline(result)
+            self.problems(result)
+            for judged in result.expectations:
+                if judged.verdict is not Verdict.PROVED:
+                    self.missed(result, judged)
+        if failing and len(results) > 1:
+            self.put(words.footer(results, allow_undecided=self.look.allow_undecided), "head")
+
+    def missed(self, result: Result, judged: Judgement) -> None:
+        """An expectation that was not proved, in a line."""
+        found = words.found(result, judged.expectation)
+        text = f"expected {words.asked(judged.expectation)}: {words.mark(judged.verdict)}"
+        self.put(
+            f"{text}, found {found}" if found else text, words.ROLES[judged.verdict], indent=INDENT, hanging=INDENT
+        )
+
+    def overview(self, results: Sequence[Result]) -> None:
+        """A line each, then in full those that did not pass (or all, when asked), then the counts."""
+        if results:
+            self.table(("status", "mask", "convergence", "smoothness", "Hölder exponent"), list(map(self.row, results)))
+        for result in results:
+            if self.look.verbosity > 0 or result.status != "passed":
+                self.blank()
+                self.full(result)
+                self.closing(result, indent=INDENT)
+        self.blank()
+        self.put(words.footer(results, allow_undecided=self.look.allow_undecided), "head")
+
+    def row(self, result: Result) -> list[Cell]:
+        status = self.cell(f"{words.STATUS_MARKS[result.status]} {result.status}", words.STATUS_ROLES[result.status])
+        label = self.cell(words.name(result))
+        if result.status == "invalid":
+            return [status, label, self.cell("not checked"), self.cell(None), self.cell(None)]
+        role = words.ROLES[result.convergent]
+        verdict = self.cell(words.convergence(result), role)
+        return [status, label, verdict, self.cell(words.smoothness(result)), self.cell(words.holder(result))]
+
+    # one mask
+
+    def full(self, result: Result) -> None:
+        """Everything about one mask."""
+        self.headline(result)
+        self.about(result)
+        self.problems(result)
+        if result.status == "invalid":
+            return
+        rows = [row for row in self.properties(result) if row]
+        if rows:
+            self.blank()
+            self.table(TITLES, rows)
+        self.expectations(result)
+        self.findings(result)
+
+    def headline(self, result: Result) -> None:
+        sign, role = words.STATUS_MARKS[result.status], words.STATUS_ROLES[result.status]
+        self.put(f"{sign} {words.name(result)}: {words.headline(result)}", role, hanging=2)
+
+    def about(self, result: Result) -> None:
+        """File, kind, parameters, reference, then the facts."""
+        items = [result.file] if result.name and result.file else []
+        if result.kind:
+            items.append(result.kind)
+        items += [f"{name} = {exact(value)}" for name, value in result.parameters.items()]
+        if result.reference:
+            items.append(result.reference)
+        told = {name.replace("_", " "): value for name, value in result.facts.items() if value not in (None, ())}
+        facts = [f"{name}: {data(value)}" for name, value in told.items()]
+        separator = " · " if self.look.unicode else "; "
+        for row in (items, facts):
+            self.lines += joined([self.say(i) for i in row], separator, self.look.width, indent=INDENT, role="quiet")
+        if result.stopped:
+            self.put(f"stopped by the {result.stopped}: another run may find more or less", "open", indent=INDENT)
+
+    def problems(self, result: Result) -> None:
+        if not self.look.problems:
+            return
+        for problem in result.problems:
+            self.blank()
+            self.lines += problem_lines(problem, self.look)
+
+    def properties(self, result: Result) -> list[list[Cell] | None]:
+        """The rows of the table; None for a property nothing is known of and nobody asked about."""
+        sobolev = None if result.sobolev is None else interval(result.sobolev)
+        return [
+            self.property(result, "convergence", result.convergent, None, "SD201", "SD101"),
+            self.smoothness(result),
+            *self.holder(result),
+            self.property(result, "Sobolev (L2)", None, sobolev),
+            self.property(result, "stability", result.stable, None, "SD402"),
+            self.property(result, "independence", result.linearly_independent, None, "SD401"),
+            self.property(result, "sum rules", None, _degree("order", result.sum_rule_order), "SD102"),
+            self.property(result, "generation", None, _degree("degree", result.generation), "SD103"),
+            self.property(result, "reproduction", None, _degree("degree", result.reproduction), "SD104"),
+        ]
+
+    def smoothness(self, result: Result) -> list[Cell] | None:
+        """The row of the order of smoothness: proved by one finding, and found sharp by another."""
+        row = self.property(result, "smoothness", None, words.smoothness(result), "SD302")
+        sharp = words.finding(result, "SD303")
+        return self.proved_too(row, sharp if sharp and sharp.verdict is Verdict.REFUTED else None)
+
+    def holder(self, result: Result) -> list[list[Cell] | None]:
+        """One row where the exponent is known exactly, else one for each bound, both with the places they are worth."""
+        exponent = result.holder or Exponent()
+        lower, upper = finite(exponent.lower), finite(exponent.upper)
+        if exponent.exact is not None:
+            row = self.property(result, "Hölder exponent", None, interval(exponent), "SD311")
+            return [self.proved_too(row, words.finding(result, "SD312"))]
+        places = worth(lower, upper) if lower is not None and upper is not None else 6
+        below = None if lower is None else at_least(lower, places)
+        above = None if upper is None else at_most(upper, places)
+        return [
+            self.property(result, "Hölder, lower", None, below, "SD311"),
+            self.property(result, "Hölder, upper", None, above, "SD312"),
+        ]
+
+    def proved_too(self, row: list[Cell] | None, also: Finding | None) -> list[Cell] | None:
+        """The row with a second finding among its proofs."""
+        if row and also:
+            row[3] = self.cell("; ".join(filter(None, (row[3][0], _proof(also)))), "quiet")
+        return row
+
+    def property(
+        self, result: Result, title: str, verdict: Verdict | None, value: str | None, *codes: str
+    ) -> list[Cell] | None:
+        found = words.finding(result, *codes)
+        if found is None and value is None and verdict in (None, Verdict.SKIPPED):
+            return None
+        if verdict is None and found is not None:
+            verdict = found.verdict
+        if value is None and found is not None and verdict in (Verdict.SKIPPED, Verdict.UNDECIDED):
+            value = found.reason
+        shown = ("", "text") if verdict is None else (words.mark(verdict), words.ROLES[verdict])
+        return [self.cell(title), self.cell(*shown), self.cell(value), self.cell(_proof(found), "quiet")]
+
+    def expectations(self, result: Result) -> None:
+        """What the mask is held to, each judged; where it was not proved, what was found instead."""
+        if not result.expectations:
+            return
+        rows = []
+        for judged in result.expectations:
+            verdict = judged.verdict
+            found = None if verdict is Verdict.PROVED else words.found(result, judged.expectation)
+            shown = self.cell(words.mark(verdict), words.ROLES[verdict])
+            rows.append([self.cell(words.asked(judged.expectation)), shown, self.cell(found)])
+        self.blank()
+        header = ("expected", "verdict", "found" if any(row[2][0] for row in rows) else "")
+        self.table(header if header[2] else header[:2], [row if header[2] else row[:2] for row in rows])
+
+    def findings(self, result: Result) -> None:
+        for found in result.findings:
+            self.blank()
+            self.finding(found)
+
+    def finding(self, found: Finding) -> None:
+        indent = INDENT + (2 if self.look.width < NARROW else 13)
+        verdict = self.say(words.mark(found.verdict)).ljust(indent - INDENT)
+        title = f"{found.code} {self.say(found.name)}"
+        role = words.ROLES[found.verdict]
+        if self.look.width >= NARROW:
+            self.lines.append([(" " * INDENT, ""), (verdict, role), (title, "code")])
+        else:
+            self.lines += stacked([[(verdict, role), (title, "code")]], self.look.width - INDENT, INDENT)
+        self.put(found.statement, indent=indent, hanging=2)
+        if (shown := _unsaid(found)) is not None:
+            self.put(f"value: {shown}", indent=indent, hanging=2)
+        if found.reason:
+            self.put(f"because {found.reason}", indent=indent, hanging=2)
+        if self.look.verbosity > 1:
+            for key, value in found.witness.items():
+                self.put(f"{key}: {data(value)}", indent=indent, hanging=2)
+        self.put(found.source, "quiet", indent=indent, hanging=2)
+
+    def closing(self, result: Result, *, indent: int = 0) -> None:
+        """Why the exit code is what it is."""
+        if result.status == "invalid":
+            return
+        role = words.STATUS_ROLES[result.status]
+        sentence = words.verdict_sentence(result, allow_undecided=self.look.allow_undecided)
+        self.blank()
+        self.put(f"{words.STATUS_MARKS[result.status]} {sentence}", role, indent=indent, hanging=2)
+
+
+def _degree(noun: str, number: int | None) -> str | None:
+    return None if number is None else f"{noun} {number}"
+
+
+def _unsaid(found: Finding) -> str | None:
+    """The value of a finding whose statement does not have it already."""
+    if found.value is None or (found.value.exact is not None and found.value.exact in found.statement):
+        return None
+    shown = interval(found.value)
+    return None if shown is None or shown.lstrip("≥≤ ").rstrip("…") in found.statement else shown
+
+
+def _proof(found: Finding | None) -> str:
+    return "" if found is None else f"{found.code} {found.source}"

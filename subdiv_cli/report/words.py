@@ -1,0 +1,165 @@
+"""What a result says, in words: the headline, the smoothness, the exponents, what was found of a property."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from subdiv_cli.model import Expectation, Finding, Result, Verdict
+from subdiv_cli.report.numbers import exact, interval
+
+MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
+ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
+STATUS_MARKS = {"passed": "✓", "failed": "✗", "undecided": "?", "invalid": "!"}
+STATUS_ROLES = {"passed": "good", "failed": "bad", "undecided": "open", "invalid": "bad"}
+
+
+def mark(verdict: Verdict) -> str:
+    """A verdict as symbol and word: never colour alone."""
+    return f"{MARKS[verdict]} {verdict.value}"
+
+
+def name(result: Result) -> str:
+    """What the mask is called: by itself, else by its file."""
+    return result.name or result.file
+
+
+def finding(result: Result, *codes: str) -> Finding | None:
+    """The finding with the first of these codes that the result has."""
+    for code in codes:
+        for found in result.findings:
+            if found.code == code:
+                return found
+    return None
+
+
+def convergence(result: Result) -> str:
+    """One word or two: whether the scheme converges."""
+    words = {Verdict.PROVED: "converges", Verdict.REFUTED: "diverges", Verdict.UNDECIDED: "undecided"}
+    return words.get(result.convergent, "not asked")
+
+
+def smoothness(result: Result) -> str | None:
+    """`C^1, not C^2`, `C^1 at least`, or None where convergence is not proved."""
+    order = result.smoothness.order
+    if order is None:
+        return None
+    return f"C^{order}, not C^{order + 1}" if result.smoothness.sharp else f"C^{order} at least"
+
+
+def holder(result: Result) -> str | None:
+    """What is known of the Hölder exponent."""
+    return None if result.holder is None else interval(result.holder)
+
+
+def headline(result: Result) -> str:
+    """The verdict in words, in a line."""
+    if result.status == "invalid":
+        count = len(result.problems)
+        return "not checked: " + ("the file is invalid" if not count else _count(count, "error"))
+    if result.convergent is Verdict.PROVED:
+        return _convergent(result)
+    if result.convergent is Verdict.REFUTED:
+        return _with("diverges", _statement(result, Verdict.REFUTED))
+    if result.convergent is Verdict.UNDECIDED:
+        asked = finding(result, "SD201")
+        return _with("convergence undecided", asked.reason if asked else None)
+    return "convergence not asked"
+
+
+def _convergent(result: Result) -> str:
+    order = result.smoothness.order
+    smooth = smoothness(result)
+    if smooth and order is not None and not result.smoothness.sharp:
+        smooth = f"{smooth}, C^{order + 1} undecided"
+    text = f"{smooth or 'convergent'} — convergence proved"
+    exponent = holder(result)
+    return f"{text}; Hölder exponent {exponent}" if exponent else text
+
+
+def _statement(result: Result, verdict: Verdict) -> str | None:
+    """Why: the most telling finding about convergence that has this verdict."""
+    for code in ("SD201", "SD101", "SD202"):
+        for found in result.findings:
+            if found.code == code and found.verdict is verdict:
+                return found.statement.removeprefix("S diverges: ")
+    return None
+
+
+def _with(text: str, why: str | None) -> str:
+    return f"{text}: {why}" if why else text
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" + ("" if number == 1 else "s")
+
+
+def asked(expectation: Expectation) -> str:
+    """An expectation as the file spells it: `smoothness = 1`, `holder >= 1.99`, `holder in 1.99 .. 2.01`."""
+    text = expectation.text
+    relation = "" if text.startswith((">", "<")) else "in " if ".." in text else "= "
+    return f"{expectation.key} {relation}{text}"
+
+
+def found(result: Result, expectation: Expectation) -> str | None:
+    """What the run says of the property an expectation speaks of; None where it says nothing."""
+    match expectation.key:
+        case "convergent":
+            return convergence(result)
+        case "smoothness":
+            return smoothness(result)
+        case "holder":
+            return holder(result)
+        case "sobolev":
+            return None if result.sobolev is None else interval(result.sobolev)
+        case "stable":
+            return {Verdict.PROVED: "stable", Verdict.REFUTED: "not stable"}.get(result.stable)
+        case "generation":
+            return None if result.generation is None else exact(result.generation)
+        case "reproduction":
+            return None if result.reproduction is None else exact(result.reproduction)
+
+
+def verdict_sentence(result: Result, *, allow_undecided: bool = False) -> str:
+    """Why the exit code is what it is, for one mask."""
+    if result.status == "invalid":
+        return "invalid: the mask was not checked"
+    if not result.expectations:
+        why = {
+            "passed": "convergence proved; the mask states no expectation",
+            "failed": "convergence refuted; the mask states no expectation",
+            "undecided": "convergence neither proved nor refuted; the mask states no expectation",
+        }[result.status]
+    else:
+        why = _judged(result)
+    return f"{result.status}: {why}" + (" (allowed)" if allow_undecided and result.status == "undecided" else "")
+
+
+def _judged(result: Result) -> str:
+    total = len(result.expectations)
+    proved = sum(judged.verdict is Verdict.PROVED for judged in result.expectations)
+    refuted = sum(judged.verdict is Verdict.REFUTED for judged in result.expectations)
+    if total == 1:
+        return f"the expectation is {'proved' if proved else 'refuted' if refuted else 'neither proved nor refuted'}"
+    if proved == total:
+        return "both expectations proved" if total == 2 else f"all {total} expectations proved"
+    parts = [(proved, "proved"), (refuted, "refuted"), (total - proved - refuted, "undecided")]
+    return f"of {_count(total, 'expectation')} " + ", ".join(f"{number} {word}" for number, word in parts if number)
+
+
+def summary(results: Iterable[Result]) -> dict[str, int]:
+    """How many masks there are, and how many of each status."""
+    counts = {"files": 0, "passed": 0, "failed": 0, "undecided": 0, "invalid": 0}
+    for result in results:
+        counts["files"] += 1
+        counts[result.status] += 1
+    return counts
+
+
+def footer(results: Iterable[Result], *, allow_undecided: bool = False) -> str:
+    """`30 masks: 28 passed, 2 failed`."""
+    counts = summary(results)
+    total = counts.pop("files")
+    shown = [f"{number} {status}" for status, number in counts.items() if number]
+    if allow_undecided and counts["undecided"]:
+        shown[[word.split()[1] for word in shown].index("undecided")] += " (allowed)"
+    return f"{_count(total, 'mask')}: " + (", ".join(shown) or "nothing to check")

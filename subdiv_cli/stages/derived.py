@@ -1,0 +1,44 @@
+"""SD105: the derived schemes S_1, …, S_k.
+
+Theorem (Dyn 1992, Proposition 3.1 and (3.17), for any arity p): with sum rules of order k there are schemes
+S_ν, ν <= k, with d^ν S f = S_ν d^ν f for the divided differences d^ν = p^(νj) Δ^ν at level j; their symbols are
+p^ν a(z) (z^(p-1)/(1+z+…+z^(p-1)))^ν. Division decides which of them exist.
+
+Witness: `starts` and `masks`, the derived masks for ν = 1, …, k.
+"""
+
+from __future__ import annotations
+
+from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.exact.text import laurent
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.stage import Facts
+
+_LONGEST_MASK = 6
+
+
+def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    k = numbers.order
+    masks = [numbers.difference(nu).scale(numbers.p) for nu in range(1, k + 1)]
+    return (
+        Finding(
+            code="SD105",
+            name="derived-schemes",
+            verdict=Verdict.PROVED if k else Verdict.REFUTED,
+            statement=_statement(k, masks),
+            source="Dyn 1992, Proposition 3.1 and (3.17)",
+            witness={
+                "starts": tuple(mask.low for mask in masks),
+                "masks": tuple(mask.coefficients() for mask in masks),
+            },
+        ),
+    )
+
+
+def _statement(k: int, masks: list[Laurent]) -> str:
+    if k == 0:
+        return "there is no derived scheme: the first sum rule fails"
+    names = "S_1 exists" if k == 1 else f"S_1, …, S_{k} exist"
+    shown = f"; S_{k} has the symbol {laurent(masks[-1])}" if masks[-1].degree < _LONGEST_MASK else ""
+    return f"{names}, S_{k + 1} does not{shown}"

@@ -1,0 +1,62 @@
+"""SD311: the Hölder exponent from below.
+
+Theorem (Dyn 1992, section 3; Rioul 1992): with D = S_(Δ^k), k the sum-rule order, α = -log_p JSR(D) is at least
+-(1/L) log_p ‖D^L‖∞ for every L. If α > 0 all limit functions are in C^(α-ε) for every ε > 0; if α <= 0 it is the
+exponent of a distribution. Hypothesis k >= 1: checked. No stability is needed from below.
+
+Where a product of ℓ matrices of D has an eigenvalue with |λ|^(1/ℓ) = ‖D^L‖∞^(1/L), compared exactly, the joint spectral
+radius is that number and α is known in closed form.
+
+Witness: `difference_order`, k; `level`; `norm`, ‖D^L‖∞ there; where α is exact the closing product as in SD301.
+"""
+
+from __future__ import annotations
+
+from subdiv_cli.exact.enclosures import closed_interval
+from subdiv_cli.exact.text import number, rounded_down
+from subdiv_cli.model import Data, Finding, Interval, Verdict, logarithm
+from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.contractivity import product_text, product_witness
+from subdiv_cli.stages.stage import Facts, power
+
+_QUESTION = "how regular are the limit functions at least?"
+
+
+def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    k, p = numbers.order, numbers.p
+    if k == 0:
+        return (_finding(Verdict.SKIPPED, _QUESTION, reason="no sum rule holds"),)
+    scaled_norms = numbers.norms(k)
+    if not scaled_norms:
+        return (_finding(Verdict.UNDECIDED, _QUESTION, reason="the effort does not reach the first norm"),)
+    norms = [norm / p ** ((k - 1) * level) for level, norm in enumerate(scaled_norms, 1)]
+    bounds = [logarithm(p, 1 / norm, level) for level, norm in enumerate(norms, 1)]
+    values = [closed_interval(bound) for bound in bounds]
+    best = max(range(len(norms)), key=lambda i: (values[i].lower or 0.0, -i))
+    level, norm, product = best + 1, norms[best], numbers.best_product
+    proof = f"{power(f'S_(Δ^{k})', level)} = {number(norm)}"
+    witness: dict[str, Data] = {"difference_order": k, "level": level, "norm": norm}
+    if product is not None and numbers.closes(k, level, scaled_norms[best]):
+        statement = f"α = {bounds[best]}: {proof}, and {product_text(product)} attains it"
+        return (_finding(Verdict.PROVED, statement, values[best], {**witness, **product_witness(product)}),)
+    statement = f"α ≥ {rounded_down(values[best].lower or 0.0)}: {proof}"
+    return (_finding(Verdict.PROVED, statement, Interval(lower=values[best].lower), witness),)
+
+
+def _finding(
+    answer: Verdict,
+    statement: str,
+    value: Interval | None = None,
+    witness: dict[str, Data] | None = None,
+    reason: str | None = None,
+) -> Finding:
+    return Finding(
+        code="SD311",
+        name="holder-lower",
+        verdict=answer,
+        statement=statement,
+        source="Dyn 1992, section 3; Rioul 1992",
+        reason=reason,
+        value=value,
+        witness=witness or {},
+    )

@@ -1,0 +1,60 @@
+"""SD312: the Hölder exponent from above.
+
+Theorem (Cavaretta, Dahmen & Micchelli 1991; Rioul 1992): for stable φ the exponent α = -log_p JSR(D), D = S_(Δ^k), is
+the best one. For any product of ℓ transition matrices of D with an eigenvalue λ, α <= -(1/ℓ) log_p |λ|; and α <= k
+always. Hypotheses: k >= 1, checked; stability (SD402), which must be proved, else the finding is undecided.
+
+Witness: `difference_order`, k, and the product as in SD301, or none where k is the better bound.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from subdiv_cli.exact.enclosures import interval
+from subdiv_cli.exact.text import rounded_up
+from subdiv_cli.model import Data, Finding, Interval, Verdict
+from subdiv_cli.quantities.products import exponent_bound
+from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.contractivity import product_text, product_witness
+from subdiv_cli.stages.stage import Facts, verdict
+
+_QUESTION = "how regular is φ at most?"
+
+
+def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
+    k, product = numbers.order, numbers.best_product
+    if k == 0:
+        return (_finding(Verdict.SKIPPED, _QUESTION, reason="no sum rule holds"),)
+    if verdict(facts, "SD402") is not Verdict.PROVED:
+        reason = "φ is not proved stable; without stability φ may be smoother than the mask shows"
+        return (_finding(Verdict.UNDECIDED, _QUESTION, reason=reason),)
+    witness: dict[str, Data] = {"difference_order": k}
+    bound = None if product is None else exponent_bound(product, numbers.p)
+    if product is None or bound is None or bound.upper is None or bound.upper > k:
+        statement = f"α ≤ {k}, the sum-rule order"
+        return (_finding(Verdict.PROVED, statement, Interval(upper=interval(Fraction(k)).upper), witness),)
+    shown = bound.exact if product.eigenvalue.rational is not None else rounded_up(bound.upper)
+    length = len(product.word)
+    root = "ρ" if length == 1 else f"ρ^(1/{length})"
+    statement = f"α ≤ {shown} = -log_{numbers.p} {root} by {product_text(product)} of S_(Δ^{k})"
+    return (_finding(Verdict.PROVED, statement, Interval(upper=bound.upper), {**witness, **product_witness(product)}),)
+
+
+def _finding(
+    answer: Verdict,
+    statement: str,
+    value: Interval | None = None,
+    witness: dict[str, Data] | None = None,
+    reason: str | None = None,
+) -> Finding:
+    return Finding(
+        code="SD312",
+        name="holder-upper",
+        verdict=answer,
+        statement=statement,
+        source="Cavaretta, Dahmen & Micchelli 1991; Rioul 1992",
+        reason=reason,
+        value=value,
+        witness=witness or {},
+    )

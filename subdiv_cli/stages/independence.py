@@ -1,0 +1,69 @@
+"""SD401: are the integer translates of the refinable function φ linearly independent?
+
+Theorem (Jia & Wang 1993 for p = 2, Zhou 1996 for any arity): for a finite mask with a(1) = p, so that the refinable
+distribution φ with ∫φ = 1 exists, the translates are linearly independent iff (i) the polyphase components
+a_0, …, a_(p-1) have no common zero in C∖{0}, and (ii) there is no cycle. For a rational mask a cycle is an n > 1
+coprime to p for which Φ_n(z^p)/Φ_n(z) divides a(z). Hypothesis a(1) = p: checked.
+
+Witness, proved: `starts` and `cofactors`, Laurent polynomials u_r with Σ u_r a_r = 1, and `largest_n`, up to which
+cycles were looked for (the degree of the factor rules out larger ones). Refuted: `gcd`, or `cycle`, the n.
+"""
+
+from __future__ import annotations
+
+from subdiv_cli.exact.text import laurent
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.stage import Facts
+
+_SOURCE = "Jia & Wang 1993; Zhou 1996"
+
+
+def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    return (_finding(numbers),)
+
+
+def _finding(numbers: ScalarNumbers) -> Finding:
+    code, name = "SD401", "linear-independence"
+    if not numbers.is_normalised:
+        return Finding(
+            code=code,
+            name=name,
+            verdict=Verdict.SKIPPED,
+            statement="are the integer translates of φ linearly independent?",
+            source=_SOURCE,
+            reason="a(1) is not the arity, so there is no refinable function with integral 1",
+        )
+    g, cofactors = numbers.polyphase_gcd
+    if g.degree > 0:
+        return Finding(
+            code=code,
+            name=name,
+            verdict=Verdict.REFUTED,
+            statement=f"the translates of φ are linearly dependent: {laurent(g)} divides all polyphase components",
+            source=_SOURCE,
+            witness={"gcd": g.coefficients()},
+        )
+    if (n := numbers.cycle) is not None:
+        return Finding(
+            code=code,
+            name=name,
+            verdict=Verdict.REFUTED,
+            statement="the translates of φ are linearly dependent: "
+            f"Φ_{n}(z^{numbers.p})/Φ_{n}(z) divides a(z), a cycle of {n}-th roots of unity",
+            source=_SOURCE,
+            witness={"cycle": n},
+        )
+    return Finding(
+        code=code,
+        name=name,
+        verdict=Verdict.PROVED,
+        statement="the translates of φ are linearly independent: "
+        "the polyphase components are coprime and a(z) has no cycle of roots of unity",
+        source=_SOURCE,
+        witness={
+            "starts": tuple(u.low for u in cofactors),
+            "cofactors": tuple(u.coefficients() for u in cofactors),
+            "largest_n": 10 * (numbers.scheme.degree // (numbers.p - 1)),
+        },
+    )

@@ -1,0 +1,39 @@
+"""SD101: does S reproduce constants?
+
+Theorem (Dyn 1992, Proposition 2.1, for any arity p): a scheme that converges uniformly, to a limit that is not zero for
+some data, has Σ_β a_(γ+pβ) = 1 for every residue class γ mod p. No hypothesis. Equivalent: a(1) = p and a(ζ) = 0 at
+every other p-th root of unity ζ.
+
+Witness: `sums`, the p class sums.
+"""
+
+from __future__ import annotations
+
+from subdiv_cli.exact.text import number
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.stage import Facts
+
+
+def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    p, sums = numbers.p, numbers.residue_sums
+    holds = all(s == 1 for s in sums)
+    if holds:
+        statement = f"each of the {p} residue classes of the mask sums to 1"
+    else:
+        listed = ", ".join(f"Σ a_({gamma}+{p}β) = {number(s)}" for gamma, s in enumerate(sums))
+        statement = f"the residue classes must sum to 1 each, but {listed}"
+        if len(set(sums)) == 1 and sums[0]:
+            statement += (
+                f"; all are equal: a mask normalised to a(1) = {number(numbers.symbol(1))}? multiply by {1 / sums[0]}"
+            )
+    return (
+        Finding(
+            code="SD101",
+            name="residue-sums",
+            verdict=Verdict.PROVED if holds else Verdict.REFUTED,
+            statement=statement,
+            source="Dyn 1992, Proposition 2.1",
+            witness={"sums": sums},
+        ),
+    )

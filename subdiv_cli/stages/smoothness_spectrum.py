@@ -1,0 +1,62 @@
+"""SD304: the eigen-conditions of the derived schemes.
+
+Theorem (Dyn 1992, Theorem 4.2 and (4.12), for any arity p): where S_ν exists and converges, each refinement matrix A_ε
+of S has the simple eigenvalues 1, 1/p, …, 1/p^ν and all others of modulus < p^-ν, because the matrices of S_ν have p^ν
+times what is left of the spectrum. Necessary for the convergence of S_ν, and so for C^ν where φ is stable (SD402).
+Hypothesis, sum rules of order > ν: checked.
+
+The finding names the largest ν whose condition holds. Its verdict is on ν = 1 (PROVED) where C^1 is in reach at all.
+
+Witness: `nu`, the largest one; `eigenvalues` of each A_ε as text.
+"""
+
+from __future__ import annotations
+
+from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.quantities.spectra import Spectrum, eigen_condition
+from subdiv_cli.stages.eigenvalues import listed
+from subdiv_cli.stages.stage import ContradictionError, Facts, integer, verdict
+
+_MOST_LISTED = 6
+
+
+def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
+    if verdict(facts, "SD202") is not Verdict.PROVED:
+        reason = "the eigen-condition of S itself is not proved"
+        return (_finding(Verdict.SKIPPED, "do the derived schemes meet their eigen-conditions?", {}, reason),)
+    spectra = numbers.spectra or ()
+    largest = _largest_order(spectra, numbers)
+    if verdict(facts, "SD302") is Verdict.PROVED and integer(facts["SD302"][0], "order") > largest:
+        raise ContradictionError("a derived scheme converges by SD302 and fails its eigen-condition")
+    shown = ", ".join(listed(spectra[0])[:_MOST_LISTED]) + (", …" if len(spectra[0]) > _MOST_LISTED else "")
+    if largest == 0:
+        why = "S_1 does not exist" if numbers.order < 2 else f"A_0 has the eigenvalues {shown}"
+        statement = f"the eigen-conditions exclude the convergence of S_1: {why}"
+    else:
+        derived = f"S_1, …, S_{largest}" if largest > 1 else "S_1"
+        statement = f"{derived} {'meet their' if largest > 1 else 'meets its'} eigen-condition"
+        statement += f", S_{largest + 1} does not" if largest + 1 < numbers.order else ""
+        statement += f"; A_0 has the eigenvalues {shown}"
+    witness: dict[str, Data] = {"nu": largest, "eigenvalues": tuple(listed(spectrum) for spectrum in spectra)}
+    return (_finding(Verdict.PROVED if largest else Verdict.REFUTED, statement, witness),)
+
+
+def _largest_order(spectra: tuple[Spectrum, ...], numbers: ScalarNumbers) -> int:
+    """The largest ν < k with every eigen-condition up to ν; 0 holds already."""
+    nu = 0
+    while nu + 1 < numbers.order and all(eigen_condition(s, numbers.p, nu + 1) for s in spectra):
+        nu += 1
+    return nu
+
+
+def _finding(answer: Verdict, statement: str, witness: dict[str, Data], reason: str | None = None) -> Finding:
+    return Finding(
+        code="SD304",
+        name="smoothness-spectrum",
+        verdict=answer,
+        statement=statement,
+        source="Dyn 1992, Theorem 4.2 and (4.12)",
+        reason=reason,
+        witness=witness,
+    )

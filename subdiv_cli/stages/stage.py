@@ -1,0 +1,59 @@
+"""What all stages share: their type, and reading the findings of earlier ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.quantities.scalar import ScalarNumbers
+
+Facts = Mapping[str, tuple[Finding, ...]]
+"""The findings so far, by code; a code may have several (one for each ν)."""
+
+Stage = Callable[[ScalarNumbers, Facts], tuple[Finding, ...]]
+
+
+class ContradictionError(Exception):
+    """Two theorems disagree about one scheme: an error in this program, never in the input."""
+
+
+def verdict(facts: Facts, code: str) -> Verdict:
+    """Of the only finding with this code; UNDECIDED where there is none."""
+    found = facts.get(code, ())
+    return found[0].verdict if found else Verdict.UNDECIDED
+
+
+def scaled(p: int, nu: int) -> str:
+    """(1/p) S_ν as text: `½S_1`, `(1/7)S_1`."""
+    return {2: "½", 3: "⅓", 4: "¼", 5: "⅕"}.get(p, f"(1/{p})") + f"S_{nu}"
+
+
+def power(operator: str, level: int) -> str:
+    """`‖½S_1‖∞` or `‖(½S_1)^3‖∞`."""
+    return f"‖{operator}‖∞" if level == 1 else f"‖({operator})^{level}‖∞"
+
+
+def product_name(word: tuple[int, ...]) -> str:
+    """The product T_(w_ℓ) … T_(w_1) of a word, runs as powers: `T_1T_0^12`."""
+    runs: list[list[int]] = []
+    for letter in reversed(word):
+        if runs and runs[-1][0] == letter:
+            runs[-1][1] += 1
+        else:
+            runs.append([letter, 1])
+    return "".join(f"T_{letter}" + (f"^{count}" if count > 1 else "") for letter, count in runs)
+
+
+def series(values: tuple[Fraction, ...], show: Callable[[Fraction], str]) -> str:
+    """Values separated by commas, the middle of a long series left out."""
+    texts = [show(value) for value in values]
+    return ", ".join(texts if len(texts) <= 6 else [*texts[:3], "…", texts[-1]])
+
+
+def integer(finding: Finding, key: str) -> int:
+    """An integer of a witness. Raises TypeError where there is none: a stage that breaks its own docstring."""
+    value = finding.witness.get(key)
+    if not isinstance(value, int):
+        raise TypeError(f"{finding.code} has no integer {key!r}")
+    return value

@@ -1,0 +1,196 @@
+"""`subdiv check`, its options, streams and exit codes, against a stand-in for the catalog."""
+
+import json
+import sys
+from fractions import Fraction
+from itertools import chain, combinations
+from types import ModuleType
+
+import pytest
+from cli_samples import PROBLEM, result
+
+from subdiv_cli.model import DEFAULT_EFFORT
+
+
+def test_what_the_catalog_is_asked_by_default(run, catalog):
+    assert run("check", "b", "a", "-").exit_code == 0
+    assert catalog.asked == (
+        ["b", "a", "-"],
+        {"overrides": {}, "work": DEFAULT_EFFORT, "seconds": None, "debug": False},
+    )
+
+
+def test_what_the_catalog_is_asked(run, catalog):
+    assert run("check", "a", "--effort", "7", "--budget", "1.5", "--debug").exit_code == 0
+    assert catalog.asked == (["a"], {"overrides": {}, "work": 7, "seconds": 1.5, "debug": True})
+
+
+@pytest.mark.parametrize(
+    "statuses",
+    [*chain.from_iterable(combinations(("passed", "failed", "undecided", "invalid"), n) for n in range(1, 5))],
+)
+def test_exit_code(run, catalog, statuses):
+    catalog.results = [result(status) for status in statuses]
+    wanted = 2 if "invalid" in statuses else 1 if "failed" in statuses else 3 if "undecided" in statuses else 0
+    for form in ("text", "concise", "json"):
+        assert run("check", "x", "--format", form).exit_code == wanted
+    assert run("check", "x", "--allow-undecided").exit_code == (0 if wanted == 3 else wanted)
+    assert run("check", "x", "-q").exit_code == wanted
+
+
+def test_ctrl_c_reports_what_is_done(run, catalog):
+    catalog.results, catalog.error = [result("failed"), result("invalid")], KeyboardInterrupt()
+    shown = run("check", "x", "--format", "json")
+    assert shown.exit_code == 130
+    assert json.loads(shown.stdout)["summary"]["files"] == 2
+    assert "interrupted: 2 masks checked" in shown.stderr
+
+
+def test_an_internal_error_is_not_a_finding(run, catalog):
+    catalog.error = ZeroDivisionError("boom")
+    shown = run("check", "x")
+    assert shown.exit_code == 2
+    assert "error[SD099] internal error: ZeroDivisionError: boom" in shown.stderr
+    assert "please report" in shown.stderr
+    assert "Traceback" not in shown.output
+    assert "Traceback" in run("check", "x", "--debug").stderr
+
+
+def test_errors_of_invalid_masks_are_on_stderr_in_the_text_format(run, catalog):
+    catalog.results = [result("passed"), result("invalid")]
+    shown = run("check", "x")
+    assert f"error[SD003] {PROBLEM.message}" in shown.stderr
+    assert "error[" not in shown.stdout
+    assert "invalid" in shown.stdout
+    for form in ("concise", "json"):
+        shown = run("check", "x", "--format", form)
+        assert PROBLEM.message in shown.stdout
+        assert shown.stderr == ""
+
+
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        ([], "nothing to check"),
+        (["--mask", "1", "a"], "leave out the files"),
+        (["a", "--start", "-3"], "--start belongs to --mask"),
+        (["a", "--arity", "3"], "--arity belongs to --mask"),
+        (["a", "-q", "-v"], "contradict"),
+        (["a", "--effort", "0"], "--effort"),
+        (["a", "--budget", "0"], "positive"),
+        (["a", "--budget", "-1"], "positive"),
+        (["a", "--budget", "nan"], "positive"),
+        (["a", "--budget", "inf"], "positive"),
+        (["a", "--format", "xml"], "xml"),
+        (["a", "-o", "json:"], "names no file"),
+        (["a", "-o", "-"], "names no file"),
+        (["a", "-o", "/no/such/place/x.json"], "no directory"),
+        (["a", "-o", "/"], "is a directory"),
+        (["a", "--nonsense"], "--nonsense"),
+    ],
+)
+def test_usage_errors(run, catalog, args, said):
+    shown = run("check", *args)
+    assert shown.exit_code == 2
+    assert said in shown.stderr
+    assert shown.stdout == ""
+    assert catalog.asked is None
+
+
+def test_an_unknown_command_has_a_near_name(run):
+    shown = run("chek")
+    assert shown.exit_code == 2
+    assert "did you mean 'check'?" in shown.stderr
+
+
+class MaskFileError(Exception):
+    def __init__(self, *problems):
+        self.problems = problems
+
+
+@pytest.fixture
+def maskfile(monkeypatch):
+    """Stands in for subdiv_cli.maskfile."""
+
+    def parse_override(text):
+        name, equals, value = text.partition("=")
+        if not equals:
+            raise MaskFileError(PROBLEM)
+        return name, Fraction(value)
+
+    def from_option(text, *, start, arity):
+        if text == "bad":
+            raise MaskFileError(PROBLEM)
+        return ("mask", text, start, arity)
+
+    module = ModuleType("subdiv_cli.maskfile")
+    module.parse_override, module.from_option, module.MaskFileError = parse_override, from_option, MaskFileError
+    monkeypatch.setitem(sys.modules, "subdiv_cli.maskfile", module)
+
+
+def test_parameters(run, catalog, maskfile):
+    assert run("check", "a", "-p", "w=-1/20", "-p", "v=2", "-p", "v=2").exit_code == 0
+    assert catalog.asked[1]["overrides"] == {"w": Fraction(-1, 20), "v": Fraction(2)}
+
+
+def test_bad_parameters(run, catalog, maskfile):
+    shown = run("check", "a", "-p", "w", "-p", "v")
+    assert shown.exit_code == 2
+    assert shown.stderr.count("error[SD003]") == 2
+    shown = run("check", "a", "-p", "w=1", "-p", "w=2")
+    assert shown.exit_code == 2
+    assert "w twice: 1 and 2" in shown.stderr
+    assert catalog.asked is None
+
+
+def test_mask_from_the_command_line(run, catalog, maskfile):
+    assert run("check", "--mask", "-1,2", "--start", "-3", "--arity", "3").exit_code == 0
+    assert catalog.asked[0] == [("mask", "-1,2", -3, 3)]
+    assert run("check", "--mask", "1").exit_code == 0
+    assert catalog.asked[0] == [("mask", "1", 0, 2)]
+
+
+def test_a_bad_mask_is_an_invalid_result(run, catalog, maskfile):
+    shown = run("check", "--mask", "bad", "--format", "json")
+    assert shown.exit_code == 2
+    report = json.loads(shown.stdout)["results"][0]
+    assert (report["file"], report["status"], report["errors"][0]["code"]) == ("--mask", "invalid", "SD003")
+    assert catalog.asked is None
+
+
+def test_verbosity(run, catalog):
+    catalog.results = [result("passed"), result("passed")]
+    assert "½S_1" not in run("check", "x").stdout
+    assert "½S_1" in run("check", "x", "-v").stdout
+    assert run("check", "x", "-q").output == ""
+
+
+def test_outputs(run, catalog, tmp_path):
+    catalog.results = [result("failed")]
+    one, two, three, four = (tmp_path / name for name in ("a.json", "b.json", "c.txt", "d.log"))
+    shown = run(
+        *("check", "x", "--format", "concise"),
+        *("-o", str(one), "-o", f"concise:{two}", "-o", str(three), "-o", str(four)),
+    )
+    assert shown.exit_code == 1
+    assert json.loads(one.read_text("utf-8"))["format"] == "subdiv-report"
+    assert two.read_text("utf-8") == four.read_text("utf-8") == shown.stdout
+    assert "✗ the failed mask" in three.read_text("utf-8")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "b.json", "c.txt", "d.log"]
+
+
+def test_a_text_file_has_the_errors_of_invalid_masks(run, catalog, tmp_path):
+    catalog.results = [result("invalid")]
+    run("check", "x", "-o", str(tmp_path / "r.txt"))
+    assert "error[SD003]" in (tmp_path / "r.txt").read_text("utf-8")
+
+
+def test_a_file_that_cannot_be_written_in_the_end(run, catalog, tmp_path, monkeypatch):
+    def full(file, text):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("subdiv_cli.cli.check.write_whole", full)
+    shown = run("check", "x", "-o", str(tmp_path / "r.json"))
+    assert shown.exit_code == 2
+    assert "r.json cannot be written: No space left on device" in shown.stderr
+    assert "converg" in shown.stdout

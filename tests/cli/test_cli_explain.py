@@ -1,0 +1,67 @@
+"""`subdiv explain`, with pages of its own so that the shipped ones may change."""
+
+import pytest
+
+from subdiv_cli import explain
+
+
+@pytest.fixture(autouse=True)
+def pages(tmp_path, monkeypatch):
+    (tmp_path / "SD101.md").write_text(
+        "# SD101 residue-sums\n\nΣ of each class is 1 ≥ ½.\n\n    code\n", encoding="utf-8"
+    )
+    (tmp_path / "SD201.md").write_text("# SD201 convergence\n\nText.\n", encoding="utf-8")
+    (tmp_path / "notes.md").write_text("# no code\n", encoding="utf-8")
+    monkeypatch.setattr(explain, "_PAGES", tmp_path)
+
+
+@pytest.mark.parametrize("code", ["SD101", "sd101", " Sd101 ", "residue-sums", "Residue-Sums"])
+def test_page(code):
+    assert explain.page(code).startswith("# SD101 residue-sums\n")
+
+
+def test_codes_and_titles():
+    assert explain.codes() == ["SD101", "SD201"]
+    assert explain.title("SD101") == "residue-sums"
+
+
+@pytest.mark.parametrize(
+    ("code", "near"),
+    [("SD102", ["SD101", "SD201"]), ("convergance", ["convergence"]), ("zzz", []), ("../SD101", ["SD101"])],
+)
+def test_unknown_codes(code, near):
+    with pytest.raises(explain.UnknownCodeError) as caught:
+        explain.page(code)
+    assert set(near) <= set(caught.value.near)
+    assert bool(near) == bool(caught.value.near)
+    assert repr(code) in str(caught.value)
+    assert isinstance(caught.value, KeyError)
+
+
+def test_command(run):
+    shown = run("explain", "sd101")
+    assert shown.exit_code == 0
+    assert shown.stdout == "# SD101 residue-sums\n\nΣ of each class is 1 ≥ ½.\n\n    code\n"
+
+
+def test_command_without_a_code(run):
+    assert run("explain").stdout == "SD101  residue-sums\nSD201  convergence\n"
+
+
+def test_command_in_ascii(run, monkeypatch):
+    monkeypatch.setattr("subdiv_cli.cli.explain.speaks_mathematics", lambda stream: False)
+    assert run("explain", "SD101").stdout == "# SD101 residue-sums\n\nSum of each class is 1 >= 1/2.\n\n    code\n"
+
+
+def test_command_in_colour(run, monkeypatch):
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    shown = run("explain", "SD101", color=True).stdout
+    assert "\x1b[" in shown
+    assert "# SD101" not in shown
+
+
+def test_command_for_an_unknown_code(run):
+    shown = run("explain", "SD102")
+    assert shown.exit_code == 2
+    assert "SD101" in shown.stderr
+    assert shown.stdout == ""

@@ -1,0 +1,65 @@
+"""What several tests need: schemes by hand, and the pipeline's answer in one call."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from subdiv_cli.model import Effort, Finding, Result
+from subdiv_cli.pipeline import check
+from subdiv_cli.schemes.scalar import ScalarScheme
+
+
+def scheme(coefficients: Sequence[int | str | Fraction], start: int = 0, arity: int = 2, over: int = 1) -> ScalarScheme:
+    """A mask with these coefficients, divided by `over`."""
+    return ScalarScheme(arity=arity, start=start, coefficients=tuple(Fraction(c) / over for c in coefficients))
+
+
+def answer(mask: ScalarScheme, work: int = 20_000) -> Result:
+    return check(mask, (), Effort(work))
+
+
+def findings(result: Result, code: str) -> list[Finding]:
+    return [finding for finding in result.findings if finding.code == code]
+
+
+def four_point(w: Fraction | str) -> ScalarScheme:
+    w = Fraction(w)
+    return scheme([-w, 0, Fraction(1, 2) + w, 1, Fraction(1, 2) + w, 0, -w], start=-3)
+
+
+def six_point(theta: Fraction | str) -> ScalarScheme:
+    t = Fraction(theta)
+    half = [t, Fraction(0), -(Fraction(1, 16) + 3 * t), Fraction(0), Fraction(9, 16) + 2 * t]
+    return scheme([*half, 1, *half[::-1]], start=-5)
+
+
+def corner_cutting(r: Fraction | str, s: Fraction | str) -> ScalarScheme:
+    r, s = Fraction(r), Fraction(s)
+    return scheme([1 - r, 1 - s, r, s], start=-2)
+
+
+def b_spline(degree: int, arity: int = 2) -> ScalarScheme:
+    """(1+z+…+z^(p-1))^(degree+1) / p^degree."""
+    coefficients = [Fraction(1, arity**degree)]
+    for _ in range(degree + 1):
+        coefficients = [
+            sum(coefficients[max(0, i - arity + 1) : i + 1], Fraction(0)) for i in range(len(coefficients) + arity - 1)
+        ]
+    return scheme(coefficients, arity=arity)
+
+
+def deslauriers_dubuc(points: int) -> ScalarScheme:
+    """The interpolatory mask of the polynomial of degree points - 1 through `points` points, at the midpoint."""
+    nodes = range(1 - points, points, 2)
+    weights = []
+    for i in nodes:
+        weight = Fraction(1)
+        for j in nodes:
+            if j != i:
+                weight *= Fraction(-j, i - j)
+        weights.append(weight)
+    coefficients = [Fraction(0)] * (2 * points - 1)
+    coefficients[::2] = weights
+    coefficients[points - 1] = Fraction(1)
+    return scheme(coefficients, start=1 - points)
