@@ -203,6 +203,9 @@ class Result:
     sum_rule_order: int | None = None
     convergent: Verdict = Verdict.SKIPPED
     smoothness: Smoothness = Smoothness()
+    """Of the limit functions: no order where S does not converge."""
+    refinable: Smoothness = Smoothness()
+    """Of the refinable function φ, also where S diverges."""
     holder: Exponent | None = None
     sobolev: Exponent | None = None
     stable: Verdict = Verdict.SKIPPED

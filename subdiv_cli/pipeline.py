@@ -27,6 +27,8 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
     """Decide what the stages can decide within the effort. The caller adds file, name and parameters to the result."""
     facts, findings = analyse(scheme, effort)
     found = {finding.code: finding for finding in findings}
+    sharp = found["SD303"].verdict is Verdict.REFUTED
+    refinable = Smoothness(order=_integer(found, "SD302", "order"), sharp=sharp)
     result = Result(
         file="",
         status="undecided",
@@ -35,7 +37,8 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
         facts=facts,
         sum_rule_order=_integer(found, "SD102", "order"),
         convergent=found["SD201"].verdict,
-        smoothness=Smoothness(order=_integer(found, "SD302", "order"), sharp=found["SD303"].verdict is Verdict.REFUTED),
+        smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
+        refinable=refinable,
         holder=_holder(found, scheme.arity),
         stable=found["SD402"].verdict,
         linearly_independent=found["SD401"].verdict,

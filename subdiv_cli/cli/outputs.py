@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import click
 
 from subdiv_cli.report import FORMATS, SUFFIXES
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Output:
+class Output(NamedTuple):
     """A file a report is to be written to; `format` None is the one of --format."""
 
     file: str

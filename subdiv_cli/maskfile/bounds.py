@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-MAX_FILE_BYTES = 1 << 20
-"""One mebibyte: a mask of 2000 coefficients with a hundred digits each stays below."""
+MAX_FILE_BYTES = 1 << 18
+"""256 KiB: a mask of 2000 coefficients with a hundred digits each stays below."""
 MAX_NESTING = 32
 """Parentheses in an expression; arrays, inline tables and dotted keys in TOML."""
 MAX_DIGITS = 1000

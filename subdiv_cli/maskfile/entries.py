@@ -6,7 +6,9 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
-from subdiv_cli.maskfile.grammar import parse
+from subdiv_cli.maskfile.evaluate import evaluate, names_in
+from subdiv_cli.maskfile.grammar import Number, parse
+from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import Expression
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, near, shown
 from subdiv_cli.maskfile.tokens import is_name
@@ -22,23 +24,34 @@ class Table:
         self.data = data
         self.path = path
         self.problems = problems
+        self._meant: set[str] = set()
 
-    def only(self, known: Iterable[str], elsewhere: Mapping[str, str] | None = None) -> None:
-        """Records every key that is not known (SD004), with the known key it resembles."""
+    def only(self, known: Iterable[str], elsewhere: Mapping[str, tuple[str, str]] | None = None) -> None:
+        """Records every key that is not known (SD004), with the known key it resembles.
+
+        `elsewhere`: what to say of keys that belong elsewhere, and the known key that is then not missing.
+        """
         known = tuple(known)
         for key in self.data:
             if key in known:
                 continue
             where = f"in [{'.'.join(map(str, self.path))}]" if self.path else "at the top"
             if elsewhere and key in elsewhere:
-                mend = elsewhere[key]
-            elif guess := near(key, known):
+                mend, meant = elsewhere[key]
+                self._meant.add(meant)
+            elif not self.problems.full and (guess := near(key, known)):
                 mend = f"did you mean {guess}?"
+                self._meant.add(guess)
             else:
                 mend = "known keys: " + ", ".join(known)
             self.problems.add(
                 Fault("SD004", f'unknown key "{shown(key)}" {where}', mend), (*self.path, key), of_key=True
             )
+
+    def missing(self, key: str, message: str, mend: str) -> None:
+        """Records a missing key (SD005), unless a misspelt or misplaced one is meant, which `only` has recorded."""
+        if key not in self._meant:
+            self.problems.add(Fault("SD005", message, mend), (*self.path, key), of_key=True)
 
     def table(self, key: str, mend: str | None = None) -> Table | None:
         """The table at `key`; None where it is missing or (recorded, SD006) something else."""
@@ -55,7 +68,7 @@ class Table:
     def integer(self, key: str, default: int | None, lowest: int, highest: int, mend: str) -> int | None:
         """The integer at `key`; None where it is missing without default (SD005), no integer (SD006), out of bounds."""
         if key not in self.data and default is None:
-            self.problems.add(Fault("SD005", f"{key} is missing", mend), self.path, of_key=True)
+            self.missing(key, f"{key} is missing", mend)
             return None
         value = self.data.get(key, default)
         if isinstance(value, bool) or not isinstance(value, int):
@@ -100,6 +113,12 @@ def read_expression(value: object, path: KeyPath, names: Collection[str]) -> Exp
             mend = 'lists inside the list belong to kind = "multivariate" or "vector"; a scalar mask is one flat list'
         raise Fault("SD006", f"a number was expected, not {described(value)}", mend)
     return Expression(text=text, node=parse(text, names), path=path)
+
+
+def check_fixed(expression: Expression, work: Work) -> None:
+    """Evaluates an expression that has no parameters. Raises Fault."""
+    if not isinstance(expression.node, Number) and names_in(expression.node) <= {"z"}:
+        evaluate(expression.node, {}, work)
 
 
 def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expression | None]:

@@ -75,4 +75,6 @@ def _inverse(divisor: Laurent, factor: Factor, values: Mapping[str, Fraction]) -
     if not names:
         raise Fault("SD007", "division by zero", "write a divisor that is not zero", factor.at)
     given = ", ".join(f"{shown(name)} = {shown_number(values[name])}" for name in names)
-    raise Fault("SD011", f"division by zero where {given}", "give it another value: -p NAME=VALUE", factor.at)
+    raise Fault(
+        "SD011", f"division by zero where {given}", f"give it another value: -p {shown(names[0])}=1/16", factor.at
+    )

@@ -151,7 +151,7 @@ class Parser:
             elif self.token.kind == "number":
                 raise Fault(
                     "SD008",
-                    f'the number {shown(self.token.text)} stands directly after "{self._before(factors[-1])}"',
+                    f"the number {shown(self.token.text)} stands directly after {_in_words(factors[-1].node)}",
                     "write * or / or + between them, or ^ for a power",
                     where,
                 )
@@ -243,8 +243,8 @@ class Parser:
         self._depth -= 1
         return node
 
-    def _before(self, factor: Factor) -> str:
-        node = factor.node
-        if isinstance(node, Name):
-            return shown(node.name)
-        return "another number" if isinstance(node, Number) else "a factor"
+
+def _in_words(node: Node) -> str:
+    if isinstance(node, Name):
+        return f'"{shown(node.name)}"'
+    return "another number" if isinstance(node, Number) else "a factor"

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import lcm
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH
-from subdiv_cli.maskfile.evaluate import evaluate
+from subdiv_cli.maskfile.evaluate import evaluate, names_in
 from subdiv_cli.maskfile.grammar import Node, Number
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, Source, near, shown
@@ -154,6 +154,13 @@ def expand(
     elif fault_of_size := _too_long(coefficients):
         problems.add(fault_of_size, path)
     return coefficients
+
+
+def check_zero(body: Coefficients | Symbol, problems: Collector) -> None:
+    """Expands a mask that does not hang on parameters, for SD009 and SD010."""
+    entries = body.entries if isinstance(body, Coefficients) else (body.expression,)
+    if all(names_in(entry.node) <= {"z"} for entry in entries):
+        expand(body, {}, problems, Work())
 
 
 def _too_long(coefficients: Mapping[int, Fraction]) -> Fault | None:

@@ -27,7 +27,7 @@ def unknown_name(token: Token, names: Collection[str], *, called: bool = False, 
     if guess := near(name, names):
         return Fault("SD008", message, f"did you mean {shown(guess)}?", at)
     if name == "z":
-        return Fault("SD008", "z cannot stand in a single number", "use mask.symbol for an expression in z", at)
+        return Fault("SD008", "z cannot stand in a single number", "give the whole mask as a symbol to use z", at)
     if name.lower() in _IRRATIONAL:
         return Fault("SD008", message, "rational masks only: write a rational number", at)
     if names and names != {"z"}:
@@ -35,7 +35,7 @@ def unknown_name(token: Token, names: Collection[str], *, called: bool = False, 
         return Fault("SD008", message, f"known here: {known}; declare it in [parameters]: {shown(name)} = 1", at)
     if logarithms:
         return Fault("SD008", message, 'write a number or a closed form: "1.5", "log2(64/9)"', at)
-    return Fault("SD008", message, f'declare it in [parameters], for instance {shown(name)} = "1/16"', at)
+    return Fault("SD008", message, f'declare it in [parameters] of a mask file: {shown(name)} = "1/16"', at)
 
 
 def _split(name: str, names: Collection[str]) -> list[str]:

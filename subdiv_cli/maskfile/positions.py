@@ -32,6 +32,8 @@ class Positions:
         if not self._source.toml:
             return self.at(fault.at if self._source.text else None, fault, key)
         spot = self.scan.spots.get(path)
+        if spot is None:  # something is missing: the table where it should be
+            spot, of_key = self.scan.spots.get(path[:-1]), True
         if spot is None:
             return self.at(None, fault, key)
         if of_key:

@@ -71,9 +71,14 @@ class Collector:
     def __bool__(self) -> bool:
         return bool(self._faults)
 
+    @property
+    def full(self) -> bool:
+        """Whether nothing that is added will be shown."""
+        return len(self._faults) >= MAX_PROBLEMS
+
     def add(self, fault: Fault, path: KeyPath = (), *, of_key: bool = False) -> None:
         """Records a fault in the value at `path`, or (of_key) in the key itself."""
-        if len(self._faults) < MAX_PROBLEMS:
+        if not self.full:
             self._faults.append((fault, path, of_key))
         else:
             self._left_out += 1

@@ -5,7 +5,7 @@ convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= l
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import cast, get_args
 
@@ -95,7 +95,7 @@ def _number(key: str, text: str, at: int) -> int | ClosedForm:
         value = read_closed_form(text, at)
     except Fault as fault:
         code = "SD012" if fault.code == "SD008" else fault.code
-        raise Fault(code, fault.message, _form(key) if code == "SD012" else fault.help, fault.at) from None
+        raise Fault(code, fault.message, fault.help, fault.at) from None
     if key not in ORDERS:
         return value
     start = at + len(text) - len(text.lstrip())
@@ -110,42 +110,62 @@ def _number(key: str, text: str, at: int) -> int | ClosedForm:
 
 def contradictions(expectations: Sequence[Expectation]) -> list[tuple[ExpectationKey, Fault]]:
     """Pairs of expectations that no scheme can meet, each with the key of the later one."""
-    given = {e.key: (i, e) for i, e in enumerate(expectations)}
+    given = {e.key: e for e in expectations}
+    order = list(given)
     found = []
-
-    def check(first: ExpectationKey, second: ExpectationKey, broken: bool, why: str) -> None:
-        later = max(first, second, key=lambda key: given[key][0])
-        said = [
-            f"{e.key} {'' if e.text.startswith('>') else '= '}{e.text}" for e in (given[first][1], given[second][1])
-        ]
-        if broken:
-            message = f"{shown(said[0])} contradicts {shown(said[1])}: {why}"
-            found.append((later, Fault("SD012", message, "correct one of the two, or leave it out")))
-
-    for first, second, why in _LAWS:
-        if first in given and second in given:
-            check(first, second, _broken(given[first][1], given[second][1]), why)
+    for first, second, law in _LAWS:
+        if first in given and second in given and (why := law(given[first], given[second])):
+            said = [
+                shown(f"{k} {'' if given[k].text.startswith('>') else '= '}{given[k].text}") for k in (first, second)
+            ]
+            fault = Fault("SD012", f"{said[0]} contradicts {said[1]}: {why}", "correct one of the two, or leave it out")
+            found.append((max(first, second, key=order.index), fault))
     return found
 
 
-_LAWS: tuple[tuple[ExpectationKey, ExpectationKey, str], ...] = (
-    ("convergent", "smoothness", "a scheme without limits has no smoothness"),
-    ("convergent", "holder", "the refinable function of a convergent scheme is continuous"),
-    ("reproduction", "generation", "a polynomial that is reproduced is generated"),
-    ("smoothness", "holder", "C^n has a Hölder exponent n to n + 1, or more where C^(n+1) is not refuted"),
-    ("smoothness", "sobolev", "C^n has a Sobolev exponent of at least n"),
-    ("holder", "sobolev", "the Sobolev exponent is at least the Hölder exponent"),
+def _above(x: Expectation, y: Expectation, why: str) -> str | None:
+    """`why`, where everything that x allows is more than everything that y allows."""
+    if y.upper is not None and certainly_less(_closed(y.upper), _closed(x.lower)):
+        return why
+    return None
+
+
+def _convergent_smoothness(convergent: Expectation, _: Expectation) -> str | None:
+    return None if convergent.lower else "a scheme without limit functions has no smoothness"
+
+
+def _convergent_holder(convergent: Expectation, holder: Expectation) -> str | None:
+    zero = Expectation(key="holder", text="", lower=Fraction(0))
+    why = "the refinable function of a convergent scheme is continuous"
+    return _above(zero, holder, why) if convergent.lower else None
+
+
+def _reproduction_generation(reproduction: Expectation, generation: Expectation) -> str | None:
+    return _above(reproduction, generation, "polynomials that are reproduced are generated")
+
+
+def _smoothness_holder(smoothness: Expectation, holder: Expectation) -> str | None:
+    if why := _above(smoothness, holder, "C^n has a Hölder exponent of at least n"):
+        return why
+    if not isinstance(smoothness.upper, int):
+        return None
+    ceiling = Expectation(key="holder", text="", lower=Fraction(0), upper=Fraction(smoothness.upper + 1))
+    return _above(holder, ceiling, "a Hölder exponent above n + 1 means C^(n+1)")
+
+
+def _smoothness_sobolev(smoothness: Expectation, sobolev: Expectation) -> str | None:
+    return _above(smoothness, sobolev, "C^n has a Sobolev exponent of at least n")
+
+
+def _holder_sobolev(holder: Expectation, sobolev: Expectation) -> str | None:
+    return _above(holder, sobolev, "the Sobolev exponent is at least the Hölder exponent")
+
+
+_LAWS: tuple[tuple[ExpectationKey, ExpectationKey, Callable[[Expectation, Expectation], str | None]], ...] = (
+    ("convergent", "smoothness", _convergent_smoothness),
+    ("convergent", "holder", _convergent_holder),
+    ("reproduction", "generation", _reproduction_generation),
+    ("smoothness", "holder", _smoothness_holder),
+    ("smoothness", "sobolev", _smoothness_sobolev),
+    ("holder", "sobolev", _holder_sobolev),
 )
-
-
-def _broken(first: Expectation, second: Expectation) -> bool:
-    """Whether the law of _LAWS between the two keys cannot hold."""
-    if first.key == "convergent":
-        if second.key == "smoothness":
-            return first.lower is False
-        return first.lower is True and second.upper is not None and certainly_less(_closed(second.upper), Fraction(0))
-    if second.upper is not None and certainly_less(_closed(second.upper), _closed(first.lower)):
-        return True
-    if first.key == "smoothness" and second.key == "holder" and first.upper is not None:
-        return certainly_less(Fraction(first.upper) + 1, _closed(second.lower))  # type: ignore[arg-type]
-    return False

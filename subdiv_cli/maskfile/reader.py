@@ -8,9 +8,7 @@ from pathlib import Path
 
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
-from subdiv_cli.maskfile.evaluate import evaluate, names_in
-from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import Coefficients, MaskFile, Symbol, expand
+from subdiv_cli.maskfile.mask import Coefficients, MaskFile, Symbol, check_zero
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
 from subdiv_cli.maskfile.properties import contradictions, expectation
 from subdiv_cli.maskfile.recognise import MARKS
@@ -50,7 +48,7 @@ def read_path(path: str | Path) -> MaskFile:
 
 
 def _too_big(file: str) -> Problem:
-    message = f"the file is larger than {MAX_FILE_BYTES >> 20} MiB, the limit for a mask file"
+    message = f"the file is larger than {MAX_FILE_BYTES >> 10} KiB, the limit for a mask file"
     return Problem(code="SD010", message=message, help="is this really a mask file?", file=file)
 
 
@@ -72,8 +70,8 @@ def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
 def read_text(text: str, *, file: str) -> MaskFile:
     """Reads the text of a mask file. Raises MaskFileError and nothing else, whatever the text.
 
-    Expressions without parameters are evaluated, so that their faults are reported here; the others are in
-    `MaskFile.scheme`.
+    Expressions without parameters are evaluated, so that their faults are reported here; those of the others come
+    from `MaskFile.scheme`.
     """
     text = text.removeprefix("\ufeff")
     if len(text) > MAX_FILE_BYTES:
@@ -89,14 +87,14 @@ def read_text(text: str, *, file: str) -> MaskFile:
     parameters = read_parameters(top.table("parameters"), problems)
     body = None
     if "mask" not in document:
-        problems.add(Fault("SD005", "the table [mask] is missing", "add [mask] with start and coefficients, or symbol"))
+        top.missing("mask", "the table [mask] is missing", "add [mask] with start and coefficients, or symbol")
     elif (
         table := top.table("mask", 'write [mask] and below it start = 0 and coefficients = ["1/2", 1, "1/2"]')
     ) is not None:
         body = BODIES[kind](table, parameters, problems)
     expectations = _expectations(top.table("expect"), problems)
     if body is not None:
-        _constants(body, problems)
+        check_zero(body, problems)
     problems.raise_any()
     assert body is not None, "a missing body is a problem"
     return MaskFile(
@@ -111,9 +109,11 @@ def read_text(text: str, *, file: str) -> MaskFile:
     )
 
 
-_BELONGS = dict.fromkeys(("arity", "start", "coefficients", "symbol"), "it belongs below [mask]") | dict.fromkeys(
+_BELONGS = dict.fromkeys(
+    ("arity", "start", "coefficients", "symbol"), ("it belongs below [mask]", "mask")
+) | dict.fromkeys(
     ("convergent", "smoothness", "holder", "sobolev", "generation", "reproduction", "stable"),
-    "it belongs below [expect]",
+    ("it belongs below [expect]", "expect"),
 )
 
 
@@ -130,7 +130,8 @@ def _kind(document: Mapping[str, object], problems: Collector) -> str:
         return kind
     elif kind in _PLANNED:
         message = f"masks of kind {kind} cannot be checked yet"
-        problems.add(Fault("SD013", message, "this version reads: " + ", ".join(BODIES)), ("kind",))
+        where = "kind" if "kind" in document else kind
+        problems.add(Fault("SD013", message, "this version reads: " + ", ".join(BODIES)), (where,))
     else:
         guess = near(kind, (*BODIES, *_PLANNED))
         mend = f'did you mean "{guess}"?' if guess else "this version reads: " + ", ".join(BODIES)
@@ -171,18 +172,3 @@ def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation
     for later, contradiction in contradictions(found):
         problems.add(contradiction, ("expect", later))
     return tuple(found)
-
-
-def _constants(body: Coefficients | Symbol, problems: Collector) -> None:
-    """Evaluates what does not hang on parameters."""
-    entries = body.entries if isinstance(body, Coefficients) else (body.expression,)
-    fixed = [entry for entry in entries if names_in(entry.node) <= {"z"}]
-    work = Work()
-    if len(fixed) == len(entries):
-        expand(body, {}, problems, work)
-        return
-    for entry in fixed:
-        try:
-            evaluate(entry.node, {}, work)
-        except Fault as fault:
-            problems.add(fault, entry.path)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
-from subdiv_cli.maskfile.entries import Table, read_expression
+from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import Coefficients, Expression, Symbol
 from subdiv_cli.maskfile.problems import Collector, Fault
 from subdiv_cli.maskfile.values import described
@@ -13,13 +14,13 @@ from subdiv_cli.maskfile.values import described
 _KEYS = ("arity", "start", "coefficients", "symbol")
 _MULTIVARIATE = 'it belongs to kind = "multivariate"; a scalar mask has start and coefficients, or symbol'
 _ELSEWHERE = {
-    "dilation": "a scalar mask has an arity: arity = 2",
-    "offset": "did you mean start?",
-    "mask": "did you mean coefficients?",
-    "terms": _MULTIVARIATE,
-    "box_spline": _MULTIVARIATE,
-    "tensor": _MULTIVARIATE,
-} | dict.fromkeys(("kind", "name", "reference", "format"), "it belongs at the top, above [mask]")
+    "dilation": ("a scalar mask has an arity: arity = 2", "arity"),
+    "offset": ("did you mean start?", "start"),
+    "mask": ("did you mean coefficients?", "coefficients"),
+    "terms": (_MULTIVARIATE, "coefficients"),
+    "box_spline": (_MULTIVARIATE, "coefficients"),
+    "tensor": (_MULTIVARIATE, "coefficients"),
+} | dict.fromkeys(("kind", "name", "reference", "format"), ("it belongs at the top, above [mask]", ""))
 
 
 def read_scalar(table: Table, parameters: Collection[str], problems: Collector) -> Coefficients | Symbol | None:
@@ -33,7 +34,7 @@ def read_scalar(table: Table, parameters: Collection[str], problems: Collector) 
     start = table.integer("start", None, -MAX_EXPONENT, MAX_EXPONENT, mend)
     if "coefficients" not in table.data:
         mend = 'write coefficients = ["1/2", 1, "1/2"], or symbol = "z^-1 (1+z)^2 / 2"'
-        problems.add(Fault("SD005", "coefficients are missing, and there is no symbol", mend), table.path, of_key=True)
+        table.missing("coefficients", "coefficients are missing, and there is no symbol", mend)
         return None
     entries = _coefficients(table, parameters)
     if arity is None or start is None or entries is None:
@@ -56,6 +57,7 @@ def _symbol(table: Table, arity: int | None, parameters: Collection[str]) -> Sym
         return None
     try:
         expression = read_expression(value, path, {*parameters, "z"})
+        check_fixed(expression, Work())
     except Fault as fault:
         table.problems.add(fault, path)
         return None
@@ -78,9 +80,12 @@ def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression
         table.problems.add(fault or Fault("SD006", ""), path)
         return None
     entries = []
+    work = Work()
     for i, value in enumerate(values):
         try:
-            entries.append(read_expression(value, (*path, i), parameters))
+            entry = read_expression(value, (*path, i), parameters)
+            check_fixed(entry, work)
+            entries.append(entry)
         except Fault as error:
             table.problems.add(error, (*path, i))
     return tuple(entries) if len(entries) == len(values) else None

@@ -49,6 +49,8 @@ class Scan:
     spots: dict[KeyPath, Spot] = field(default_factory=dict)
     duplicates: list[tuple[KeyPath, int]] = field(default_factory=list)
     """Second declarations, with the offset of the key; `spots` has the first."""
+    where: KeyPath = ()
+    """The value in which or after which it got stuck; () where it is a key or a header."""
     stuck: Fault | None = None
     """SD001, SD003 or SD010; its offset counts in the whole text."""
 
@@ -60,6 +62,7 @@ def scan(text: str) -> Scan:
         scanner.document()
     except Fault as fault:
         scanner.result.stuck = fault
+        scanner.result.where = scanner.path
     return scanner.result
 
 
@@ -74,6 +77,7 @@ class _Scanner:
         self._headers: set[KeyPath] = set()
         self._arrays: dict[KeyPath, int] = {}
         self._depth = 0
+        self.path: KeyPath = ()
 
     def document(self) -> None:
         """document = { table header | key "=" value }, a line each"""
@@ -104,6 +108,7 @@ class _Scanner:
         return self.text[self.i : self.i + 1]
 
     def _header(self) -> KeyPath:
+        self.path = ()
         opening = "[[" if self.text.startswith("[[", self.i) else "["
         closing = "]" * len(opening)
         self.i += len(opening)
@@ -151,6 +156,7 @@ class _Scanner:
 
     def _key_value(self, base: KeyPath) -> int:
         """Scans one pair and gives the offset of its value."""
+        self.path = ()
         keys = self._keys()
         if not self.text.startswith("=", self.i):
             raise stuck.equals(self.text, keys[0][1], self.i)
@@ -172,6 +178,8 @@ class _Scanner:
     def _value(self, path: KeyPath, key: int | None = None) -> None:
         start = self.i
         c = self._next()
+        self.path = path
+        self.result.spots.setdefault(path, Spot(start if key is None else key, start, start))
         self._depth += 1
         if self._depth > MAX_NESTING:
             raise stuck.nesting("the value", start)
@@ -184,7 +192,8 @@ class _Scanner:
         else:
             self._scalar()
         self._depth -= 1
-        self.result.spots.setdefault(path, Spot(start if key is None else key, start, self.i))
+        if (spot := self.result.spots[path]).start == start:
+            self.result.spots[path] = spot._replace(end=self.i)
 
     def _string(self) -> None:
         start, quote = self.i, self._next()
@@ -212,6 +221,7 @@ class _Scanner:
             if self._next() == "]":
                 break
             if not self._next():
+                self.path = path
                 raise stuck.unclosed(opening, "[", "]")
             if self._next() == ",":
                 raise Fault("SD001", "a value is missing before this comma", "remove the comma or add a value", self.i)
@@ -222,6 +232,7 @@ class _Scanner:
             if self._next() == ",":
                 self.i += 1
             elif self._next() not in ("]", ""):
+                self.path = path if "\n" in self.text[start : self.i] else self.path
                 raise stuck.separator(self.text, opening, start, self.i, "]")
         self.i += 1
 

@@ -20,6 +20,8 @@ def _here(text: str, at: int) -> str:
     """The character at an offset in words."""
     if at >= len(text):
         return "the end of the file"
+    if text[at] in "\"'":
+        return "a quotation mark"
     return "the end of the line" if text[at] in "\r\n" else f'"{shown(text[at])}"'
 
 

@@ -31,7 +31,7 @@ def _refuse_deep_keys(source: Source) -> None:
     positions = Positions(source)
     fault = positions.scan.stuck
     if fault is not None and fault.code == "SD010":
-        raise MaskFileError([positions.at(fault.at, fault)])
+        raise MaskFileError([positions.at(fault.at, fault, shown_path(positions.scan.where) or None)])
 
 
 def _problems(source: Source, error: Exception) -> list[Problem]:
@@ -47,7 +47,7 @@ def _problems(source: Source, error: Exception) -> list[Problem]:
         found.append(positions.at(offset, fault, said))
     stuck = positions.scan.stuck
     if stuck is not None:
-        found.append(positions.at(stuck.at, stuck))
+        found.append(positions.at(stuck.at, stuck, shown_path(positions.scan.where) or None))
     elif not found:
         found.append(_as_tomllib_says(source, error))
     return found

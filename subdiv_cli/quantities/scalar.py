@@ -14,6 +14,7 @@ from subdiv_cli.quantities.independence import circle_factors, cycles, polyphase
 from subdiv_cli.quantities.norms import power_norms
 from subdiv_cli.quantities.polynomials import residue_sums, sum_rules
 from subdiv_cli.quantities.products import Product, best_product
+from subdiv_cli.quantities.reduction import Step, reduction
 from subdiv_cli.quantities.spectra import Spectrum, spectrum
 from subdiv_cli.schemes.operators import difference_symbol, refinement_matrices, symbol, transition_matrices
 from subdiv_cli.schemes.scalar import ScalarScheme
@@ -43,6 +44,20 @@ class ScalarNumbers:
     @cached_property
     def sum_rules(self) -> tuple[int, Laurent, Laurent]:
         return sum_rules(self.symbol, self.p)
+
+    @cached_property
+    def reduction(self) -> tuple[Step, ...]:
+        """The steps to a stable mask; none where φ is stable, or where a(1) ≠ p and there is no φ."""
+        return reduction(self.symbol, self.p) if self.is_normalised else ()
+
+    @cached_property
+    def reduced(self) -> ScalarNumbers:
+        """The numbers of the stable mask whose φ0 is as smooth as φ; these numbers themselves where φ is stable."""
+        if not self.reduction:
+            return self
+        symbol = self.reduction[-1].symbol
+        scheme = ScalarScheme(arity=self.p, start=symbol.low, coefficients=symbol.coefficients())
+        return ScalarNumbers(scheme, self.effort)
 
     @property
     def order(self) -> int:

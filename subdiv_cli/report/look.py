@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 UNWRAPPED = 1_000_000
 """A width at which nothing is wrapped."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Look:
+class Look(NamedTuple):
     """The place a report goes to, as far as a format minds. A file is the default: UTF-8, no colour, 100 columns."""
 
     width: int = 100

@@ -51,16 +51,14 @@ def problem_lines(problem: Problem, look: Look) -> list[Line]:
 
 
 def place(problem: Problem) -> str:
-    """`file:3:19 in mask.arity`, as much of it as is known."""
-    parts = [problem.file or ""]
+    """`file:3:19 in mask.arity`, as much of it as is known; an option without a file stands in its place: `-p:1:5`."""
+    parts = [problem.file or problem.key or ""]
     if problem.line is not None:
         parts.append(str(problem.line))
         if problem.column is not None:
             parts.append(str(problem.column))
     where = ":".join(parts)
-    if problem.key is None:
-        return where
-    return f"{where} in {problem.key}" if where else problem.key
+    return f"{where} in {problem.key}" if problem.file and problem.key else where
 
 
 def _first(problem: Problem, look: Look) -> list[Line]:

@@ -86,6 +86,8 @@ class _Page:
         if results:
             self.table(("status", "mask", "convergence", "smoothness", "Hölder exponent"), list(map(self.row, results)))
         for result in results:
+            if result.status == "invalid" and not self.look.problems:
+                continue  # the table has said it
             if self.look.verbosity > 0 or result.status != "passed":
                 self.blank()
                 self.full(result)
@@ -97,7 +99,7 @@ class _Page:
         status = self.cell(f"{words.STATUS_MARKS[result.status]} {result.status}", words.STATUS_ROLES[result.status])
         label = self.cell(words.name(result))
         if result.status == "invalid":
-            return [status, label, self.cell("not checked"), self.cell(None), self.cell(None)]
+            return [status, label, self.cell(words.errors(result)), self.cell(None), self.cell(None)]
         role = words.ROLES[result.convergent]
         verdict = self.cell(words.convergence(result), role)
         return [status, label, verdict, self.cell(words.smoothness(result)), self.cell(words.holder(result))]
@@ -171,7 +173,7 @@ class _Page:
         exponent = result.holder or Exponent()
         lower, upper = finite(exponent.lower), finite(exponent.upper)
         if exponent.exact is not None:
-            row = self.property(result, "Hölder exponent", None, interval(exponent), "SD311")
+            row = self.property(result, "Hölder exponent", None, words.holder(result), "SD311")
             return [self.proved_too(row, words.finding(result, "SD312"))]
         places = worth(lower, upper) if lower is not None and upper is not None else 6
         below = None if lower is None else at_least(lower, places)

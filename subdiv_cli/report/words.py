@@ -47,15 +47,17 @@ def smoothness(result: Result) -> str | None:
 
 
 def holder(result: Result) -> str | None:
-    """What is known of the Hölder exponent."""
-    return None if result.holder is None else interval(result.holder)
+    """What is known of the Hölder exponent of φ; not positive, it speaks of a distribution and says so."""
+    shown = None if result.holder is None else interval(result.holder)
+    if shown is None or result.holder is None or result.holder.upper is None or result.holder.upper > 0:
+        return shown
+    return f"{shown}, distributional"
 
 
 def headline(result: Result) -> str:
     """The verdict in words, in a line."""
     if result.status == "invalid":
-        count = len(result.problems)
-        return "not checked: " + ("the file is invalid" if not count else _count(count, "error"))
+        return f"not checked: {errors(result)}"
     if result.convergent is Verdict.PROVED:
         return _convergent(result)
     if result.convergent is Verdict.REFUTED:
@@ -64,6 +66,11 @@ def headline(result: Result) -> str:
         asked = finding(result, "SD201")
         return _with("convergence undecided", asked.reason if asked else None)
     return "convergence not asked"
+
+
+def errors(result: Result) -> str:
+    """`2 errors`: how many there are in an invalid mask."""
+    return _count(len(result.problems), "error")
 
 
 def _convergent(result: Result) -> str:

@@ -1,39 +1,43 @@
 """SD201: does S converge uniformly?
 
 Theorem (Dyn 1992, Theorem 3.2, for any arity p): S converges uniformly iff its residue sums are 1 and
-‖((1/p)S_1)^L‖∞ < 1 for some L. Both directions need no stability.
+‖((1/p)S_1)^L‖∞ < 1 for some L. Both directions need no stability, and the mask judged is S's own, never a reduced one.
 
-Proved by SD301 at any ν: contraction of (1/p)S_ν makes S_(ν-1), …, S_0 converge (Theorem 3.4), and the residue sums are
-among its hypotheses. Refuted by the residue sums (SD101), by a product of transition matrices that keeps (1/p)S_1 from
-contracting (SD301 at ν = 1), or by the eigen-condition (SD202).
+Proved by the contraction of (1/p)S_ν at any ν <= k: it makes S_(ν-1), …, S_0 converge (Theorem 3.4), and the residue
+sums are among its hypotheses. Refuted by the residue sums (SD101), by a product of transition matrices that keeps
+(1/p)S_1 from contracting, or by the eigen-condition (SD202).
 
-Witness: `by`, the code of the finding that decides, with its own witness.
+Witness: `by`, the code of the condition that decides, with its witness.
 """
 
 from __future__ import annotations
 
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.contractivity import contraction
 from subdiv_cli.stages.stage import ContradictionError, Facts, integer, power, scaled
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    contractivity = facts.get("SD301", ())
-    conditions = [*facts.get("SD101", ()), *contractivity[:1], *facts.get("SD202", ())]
+    first = (contraction(numbers, 1),) if numbers.order else ()
+    conditions = (*facts.get("SD101", ()), *first, *facts.get("SD202", ()))
     against = next((finding for finding in conditions if finding.verdict is Verdict.REFUTED), None)
-    proof = next((finding for finding in contractivity if finding.verdict is Verdict.PROVED), None)
+    proof = next((finding for finding in first if finding.verdict is Verdict.PROVED), None)
+    if against is None and proof is None:
+        later = (contraction(numbers, nu) for nu in range(2, numbers.order + 1))
+        proof = next((finding for finding in later if finding.verdict is Verdict.PROVED), None)
     if against is not None and proof is not None:
         raise ContradictionError(f"S converges by {proof.code} and diverges by {against.code}")
     if proof is not None:
         norm = power(scaled(numbers.p, integer(proof, "nu")), integer(proof, "level"))
-        return (_answer(Verdict.PROVED, f"S converges uniformly: the residue sums are 1 and {norm} < 1", proof),)
+        return (_finding(Verdict.PROVED, f"S converges uniformly: the residue sums are 1 and {norm} < 1", proof),)
     if against is not None:
-        return (_answer(Verdict.REFUTED, f"S diverges: {against.statement}", against),)
-    reason = contractivity[0].reason if contractivity else None
-    return (_answer(Verdict.UNDECIDED, "does S converge uniformly?", None, reason=reason),)
+        return (_finding(Verdict.REFUTED, f"S diverges: {against.statement}", against),)
+    reason = first[0].reason if first else None
+    return (_finding(Verdict.UNDECIDED, "does S converge uniformly?", None, reason=reason),)
 
 
-def _answer(answer: Verdict, statement: str, by: Finding | None, reason: str | None = None) -> Finding:
+def _finding(answer: Verdict, statement: str, by: Finding | None, reason: str | None = None) -> Finding:
     return Finding(
         code="SD201",
         name="convergence",

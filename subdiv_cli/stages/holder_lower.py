@@ -2,12 +2,14 @@
 
 Theorem (Dyn 1992, section 3; Rioul 1992): with D = S_(Δ^k), k the sum-rule order, α = -log_p JSR(D) is at least
 -(1/L) log_p ‖D^L‖∞ for every L. If α > 0 all limit functions are in C^(α-ε) for every ε > 0; if α <= 0 it is the
-exponent of a distribution. Hypothesis k >= 1: checked. No stability is needed from below.
+exponent of a distribution. Hypothesis k >= 1: checked. No stability is needed from below; an unstable mask is reduced
+first (SD403), which can only raise the bound.
 
 Where a product of ℓ matrices of D has an eigenvalue with |λ|^(1/ℓ) = ‖D^L‖∞^(1/L), compared exactly, the joint spectral
 radius is that number and α is known in closed form.
 
-Witness: `difference_order`, k; `level`; `norm`, ‖D^L‖∞ there; where α is exact the closing product as in SD301.
+Witness: `difference_order`, k of the (reduced) mask; `level`; `norm`, ‖D^L‖∞ there; where α is
+exact the closing product (see obstacles.py).
 """
 
 from __future__ import annotations
@@ -16,13 +18,14 @@ from subdiv_cli.exact.enclosures import closed_interval
 from subdiv_cli.exact.text import number, rounded_down
 from subdiv_cli.model import Data, Finding, Interval, Verdict, logarithm
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.contractivity import product_text, product_witness
+from subdiv_cli.stages.obstacles import product_text, product_witness
 from subdiv_cli.stages.stage import Facts, power
 
 _QUESTION = "how regular are the limit functions at least?"
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    numbers = numbers.reduced
     k, p = numbers.order, numbers.p
     if k == 0:
         return (_finding(Verdict.SKIPPED, _QUESTION, reason="no sum rule holds"),)

@@ -2,9 +2,11 @@
 
 Theorem (Cavaretta, Dahmen & Micchelli 1991; Rioul 1992): for stable φ the exponent α = -log_p JSR(D), D = S_(Δ^k), is
 the best one. For any product of ℓ transition matrices of D with an eigenvalue λ, α <= -(1/ℓ) log_p |λ|; and α <= k
-always. Hypotheses: k >= 1, checked; stability (SD402), which must be proved, else the finding is undecided.
+always. Hypotheses: k >= 1, checked; stability: an unstable mask is reduced to a stable one first, whose exponent is
+that of φ (SD403).
 
-Witness: `difference_order`, k, and the product as in SD301, or none where k is the better bound.
+Witness: `difference_order`, k of the (reduced) mask, and the product (see obstacles.py), or
+none where k is the better bound.
 """
 
 from __future__ import annotations
@@ -16,19 +18,17 @@ from subdiv_cli.exact.text import rounded_up
 from subdiv_cli.model import Data, Finding, Interval, Verdict
 from subdiv_cli.quantities.products import exponent_bound
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.contractivity import product_text, product_witness
-from subdiv_cli.stages.stage import Facts, verdict
+from subdiv_cli.stages.obstacles import product_text, product_witness
+from subdiv_cli.stages.stage import Facts
 
 _QUESTION = "how regular is φ at most?"
 
 
-def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
+def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    numbers = numbers.reduced
     k, product = numbers.order, numbers.best_product
     if k == 0:
         return (_finding(Verdict.SKIPPED, _QUESTION, reason="no sum rule holds"),)
-    if verdict(facts, "SD402") is not Verdict.PROVED:
-        reason = "φ is not proved stable; without stability φ may be smoother than the mask shows"
-        return (_finding(Verdict.UNDECIDED, _QUESTION, reason=reason),)
     witness: dict[str, Data] = {"difference_order": k}
     bound = None if product is None else exponent_bound(product, numbers.p)
     if product is None or bound is None or bound.upper is None or bound.upper > k:

@@ -27,12 +27,14 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (_finding(Verdict.SKIPPED, "do the derived schemes meet their eigen-conditions?", {}, reason),)
     spectra = numbers.spectra or ()
     largest = _largest_order(spectra, numbers)
-    if verdict(facts, "SD302") is Verdict.PROVED and integer(facts["SD302"][0], "order") > largest:
+    stable = verdict(facts, "SD402") is Verdict.PROVED
+    if stable and verdict(facts, "SD302") is Verdict.PROVED and integer(facts["SD302"][0], "order") > largest:
         raise ContradictionError("a derived scheme converges by SD302 and fails its eigen-condition")
     shown = ", ".join(listed(spectra[0])[:_MOST_LISTED]) + (", …" if len(spectra[0]) > _MOST_LISTED else "")
-    if largest == 0:
-        why = "S_1 does not exist" if numbers.order < 2 else f"A_0 has the eigenvalues {shown}"
-        statement = f"the eigen-conditions exclude the convergence of S_1: {why}"
+    if numbers.order < 2:
+        statement = "there is no eigen-condition to meet: sum rules of order 1 only, S_1 cannot converge"
+    elif largest == 0:
+        statement = f"the eigen-conditions exclude the convergence of S_1: A_0 has the eigenvalues {shown}"
     else:
         derived = f"S_1, …, S_{largest}" if largest > 1 else "S_1"
         statement = f"{derived} {'meet their' if largest > 1 else 'meets its'} eigen-condition"

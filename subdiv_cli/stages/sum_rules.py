@@ -27,7 +27,9 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     else:
         short = len(cofactor.coefficients()) <= _LONGEST_COFACTOR
         quotient = laurent(cofactor) if short else f"a polynomial of degree {cofactor.degree}"
-        statement = f"sum rules of order {k}, not {k + 1}: a(z) = ({factor})^{k} q(z), q(z) = {quotient}"
+        statement = (
+            f"sum rules of order {k}, not {k + 1}: a(z) = ({factor}){f'^{k}' if k > 1 else ''} q(z), q(z) = {quotient}"
+        )
     return (
         Finding(
             code="SD102",

@@ -47,6 +47,7 @@ def test_as_little_as_there_is():
         ({"file": "a.toml", "line": 3, "column": 4}, "a.toml:3:4"),
         ({"file": "a.toml", "key": "mask"}, "a.toml in mask"),
         ({"key": "mask"}, "mask"),
+        ({"key": "-p", "line": 1, "column": 5}, "-p:1:5"),
     ],
 )
 def test_place(where, shown):

@@ -31,6 +31,7 @@ PAGES = {
     "several-quiet": (samples.ALL, Look(verbosity=-1)),
     "divergent-80-colour": ([samples.DIVERGENT], Look(width=80, colour=True)),
     "undecided-80": ([samples.UNDECIDED], Look(width=80)),
+    "several-100-problems-elsewhere": (samples.ALL, Look(problems=False)),
     "invalid-80": ([samples.INVALID], Look(width=80)),
 }
 

@@ -1,0 +1,53 @@
+"""Products of transition matrices as obstacles: what an eigenvalue of one excludes, as text and as witness."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from subdiv_cli.exact.text import eigenvalue, number
+from subdiv_cli.model import Data
+from subdiv_cli.quantities.products import Product
+from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.stage import product_name
+
+Obstacle = tuple[str, dict[str, Data]]
+
+
+def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+    """A product of ℓ matrices of D = S_(Δ^k) with an eigenvalue |λ| >= p^(-mℓ), compared exactly: then α <= m."""
+    product, p = numbers.best_product, numbers.p
+    if product is None or product.compare(Fraction(1, p**m)) < 0:
+        return None
+    total = m * len(product.word)
+    threshold = number(Fraction(1, p**total)) + (f" = {p}^-{total}" if total else "")
+    modulus = eigenvalue(product.eigenvalue).strip("|-")
+    text = f"{product_text(product)} of S_(Δ^{numbers.order}) has an eigenvalue of modulus {modulus} ≥ {threshold}"
+    return text, product_witness(product)
+
+
+def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+    """m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e."""
+    k = numbers.order
+    return (
+        (f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", {"sum_rule_order": k})
+        if m >= k
+        else None
+    )
+
+
+def product_text(product: Product) -> str:
+    """`the transition matrix T_0` or `the product T_1T_0 of transition matrices`."""
+    name = product_name(product.word)
+    return f"the transition matrix {name}" if len(product.word) == 1 else f"the product {name} of transition matrices"
+
+
+def product_witness(product: Product) -> dict[str, Data]:
+    """A word, its matrices multiplied from right to left, and an eigenvalue of the product: its minimal polynomial,
+
+    lowest coefficient first, and its isolating box (real part from, to; imaginary part from, to).
+    """
+    return {
+        "word": product.word,
+        "minimal_polynomial": tuple(int(c) for c in product.eigenvalue.minimal_polynomial),
+        "box": product.eigenvalue.box(),
+    }

@@ -1,0 +1,49 @@
+"""SD403: an unstable mask reduced to a stable one.
+
+Theorem: let g be the gcd of the polyphase components, or g = Φ_n for a cycle of n-th roots of unity (SD402). Then
+a0(z) = a(z) g(z)/g(z^p) is a mask with φ = Σ_j g_j φ0(·-j)/g(1): the right side solves the refinement equation of a,
+and g(1) ≠ 0 because a(1) = p. As 1/g is a power series, φ0 is a locally finite combination of translates of φ, so both
+are equally smooth. Each step lowers the degree by (p-1) deg g; the last φ0 is stable by SD402's test. Hypothesis
+a(1) = p: checked.
+
+Smoothness, exponents and their refutations are then decided on the reduced mask; convergence is judged on S itself.
+
+Witness: `factors`, the g of each step; `cycles`, the n of each step or None; `start` and `mask`, the reduced mask.
+"""
+
+from __future__ import annotations
+
+from subdiv_cli.exact.text import laurent
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.quantities.reduction import Step
+from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.stage import Facts
+
+
+def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    steps = numbers.reduction
+    if not steps:
+        return ()
+    reduced = steps[-1].symbol
+    return (
+        Finding(
+            code="SD403",
+            name="reduction",
+            verdict=Verdict.PROVED,
+            statement=f"φ is as smooth as the stable φ0 of the reduced mask a0(z) = {laurent(reduced)}, "
+            + " then ".join(_text(step, numbers.p) for step in steps),
+            source="Jia & Wang 1993; Zhou 1996",
+            witness={
+                "factors": tuple(step.factor.coefficients() for step in steps),
+                "cycles": tuple(step.cycle for step in steps),
+                "start": reduced.low,
+                "mask": reduced.coefficients(),
+            },
+        ),
+    )
+
+
+def _text(step: Step, p: int) -> str:
+    if step.cycle is not None:
+        return f"by g = Φ_{step.cycle} in a(z) g(z)/g(z^{p})"
+    return f"by g = {laurent(step.factor)} in a(z) g(z)/g(z^{p})"

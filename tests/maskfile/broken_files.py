@@ -1,0 +1,258 @@
+"""Broken mask files as data: a name, the text, and every problem that reading it gives.
+
+A problem is (code, fragment of the message, key, line, column, fragment of the help), in the order of the file. Files
+marked `AT_SCHEME` read well and fail when parameters get their defaults.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Expected(NamedTuple):
+    code: str
+    message: str
+    key: str | None
+    line: int | None
+    column: int | None
+    help: str
+
+
+class Broken(NamedTuple):
+    name: str
+    text: str
+    problems: tuple[Expected, ...]
+
+
+MASK = "[mask]\nstart = 0\ncoefficients = [1, 1]\n"
+HEAD = "[mask]\nstart = 0\ncoefficients = "
+W = "[parameters]\nw = 0\n"
+
+
+def one(name: str, text: str, *problem: object) -> Broken:
+    return Broken(name, text, (Expected(*problem),))  # type: ignore[arg-type]
+
+
+def several(name: str, text: str, *problems: tuple[object, ...]) -> Broken:
+    return Broken(name, text, tuple(Expected(*problem) for problem in problems))  # type: ignore[arg-type]
+
+
+C0 = "mask.coefficients[0]"
+C1 = "mask.coefficients[1]"
+SYNTAX = [
+    one("fraction", HEAD + '[-1/16, 0, "9/16"]\n', "SD003", "TOML has no fractions", C0, 3, 19, '"-1/16"'),
+    one("fraction-later", HEAD + '[0,\n "1", 1 / 2]\n', "SD003", "TOML has no fractions", "mask.coefficients[2]", 4, 9, '"1 / 2"'),
+    one("fraction-sum", HEAD + "[0, 1/2 + w]\n", "SD003", "TOML has no fractions", C1, 3, 21, '"1/2 + w"'),
+    one("fraction-parameter", "[parameters]\nw = 1/16\n" + MASK, "SD003", "TOML has no fractions", "parameters.w", 2, 6, '"1/16"'),
+    one("fraction-inline", "mask = {start = 0, coefficients = [1/2]}", "SD003", "no fractions", C0, 1, 37, '"1/2"'),
+    one("expression-unquoted", HEAD + "[-w, 0]\n", "SD001", "must be quoted", C0, 3, 18, '"-w"'),
+    one("sum-unquoted", HEAD + "[1 + w]\n", "SD001", "expression not quoted", C0, 3, 19, '"1 + w"'),
+    one("product-unquoted", HEAD + "[2w, 1]\n", "SD001", "expression not quoted", C0, 3, 18, '"2w"'),
+    one("unicode-minus-unquoted", HEAD + "[1 − w]\n", "SD001", "expression not quoted", C0, 3, 19, '"1 − w"'),
+    one("no-comma", HEAD + "[1 2]\n", "SD001", 'a comma or "]" was expected, not "2"', C0, 3, 19, "between values"),
+    one("no-comma-strings", HEAD + '["1/8" "4/8"]\n', "SD001", "a comma", C0, 3, 23, "comma between values"),
+    one("two-commas", HEAD + "[1,,2]\n", "SD001", "missing before this comma", C0, 3, 19, "remove the comma"),
+    one("array-open", HEAD + "[1, 2\n", "SD001", "never closed", "mask.coefficients", 3, 16, 'missing "]"'),
+    one("array-open-and-more", HEAD + "[1, 2\n\n[expect]\n", "SD001", 'a comma or "]"', "mask.coefficients", 5, 1, "of line 3"),
+    one("table-open", "mask = {start = 0", "SD001", "never closed", "mask.start", 1, 8, 'missing "}"'),
+    one("no-value", "[mask]\nstart =\n", "SD001", "a value was expected, not the end of the line", "mask.start", 2, 8, "write a value"),
+    one("no-equals", "[mask]\nstart 0\n", "SD001", '"=" was expected after the key start', None, 2, 7, "start = value"),
+    one("colon", "[mask]\nstart: 0\n", "SD001", 'not ":"', None, 2, 6, "start = value"),
+    one("text-unquoted", "name = four-point\n", "SD001", "must be quoted", "name", 1, 8, '"four-point"'),
+    one("string-open", '[mask]\nsymbol = "1+z\n', "SD001", "not closed on its line", "mask.symbol", 2, 10, 'missing "'),
+    one("long-string-open", 'name = """four\n', "SD001", "not closed", "name", 1, 8, 'missing """'),
+    one("leading-zero", "[mask]\nstart = 01\n", "SD001", "does not begin with 0", "mask.start", 2, 10, "write 1"),
+    one("no-digit-before-point", HEAD + "[.5]", "SD001", "a digit before its point", C0, 3, 17, '".5"'),
+    one("no-digit-after-point", HEAD + "[5.]", "SD001", "a digit after its point", C0, 3, 18, '"5."'),
+    one("capital-true", "[expect]\nconvergent = True\n", "SD001", "True is not a TOML value", "expect.convergent", 2, 14, "true in lower case"),
+    one("header-open", "[mask\nstart = 0\n", "SD001", '"]" was expected', None, 1, 6, "[mask]"),
+    one("header-and-more", "[mask] start = 0\n", "SD001", "the line should end here", None, 1, 8, "new line"),
+    one("greek-key", "[parameters]\nω = 1\n", "SD001", "cannot stand in a bare key", None, 2, 1, "quote the key"),
+    one("null-character", "a\x00 = 1", "SD001", "\\u0000", None, 1, 2, "a = value"),
+    one("bad-escape", 'name = "\\q"\n', "SD001", "not valid TOML", None, 1, 8, "toml.io"),
+    one("repeated-key", "[mask]\nstart = 0\n start = 1\ncoefficients = [1]\n", "SD015", "twice, first on line 2", "mask.start", 3, 2, "keep one"),
+    one("repeated-table", MASK + "[mask]\n", "SD015", "mask is given twice, first on line 1", "mask", 4, 2, "keep one"),
+    several(
+        "repeated-key-and-fraction",
+        "[mask]\nstart = 0\nstart = 1\ncoefficients = [1/2]\n",
+        ("SD015", "first on line 2", "mask.start", 3, 1, "keep one"),
+        ("SD003", "no fractions", C0, 4, 18, '"1/2"'),
+    ),
+]  # fmt: skip
+
+STRUCTURE = [
+    one("misspelt-key", 'nmae = "x"\n' + MASK, "SD004", 'unknown key "nmae" at the top', "nmae", 1, 1, "did you mean name?"),
+    one("misspelt-in-mask", "[mask]\nstart = 0\ncoeffs = [1]\n", "SD004", '"coeffs" in [mask]', "mask.coeffs", 3, 1, "coefficients?"),
+    one("misspelt-table", "[maks]\nstart = 0\ncoefficients = [1]\n", "SD004", '"maks"', "maks", 1, 2, "did you mean mask?"),
+    one("unlike-any-key", MASK + "[extra]\n", "SD004", 'unknown key "extra"', "extra", 4, 2, "known keys: format"),
+    one("of-another-kind", "[mask]\nstart = 0\ncoefficients = [1]\ndilation = 2\n", "SD004", "dilation", "mask.dilation", 4, 1, "arity = 2"),
+    several(
+        "not-in-mask",
+        "start = 0\ncoefficients = [1]\n",
+        ("SD004", '"start" at the top', "start", 1, 1, "below [mask]"),
+        ("SD004", '"coefficients" at the top', "coefficients", 2, 1, "below [mask]"),
+    ),
+    one("no-mask", 'kind = "scalar"\n', "SD005", "[mask] is missing", "mask", None, None, "add [mask]"),
+    one("no-start", "[mask]\ncoefficients = [1]\n", "SD005", "start is missing", "mask.start", 1, 2, "start = -3"),
+    several(
+        "mask-without-anything",
+        "\n[mask]\narity = 2\n",
+        ("SD005", "start is missing", "mask.start", 2, 2, "first coefficient"),
+        ("SD005", "no symbol", "mask.coefficients", 2, 2, "coefficients = ["),
+    ),
+    one("empty-file", "", "SD016", "the file is empty", None, None, None, "[mask]"),
+    one("foreign-file", '[project]\nversion = "1"\n', "SD016", "no mask file", None, None, None, "[mask]"),
+    one("mask-is-an-array", "mask = [1, 1]\n", "SD006", "mask must be a table, not an array", "mask", 1, 8, "[mask]"),
+    one("parameters-no-table", "parameters = 1\n" + MASK, "SD006", "parameters must be a table", "parameters", 1, 14, "[parameters]"),
+    one("name-no-string", "name = 1\n" + MASK, "SD006", "name must be a string, not an integer", "name", 1, 8, "quotes"),
+    one("start-quoted", '[mask]\nstart = "-3"\ncoefficients = [1]\n', "SD006", "not the string", "mask.start", 2, 10, "start = -3"),
+    one("start-decimal", "[mask]\nstart = 1.5\ncoefficients = [1]\n", "SD006", "not a decimal", "mask.start", 2, 9, "start = -3"),
+    one("start-true", "[mask]\nstart = true\ncoefficients = [1]\n", "SD006", "not true", "mask.start", 2, 9, "start = -3"),
+    one("start-huge", "[mask]\nstart = -9999999\ncoefficients = [1]\n", "SD010", "between -1000000 and", "mask.start", 2, 9, "index"),
+    one("arity-1", "[mask]\narity = 1\nstart = 0\ncoefficients = [1]\n", "SD010", "between 2 and 64, not 1", "mask.arity", 2, 9, "arity = 2"),
+    one("arity-big", "[mask]\narity = 65\nsymbol = '1'\n", "SD010", "between 2 and 64, not 65", "mask.arity", 2, 9, "arity = 2"),
+    one("arity-true", "[mask]\narity = true\nsymbol = '1'\n", "SD006", "arity must be an integer, not true", "mask.arity", 2, 9, "arity = 2"),
+    one("empty-mask", HEAD + "[]\n", "SD009", "the mask is empty", "mask.coefficients", 3, 16, "write its coefficients"),
+    one("zero-mask", HEAD + '[0, "0", "1-1"]\n', "SD009", "all coefficients", "mask.coefficients", 3, 16, "must not be zero"),
+    one("zero-symbol", '[mask]\nsymbol = "z-z"\n', "SD009", "all coefficients", "mask.symbol", 2, 11, "must not be zero"),
+    one("coefficients-text", '[mask]\nstart = 0\ncoefficients = "1 1"\n', "SD006", "must be a list, not a string", "mask.coefficients", 3, 17, "[\"1/2\""),
+    one("coefficient-true", HEAD + "[true]\n", "SD006", "a number was expected, not true", C0, 3, 17, "-1/16"),
+    one("coefficient-list", HEAD + "[[1, 1]]\n", "SD006", "not an array", C0, 3, 17, "multivariate"),
+    one("coefficient-table", HEAD + "[{a = 1}]\n", "SD006", "not a table", C0, 3, 17, "-1/16"),
+    one("coefficient-date", HEAD + "[1, 1979-05-27]\n", "SD006", "not a date or time", C1, 3, 20, "-1/16"),
+    one("symbol-number", "[mask]\nsymbol = 1\n", "SD006", "symbol must be a string", "mask.symbol", 2, 10, "expression in z"),
+    several(
+        "mask-twice",
+        '[mask]\nstart = 0\ncoefficients = [1]\nsymbol = "1+z"\n',
+        ("SD015", "start and symbol", "mask.start", 2, 1, "keep one"),
+        ("SD015", "coefficients and symbol", "mask.coefficients", 3, 1, "keep one"),
+    ),
+    one("kind-planned", 'kind = "vector"\n' + MASK, "SD013", "kind vector cannot be checked yet", "kind", 1, 9, "scalar"),
+    one("kind-misspelt", 'kind = "scaler"\n' + MASK, "SD013", 'no kind "scaler"', "kind", 1, 9, '"scalar"?'),
+    one("kind-number", "kind = 1\n" + MASK, "SD006", "kind must be a string", "kind", 1, 8, 'kind = "scalar"'),
+    one("matrices", "matrices = [[[1]]]\n", "SD013", "kind matrices", "matrices", 1, 1, "scalar"),
+    one("format-2", "format = 2\n" + MASK, "SD006", "format must be 1, not 2", "format", 1, 10, "newer subdiv"),
+    one("format-text", 'format = "1"\n' + MASK, "SD006", "format must be 1, not a string", "format", 1, 11, "format = 1"),
+    several(
+        "many-at-once",
+        'naem = "x"\n[mask]\narity = 1\nstart = "0"\ncoefficients = [true, "1/0", "q"]\n[expect]\nholdr = 1\n',
+        ("SD004", "naem", "naem", 1, 1, "name?"),
+        ("SD010", "arity", "mask.arity", 3, 9, "arity = 2"),
+        ("SD006", "start", "mask.start", 4, 10, "without quotes"),
+        ("SD006", "not true", C0, 5, 17, "-1/16"),
+        ("SD007", "division by zero", C1, 5, 26, "not zero"),
+        ("SD008", '"q" is not declared', "mask.coefficients[2]", 5, 31, "[parameters]"),
+        ("SD004", '"holdr"', "expect.holdr", 7, 1, "holder?"),
+    ),
+]  # fmt: skip
+
+NUMBERS = [
+    one("zero-denominator", HEAD + '["1/0", 1]\n', "SD007", "division by zero", C0, 3, 20, "not zero"),
+    one("nan", HEAD + "[1, nan]\n", "SD007", "nan is not a rational number", C1, 3, 20, "finite"),
+    one("inf", HEAD + "[1, -inf]\n", "SD007", "-inf is not a rational number", C1, 3, 20, "finite"),
+    one("nan-text", HEAD + '["1 + nan"]\n', "SD007", "nan is not a rational number", C0, 3, 22, "finite"),
+    one("million-digits", HEAD + f"[{'1' * 200_000}]\n", "SD010", "200000 digits", C0, 3, 17, "shorter"),
+    one("many-digits", HEAD + f"[{'1' * 4000}]\n", "SD010", "more than 1000 digits", C0, 3, 17, "shorter"),
+    one("hex-digits", HEAD + f"[0x{'f' * 9000}]\n", "SD010", "more than 1000 digits", C0, 3, 17, "shorter"),
+    one("quoted-digits", HEAD + f'["{"1" * 200_000}"]\n', "SD010", "200000 digits", C0, 3, 18, "shorter"),
+    one("decimal-bomb", HEAD + "[1e999999999]\n", "SD010", "decimal exponent 999999999", C0, 3, 17, "sensible"),
+    one("decimal-bomb-text", HEAD + '["1e-999999999"]\n', "SD010", "decimal exponent -999999999", C0, 3, 18, "sensible"),
+    one("power-bomb", '[mask]\nsymbol = "2^99999999"\n', "SD010", "the exponent 99999999", "mask.symbol", 2, 13, "smaller"),
+    one("number-bomb", '[mask]\nsymbol = "2^999999"\n', "SD010", "more than 1000 digits", "mask.symbol", 2, 11, "smaller"),
+    one("tower", '[mask]\nsymbol = "((2^999)^999)^999"\n', "SD010", "more than 1000 digits", "mask.symbol", 2, 12, "smaller"),
+    one("binomial-bomb", '[mask]\nsymbol = "(1+z)^1000000"\n', "SD010", "too large", "mask.symbol", 2, 11, "smaller"),
+    one("far-exponent", '[mask]\nsymbol = "z^999999 z^999999"\n', "SD010", "beyond 1000000", "mask.symbol", 2, 11, "smaller"),
+    one("long-symbol", '[mask]\nsymbol = "1 + z^5000"\n', "SD010", "5001 coefficients", "mask.symbol", 2, 11, "shorter"),
+    one("long-mask", HEAD + f"[{'1,' * 2001}]\n", "SD010", "2001 coefficients", "mask.coefficients", 3, 16, "shorter"),
+    one("denominators", HEAD + "[" + ",".join(f'"1/{10**90 + k}"' for k in range(40)) + "]\n", "SD010", "common denominator", "mask.coefficients", 3, 16, "smaller"),
+    one("deep-arrays", HEAD + "[" * 5000, "SD010", "more than 32 deep", "mask.coefficients" + "[0]" * 32, 3, 48, "two levels"),
+    one("deep-parentheses", HEAD + f'["{"(" * 5000}"]\n', "SD010", "more than 32 deep", C0, 3, 50, "multiply"),
+    one("deep-keys", "a" + ".a" * 50_000 + " = 1\n", "SD010", "more than 32 deep", None, 1, 64, "two levels"),
+]  # fmt: skip
+
+EXPRESSIONS = [
+    one("ambiguous", HEAD + '["1/2 z"]\n', "SD008", "z cannot stand", C0, 3, 22, "as a symbol"),
+    one("ambiguous-parameter", W + HEAD + '["1/2 w"]\n', "SD008", "directly after a division", C0, 5, 22, "1/2 * w"),
+    one("square-root", HEAD + '["sqrt(3)/2"]\n', "SD008", "function call", C0, 3, 18, "rational masks only"),
+    one("root-sign", HEAD + '["√3"]\n', "SD008", "square root", C0, 3, 18, "rational masks only"),
+    one("two-stars", '[mask]\nsymbol = "z**2"\n', "SD008", '"**"', "mask.symbol", 2, 12, "write ^"),
+    several(
+        "typographic",
+        HEAD + '["−1/16", "½", "2×3", "z²"]\n',
+        ("SD008", '"−"', C0, 3, 18, "write - instead"),
+        ("SD008", '"½"', C1, 3, 27, "write (1/2) instead"),
+        ("SD008", '"×"', "mask.coefficients[2]", 3, 33, "write * instead"),
+        ("SD008", "z cannot stand", "mask.coefficients[3]", 3, 39, "as a symbol"),
+    ),
+    one("superscript", '[mask]\nsymbol = "1+z²"\n', "SD008", '"²"', "mask.symbol", 2, 14, "write ^2"),
+    one("decimal-comma", HEAD + '["0,5"]\n', "SD008", '","', C0, 3, 19, "0.5"),
+    one("glued-names", W + '[mask]\nsymbol = "1 + zw"\n', "SD008", '"zw" is not declared', "mask.symbol", 4, 15, "z*w"),
+    one("near-name", "[parameters]\nomega = 1\n" + HEAD + '["omga"]\n', "SD008", '"omga"', C0, 5, 18, "did you mean omega?"),
+    one("unknown-name", HEAD + '["w"]\n', "SD008", '"w" is not declared', C0, 3, 18, 'w = "1/16"'),
+    one("other-name", W + HEAD + '["w", "1+q"]\n', "SD008", '"q" is not declared', C1, 5, 25, "known here: w"),
+    one("open-parenthesis", HEAD + '["1+(1/2"]\n', "SD008", "never closed", C0, 3, 20, 'missing ")"'),
+    one("extra-parenthesis", HEAD + '["1/2)"]\n', "SD008", "closes nothing", C0, 3, 21, "remove it"),
+    one("half-a-fraction", HEAD + '["1/"]\n', "SD008", "the expression ends where", C0, 3, 20, "complete"),
+    one("two-slashes", HEAD + '["1//2"]\n', "SD008", '"/" stands where', C0, 3, 20, "remove it"),
+    one("empty-text", HEAD + '[" "]\n', "SD008", "the expression is empty", C0, 3, 18, "-1/16"),
+    one("two-numbers", HEAD + '["2 3"]\n', "SD008", "the number 3 stands directly after another number", C0, 3, 20, "write *"),
+    one("missing-power-sign", '[mask]\nsymbol = "(1+z)2"\n', "SD008", "the number 2 stands directly after", "mask.symbol", 2, 16, "^ for a power"),
+    one("percent", HEAD + '["5%"]\n', "SD008", '"%" cannot stand', C0, 3, 19, "has numbers, names"),
+    one("power-of-power", '[mask]\nsymbol = "z^2^3"\n', "SD008", "two readings", "mask.symbol", 2, 14, "(z^2)^3"),
+    one("fractional-power", '[mask]\nsymbol = "z^(1/2)"\n', "SD008", "single integer", "mask.symbol", 2, 15, "z^2"),
+    one("power-parameter", W + '[mask]\nsymbol = "z^w"\n', "SD008", "an integer was expected after ^", "mask.symbol", 4, 13, "z^2"),
+    one("not-laurent", '[mask]\nsymbol = "1/(1+z)"\n', "SD008", "no Laurent polynomial", "mask.symbol", 2, 13, "powers of z"),
+    one("not-laurent-power", '[mask]\nsymbol = "(1+z)^-1"\n', "SD008", "no Laurent polynomial", "mask.symbol", 2, 11, "powers of z"),
+    one("escaped", HEAD + '["\\u0031\\t/ 0"]\n', "SD007", "division by zero", C0, 3, 28, "not zero"),
+    one("many-lines", HEAD + '["""\n1 + \\\n   q"""]\n', "SD008", '"q" is not declared', C0, 5, 4, "[parameters]"),
+    one("crlf", (HEAD + '["q"]\n').replace("\n", "\r\n"), "SD008", '"q" is not declared', C0, 3, 18, "[parameters]"),
+]  # fmt: skip
+
+PARAMETERS = [
+    one("declared-later", '[parameters]\nw = "1/v"\nv = 1\n' + MASK, "SD008", "v is declared after w", "parameters.w", 2, 8, "move v above w"),
+    one("uses-itself", '[parameters]\nw = "w"\n' + MASK, "SD008", "uses itself", "parameters.w", 2, 6, "number"),
+    one("called-z", "[parameters]\nz = 1\n" + MASK, "SD011", "z is the variable", "parameters.z", 2, 1, "call it w"),
+    one("called-badly", '[parameters]\n"a b" = 1\n' + MASK, "SD011", "cannot be a parameter's name", 'parameters."a b"', 2, 1, "letters"),
+    one("parameter-true", "[parameters]\nw = true\n" + MASK, "SD006", "not true", "parameters.w", 2, 5, "-1/16"),
+]  # fmt: skip
+
+EXPECT = [
+    one("misspelt-property", MASK + "[expect]\nsmothness = 1\n", "SD004", '"smothness"', "expect.smothness", 5, 1, "smoothness?"),
+    one("no-limit-but-smooth", MASK + "[expect]\nconvergent = false\nsmoothness = 1\n", "SD012", "contradicts smoothness = 1", "expect.smoothness", 6, 14, "one of the two"),
+    one("reproduction-above", MASK + "[expect]\nreproduction = 3\ngeneration = 1\n", "SD012", "contradicts generation = 1", "expect.generation", 6, 14, "one of the two"),
+    one("holder-below", MASK + '[expect]\nsmoothness = 2\nholder = "1.5"\n', "SD012", "at least n", "expect.holder", 6, 11, "one of the two"),
+    one("holder-above", MASK + '[expect]\nsmoothness = 1\nholder = ">= log2(5)"\n', "SD012", "means C^(n+1)", "expect.holder", 6, 11, "one of the two"),
+    one("holder-negative", MASK + '[expect]\nconvergent = true\nholder = "log2(1/3)"\n', "SD012", "continuous", "expect.holder", 6, 11, "one of the two"),
+    one("sobolev-below", MASK + '[expect]\nholder = ">= 2"\nsobolev = "1 .. 1.9"\n', "SD012", "at least the Hölder", "expect.sobolev", 6, 12, "one of the two"),
+    one("empty-interval", MASK + '[expect]\nholder = "2 .. log2(3)"\n', "SD012", "is empty", "expect.holder", 5, 11, "smaller end first"),
+    one("negative-smoothness", MASK + "[expect]\nsmoothness = -1\n", "SD012", "cannot be negative", "expect.smoothness", 5, 14, "0 or more"),
+    one("fractional-smoothness", MASK + '[expect]\nsmoothness = ">= 1.5"\n', "SD012", "is an integer, not 1.5", "expect.smoothness", 5, 18, ">= 1"),
+    one("upper-bound", MASK + '[expect]\nholder = "<= 2"\n', "SD012", "no comparison", "expect.holder", 5, 11, "1.99 .. 2.01"),
+    one("strict", MASK + '[expect]\nholder = "> 2"\n', "SD012", "no comparison", "expect.holder", 5, 11, ">= 1.99"),
+    one("truth-quoted", MASK + '[expect]\nconvergent = "yes"\n', "SD006", "true or false", "expect.convergent", 5, 15, "convergent = true"),
+    one("truth-number", MASK + "[expect]\nstable = 1\n", "SD006", "not an integer", "expect.stable", 5, 10, "stable = true"),
+    one("order-true", MASK + "[expect]\nsmoothness = true\n", "SD006", "not true", "expect.smoothness", 5, 14, "smoothness = 1"),
+    one("words", MASK + '[expect]\nholder = "about 2"\n', "SD012", '"about"', "expect.holder", 5, 11, "log2(64/9)"),
+    one("logarithm-negative", MASK + '[expect]\nholder = "log2(-1)"\n', "SD012", "positive", "expect.holder", 5, 11, "log2(64/9)"),
+    one("logarithm-base", MASK + '[expect]\nholder = "1 + log(3)"\n', "SD012", "needs its base", "expect.holder", 5, 15, "log3(11)/2"),
+    one("order-huge", MASK + "[expect]\nsmoothness = 100000\n", "SD010", "limit is 1000", "expect.smoothness", 5, 14, "lower"),
+    one("order-bomb", MASK + f"[expect]\nsmoothness = {'9' * 900}\n", "SD010", "far too large", "expect.smoothness", 5, 14, "1000"),
+    one("closed-form-bomb", MASK + '[expect]\nholder = "log2(3)*99999"\n', "SD010", "too long", "expect.holder", 5, 19, "smaller"),
+]  # fmt: skip
+
+BROKEN = SYNTAX + STRUCTURE + NUMBERS + EXPRESSIONS + PARAMETERS + EXPECT
+
+AT_SCHEME = [
+    one("no-value", '[parameters]\nw = ""\n' + HEAD + '["w", 1]\n', "SD011", "w has no value", "parameters.w", 2, 6, "-p w=1/16"),
+    one("zero-parameter", W + HEAD + '[1, "1/w"]\n', "SD011", "division by zero where w = 0", C1, 5, 23, "-p w="),
+    one("zero-combination", W + HEAD + '["1/(2w)"]\n', "SD011", "where w = 0", C0, 5, 20, "-p w="),
+    one("all-zero", W + HEAD + '["w", "2 w"]\n', "SD009", "all coefficients", "mask.coefficients", 5, 16, "other parameters"),
+    one("zero-default", '[parameters]\nw = 0\nv = "1/w"\n' + HEAD + '["v"]\n', "SD011", "where w = 0", "parameters.v", 3, 8, "-p w="),
+    one("divides-by-sum", W + '[mask]\nsymbol = "1/(w + z + 1)"\n', "SD008", "no Laurent polynomial", "mask.symbol", 4, 13, "powers of z"),
+    several(
+        "two-at-once",
+        W + HEAD + '["1/w", 1, "w^-1"]\n',
+        ("SD011", "where w = 0", C0, 5, 20, "-p w="),
+        ("SD011", "where w = 0", "mask.coefficients[2]", 5, 28, "-p w="),
+    ),
+]  # fmt: skip
