@@ -200,6 +200,8 @@ class Result:
     stopped: Literal["budget"] | None = None
     problems: tuple[Problem, ...] = ()
     facts: Mapping[str, Data] = field(default_factory=dict)
+    hints: tuple[str, ...] = ()
+    """What the author of the mask may have meant; no verdict depends on them."""
     sum_rule_order: int | None = None
     convergent: Verdict = Verdict.SKIPPED
     smoothness: Smoothness = Smoothness()

@@ -25,7 +25,7 @@ from subdiv_cli.stages.scalar import analyse
 
 def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Effort) -> Result:
     """Decide what the stages can decide within the effort. The caller adds file, name and parameters to the result."""
-    facts, findings = analyse(scheme, effort)
+    facts, hints, findings = analyse(scheme, effort)
     found = {finding.code: finding for finding in findings}
     sharp = found["SD303"].verdict is Verdict.REFUTED
     refinable = Smoothness(order=_integer(found, "SD302", "order"), sharp=sharp)
@@ -35,6 +35,7 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
         kind="scalar",
         stopped="budget" if effort.struck else None,
         facts=facts,
+        hints=hints,
         sum_rule_order=_integer(found, "SD102", "order"),
         convergent=found["SD201"].verdict,
         smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),

@@ -46,10 +46,10 @@ def discover(paths: Iterable[str | Path]) -> Discovery:
                     entries.append(path)
                 continue
         except OSError as error:
-            entries.append(unreadable(path, None, error))
+            entries.append(unreadable(path, error))
             continue
         except ValueError:  # a null character in the name
-            entries.append(unreadable(path, None, FileNotFoundError()))
+            entries.append(unreadable(path, FileNotFoundError()))
             continue
         masks = 0
         others = 0
@@ -87,7 +87,7 @@ def _search(directory: Path, visited: set[object]) -> Iterator[Path | Problem]:
         with os.scandir(directory) as scan:
             children = sorted(entry.name for entry in scan if not entry.name.startswith("."))
     except OSError as error:
-        yield unreadable(str(directory), None, error)
+        yield unreadable(str(directory), error)
         return
     below = []
     for name in children:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from pathlib import Path
 
 from subdiv_cli.maskfile.bounds import MAX_PROBLEMS
 from subdiv_cli.model import Problem
@@ -134,7 +133,7 @@ def shown_path(path: KeyPath) -> str:
     return out
 
 
-def unreadable(file: str, path: Path | None, error: OSError) -> Problem:
+def unreadable(file: str, error: OSError) -> Problem:
     """SD002 for a file that the system does not give us."""
     if isinstance(error, FileNotFoundError):
         return Problem(
@@ -143,7 +142,7 @@ def unreadable(file: str, path: Path | None, error: OSError) -> Problem:
             help="check the path, or use - to read standard input",
             file=file,
         )
-    if isinstance(error, IsADirectoryError) or (path is not None and path.is_dir()):
+    if isinstance(error, IsADirectoryError):
         return Problem(
             code="SD002", message="this is a directory, not a mask file", help="name a file in it", file=file
         )

@@ -35,9 +35,9 @@ def read_path(path: str | Path) -> MaskFile:
             with Path(path).open("rb") as stream:
                 data = stream.read(MAX_FILE_BYTES + 1)
     except OSError as error:
-        raise MaskFileError([unreadable(file, Path(path), error)]) from None
+        raise MaskFileError([unreadable(file, error)]) from None
     except ValueError:  # a null character in the name
-        raise MaskFileError([unreadable(file, None, FileNotFoundError())]) from None
+        raise MaskFileError([unreadable(file, FileNotFoundError())]) from None
     if len(data) > MAX_FILE_BYTES:
         raise MaskFileError([_too_big(file)])
     try:

@@ -24,6 +24,7 @@ _LONG_BASIC = re.compile(r'"""(?:[^"\\]|\\.|"(?!""))*"""(?:"{0,2})', re.DOTALL)
 _LONG_LITERAL = re.compile(r"'''(?:[^']|'(?!''))*'''(?:'{0,2})")
 _STRINGS = {'"': _BASIC, "'": _LITERAL, '"""': _LONG_BASIC, "'''": _LONG_LITERAL}
 _ESCAPE = re.compile(r"\\(?:u([0-9A-Fa-f]{4})|U([0-9A-Fa-f]{8})|x([0-9A-Fa-f]{2})|(.))")
+_BAD_ESCAPE = re.compile(r"""(?:[^\\]|\\[btnfreuUx"\\\s])*\\[^btnfreuUx"\\\s]""")
 _ESCAPED = {"b": "\b", "t": "\t", "n": "\n", "f": "\f", "r": "\r", "e": "\x1b"}
 _SCALAR = re.compile(
     r"(?:true|false|[+-]?(?:inf|nan)"
@@ -201,6 +202,8 @@ class _Scanner:
         pattern = _STRINGS[quote * 3 if long else quote]
         if not self._skip(pattern):
             raise stuck.string(start, quote * 3 if long else quote)
+        if quote == '"' and (found := _BAD_ESCAPE.match(self.text, start, self.i)):
+            raise stuck.escape(self.text, found.end() - 2)
 
     def _scalar(self) -> None:
         start = self.i

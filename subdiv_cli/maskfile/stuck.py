@@ -94,6 +94,12 @@ def string(start: int, quote: str) -> Fault:
     return Fault("SD001", f"this string is not closed{where}", f"add the missing {quote}", start)
 
 
+def escape(text: str, at: int) -> Fault:
+    """A backslash before a letter that TOML does not know."""
+    mend = "write \\\\ for a backslash, or put the text in single quotes"
+    return Fault("SD001", f'"{shown(text[at : at + 2])}" is no escape in TOML', mend, at)
+
+
 def header(text: str, at: int, closing: str) -> Fault:
     """A table header without end."""
     message = f'"{closing}" was expected to close the table name, not {_here(text, at)}'

@@ -11,8 +11,7 @@ from subdiv_cli.schemes.scalar import ScalarScheme
 
 def facts(scheme: ScalarScheme) -> dict[str, Data]:
     """Keys: arity, support (first and last index), coefficients (their number), symmetry, centre, type, interpolatory,
-
-    nonnegative, gaps (indices of zero coefficients inside the support) and lattice (the gcd of the index differences).
+    nonnegative, gaps (indices of zero coefficients inside the support) and spacing (the gcd of index differences).
     """
     symmetry, centre = _symmetry(scheme)
     indices = [scheme.start + i for i, c in enumerate(scheme.coefficients) if c]
@@ -27,7 +26,7 @@ def facts(scheme: ScalarScheme) -> dict[str, Data]:
         "interpolatory": interpolation_shift(scheme) == 0,
         "nonnegative": all(c >= 0 for c in scheme.coefficients),
         "gaps": tuple(sorted(set(inside) - set(indices))),
-        "lattice": gcd(*(i - indices[0] for i in indices)),
+        "spacing": gcd(*(i - indices[0] for i in indices)),
     }
 
 

@@ -52,17 +52,18 @@ def _fitting(word: str, columns: int) -> int:
     return end
 
 
+def led(lead: Line, text: str, columns: int, *, role: str = "text", hanging: int = 0) -> list[Line]:
+    """A lead and a wrapped text after it; `hanging` is how far the text's later lines are indented."""
+    text = text.strip(" ")
+    first = wrap(text, columns - sum(width(span) for span, _ in lead))[0]
+    rest = text[len(first) :].lstrip(" ")
+    later = wrap(rest, columns - hanging) if rest else []
+    return [[*lead, (first, role)], *([(" " * hanging, ""), (piece, role)] for piece in later)]
+
+
 def paragraph(text: str, columns: int, *, role: str = "text", indent: int = 0, hanging: int = 0) -> list[Line]:
     """A wrapped paragraph; `hanging` is how much further its second and later lines are indented."""
-    pieces = wrap(text, columns - indent)
-    if len(pieces) > 1 and hanging:
-        head = pieces[0] if width(pieces[0]) <= columns - indent else ""
-        pieces = [head, *wrap(text[len(head) :].lstrip(" "), columns - indent - hanging)]
-    return [
-        [(" " * (indent + (hanging if i else 0)), ""), (piece, role)]
-        for i, piece in enumerate(pieces)
-        if piece or not i
-    ]
+    return led([(" " * indent, "")], text, columns, role=role, hanging=indent + hanging)
 
 
 def joined(items: Sequence[str], separator: str, columns: int, *, indent: int = 0, role: str = "text") -> list[Line]:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from subdiv_cli.model import Problem
-from subdiv_cli.report.layout import Line, paint, paragraph
+from subdiv_cli.report.layout import Line, led, paint
 from subdiv_cli.report.letters import letters, width
 from subdiv_cli.report.look import Look
 
@@ -62,20 +62,14 @@ def place(problem: Problem) -> str:
 
 
 def _first(problem: Problem, look: Look) -> list[Line]:
-    label = f"error[{problem.code}]"
-    lines = _noted(f"{label} ", letters(problem.message, look.unicode), look, hanging=2, role="head")
-    lines[0] = [(label, "bad"), (lines[0][0][0][len(label) :], ""), *lines[0][1:]]
-    return lines
+    lead = [(f"error[{problem.code}]", "bad"), (" ", "")]
+    return led(lead, letters(problem.message, look.unicode), look.width, role="head", hanging=2)
 
 
-def _noted(lead: str, text: str, look: Look, *, hanging: int | None = None, role: str = "text") -> list[Line]:
-    """A lead and a text, the text's later lines indented under its first."""
-    hanging = len(lead) if hanging is None and len(lead) < look.width // 3 else 4 if hanging is None else hanging
-    filler = "\0" * len(lead)
-    lines = paragraph(filler + text, look.width, hanging=hanging, role=role)
-    if lines[0][1][0].startswith(filler):
-        lines[0] = [(lead, "quiet"), (lines[0][1][0][len(lead) :], role)]
-    return lines
+def _noted(lead: str, text: str, look: Look) -> list[Line]:
+    """A note, its later lines under its first where there is room for that."""
+    hanging = len(lead) if len(lead) < look.width // 3 else 4
+    return led([(lead, "quiet")], text, look.width, hanging=hanging)
 
 
 def excerpt(source: str, column: int | None, room: int, *, unicode: bool = True) -> tuple[str, int | None]:

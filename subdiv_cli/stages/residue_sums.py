@@ -23,10 +23,6 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     else:
         listed = ", ".join(f"Σ a_({gamma}+{p}β) = {number(s)}" for gamma, s in enumerate(sums))
         statement = f"the residue classes must sum to 1 each, but {listed}"
-        if len(set(sums)) == 1 and sums[0]:
-            statement += (
-                f"; all are equal: a mask normalised to a(1) = {number(numbers.symbol(1))}? multiply by {1 / sums[0]}"
-            )
     return (
         Finding(
             code="SD101",

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from subdiv_cli.model import Data, Effort, Finding
 from subdiv_cli.quantities.facts import facts as mask_facts
+from subdiv_cli.quantities.hints import hints as mask_hints
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages import (
@@ -48,11 +50,21 @@ SCALAR: tuple[Stage, ...] = (
 )
 
 
-def analyse(scheme: ScalarScheme, effort: Effort) -> tuple[Mapping[str, Data], tuple[Finding, ...]]:
-    """The facts of the mask, and what all stages find under the effort."""
+class Analysis(NamedTuple):
+    """What there is to say about a scheme before anybody expects anything of it."""
+
+    facts: Mapping[str, Data]
+    hints: tuple[str, ...]
+    findings: tuple[Finding, ...]
+    """By rising code."""
+
+
+def analyse(scheme: ScalarScheme, effort: Effort) -> Analysis:
+    """All stages under the effort."""
     numbers = ScalarNumbers(scheme, effort)
     found: dict[str, tuple[Finding, ...]] = {}
     for stage in SCALAR:
         for finding in stage(numbers, found):
             found[finding.code] = (*found.get(finding.code, ()), finding)
-    return mask_facts(scheme), tuple(finding for findings in found.values() for finding in findings)
+    findings = tuple(finding for code in sorted(found) for finding in found[code])
+    return Analysis(mask_facts(scheme), mask_hints(scheme), findings)

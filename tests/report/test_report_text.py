@@ -109,6 +109,18 @@ def test_headlines():
     assert first(samples.INVALID) == "! masks/broken.toml: not checked: 2 errors"
 
 
+def test_a_headline_does_not_stammer():
+    said = replace(samples.DIVERGENT.findings[0], code="SD201", statement="S diverges: a(1) = 3")
+    text = render([replace(samples.DIVERGENT, findings=(said,))], Look())
+    assert text.splitlines()[0] == "✗ halved Chaikin: diverges: a(1) = 3"
+
+
+@pytest.mark.parametrize(("upper", "labelled"), [(0.5, False), (0.0, True), (-1.0, True)])
+def test_an_exponent_that_is_not_positive_is_labelled(upper, labelled):
+    text = render([replace(samples.DIVERGENT, holder=Exponent(lower=-2.0, upper=upper))] * 2, Look())
+    assert ("distributional" in text.splitlines()[2]) is labelled
+
+
 def test_refuted_beside_proved_smoothness_is_not_said_to_be_proved_alone():
     row = next(line for line in render([samples.FOUR_POINT], Look()).splitlines() if line.startswith("  smoothness"))
     assert "SD302" in row

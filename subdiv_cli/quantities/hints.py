@@ -1,0 +1,59 @@
+"""What the person who pasted a mask may have meant: hints, never verdicts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from subdiv_cli.quantities.facts import interpolation_shift
+from subdiv_cli.schemes.scalar import ScalarScheme
+
+_NEAR = Fraction(1, 1000)
+"""Residue sums off by less than this come from cut decimals or from a root of the arity."""
+
+
+def hints(scheme: ScalarScheme) -> tuple[str, ...]:
+    """One sentence each; none for a mask in which nothing looks like a slip."""
+    return (*_normalisation(scheme), *_cut_decimals(scheme), *_shifted_interpolation(scheme))
+
+
+def _sums(scheme: ScalarScheme, coefficients: tuple[Fraction, ...]) -> list[Fraction]:
+    return [sum(coefficients[r :: scheme.arity], Fraction(0)) for r in range(scheme.arity)]
+
+
+def _normalisation(scheme: ScalarScheme) -> Iterator[str]:
+    """Filters are often normalised to a(1) = 1 or to a(1) = √p."""
+    p, sums = scheme.arity, _sums(scheme, scheme.coefficients)
+    common = sums[0]
+    if common > 0 and all(abs(s * s * p - 1) < _NEAR for s in sums):
+        yield f"normalised to a(1) = √{p}? Multiply by √{p} and write exact fractions: only rational masks are checked."
+    elif common != 0 and sums == [common] * p and abs(common - 1) > _NEAR:
+        yield f"normalised to a(1) = {p * common}? Multiply the mask by {1 / common}."
+
+
+def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
+    """0.333333 for 1/3: the sums miss 1 by little, and nearby simple fractions have the right sums."""
+    sums = _sums(scheme, scheme.coefficients)
+    if all(s == 1 for s in sums) or any(abs(s - 1) > _NEAR for s in sums):
+        return
+    for largest in (12, 64, 1024):
+        simple = tuple(c.limit_denominator(largest) for c in scheme.coefficients)
+        pairs = [(c, q) for c, q in zip(scheme.coefficients, simple, strict=True) if c != q]
+        if _sums(scheme, simple) == [1] * scheme.arity and all(abs(c - q) < _NEAR for c, q in pairs):
+            meant = ", ".join(f'{_decimal(c)} for "{q}"' for c, q in dict(pairs).items())
+            yield f"cut decimals? {meant} would give residue sums of exactly 1."
+            return
+
+
+def _decimal(x: Fraction) -> str:
+    """A decimal that spells x, or x itself."""
+    for places in range(1, 18):
+        if 10**places % x.denominator == 0:
+            return f"{float(x):.{places}f}"
+    return str(x)
+
+
+def _shifted_interpolation(scheme: ScalarScheme) -> Iterator[str]:
+    shift = interpolation_shift(scheme)
+    if shift:
+        yield f"interpolatory with start = {scheme.start - shift}; with this start points are kept under other indices."
