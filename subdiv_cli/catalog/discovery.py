@@ -34,39 +34,51 @@ def discover(paths: Iterable[str | Path]) -> Discovery:
     whether it is a mask, the reader says (SD016). Problems: SD002 for what is missing or unreadable, SD014 for a
     directory without masks. Never raises for what is on disk.
     """
-    entries: list[str | Problem] = []
-    seen: set[object] = set()
-    skipped = 0
+    found = _Found()
     for path in map(str, paths):
         try:
-            directory = path != "-" and Path(path).is_dir()
-            if not directory:
-                if (same := _identity(path)) not in seen:
-                    seen.add(same)
-                    entries.append(path)
-                continue
-        except OSError as error:
-            entries.append(unreadable(path, error))
-            continue
-        except ValueError:  # a null character in the name
-            entries.append(unreadable(path, FileNotFoundError()))
-            continue
-        masks = 0
-        others = 0
-        for found in _search(Path(path), set()):
-            if isinstance(found, Problem):
-                entries.append(found)
-            elif not _looks_like_mask(found):
-                others += 1
+            if path != "-" and Path(path).is_dir():
+                found.search(path)
             else:
+                found.add(path, _identity(path))
+        except OSError as error:
+            found.entries.append(unreadable(path, error))
+        except ValueError:  # a null character in the name
+            found.entries.append(unreadable(path, FileNotFoundError()))
+    return Discovery(entries=tuple(found.entries), skipped=found.skipped)
+
+
+class _Found:
+    """What is found so far."""
+
+    def __init__(self) -> None:
+        self.entries: list[str | Problem] = []
+        self.skipped = 0
+        self._seen: set[object] = set()
+
+    def add(self, path: str, identity: object) -> None:
+        """Takes a file, unless it is there under another name."""
+        if identity not in self._seen:
+            self._seen.add(identity)
+            self.entries.append(path)
+
+    def search(self, directory: str) -> None:
+        """Takes the masks below a directory, or the problem that there are none."""
+        masks = others = 0
+        for found in _search(Path(directory), set()):
+            if isinstance(found, Problem):
+                self.entries.append(found)
+            elif _looks_like_mask(found):
                 masks += 1
-                if (same := _identity(str(found))) not in seen:
-                    seen.add(same)
-                    entries.append(str(found))
-        skipped += others
+                try:
+                    self.add(str(found), _identity(str(found)))
+                except OSError:  # a dangling link: the reader says so
+                    self.entries.append(str(found))
+            else:
+                others += 1
+        self.skipped += others
         if not masks:
-            entries.append(_without_masks(path, others))
-    return Discovery(entries=tuple(entries), skipped=skipped)
+            self.entries.append(_without_masks(directory, others))
 
 
 def _identity(path: str) -> object:

@@ -8,7 +8,7 @@ from typing import cast
 
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.evaluate import evaluate
-from subdiv_cli.maskfile.grammar import Node, Parser, Sum, parse
+from subdiv_cli.maskfile.grammar import Factor, Node, Parser, Product, Sum, parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import Coefficients, Expression, MaskFile, Symbol, expand
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
@@ -67,22 +67,25 @@ def _list(text: str) -> tuple[Expression, ...]:
             break
         if len(spans) > MAX_MASK_LENGTH:
             raise Fault("SD010", f"more than {MAX_MASK_LENGTH} coefficients", "use a shorter mask", opening.at)
-    tail = parser.token.at
+    start = parser.token.at
+    tail = []
     while parser.token.kind in ("*", "/"):
-        parser.advance()
-        parser.factor()
+        divides = parser.advance().kind == "/"
+        at = parser.token.at
+        tail.append(Factor(parser.factor(), divides, at))
     if parser.token.kind != "end":
         raise parser.unexpected("* or / or the end")
-    scale = text[tail:].strip()
-    if not scale:
-        return tuple(Expression(text=said, node=node) for node, said in spans)
-    return tuple(
-        _scaled(f"({said})" if isinstance(node, Sum) and len(node.terms) > 1 else said, scale) for node, said in spans
-    )
+    return tuple(_scaled(node, said, tail, text[start:].strip()) for node, said in spans)
 
 
-def _scaled(said: str, scale: str) -> Expression:
-    return Expression(text=said + scale, node=parse(said + scale, ()))
+def _scaled(node: Node, said: str, tail: list[Factor], scale: str) -> Expression:
+    """A coefficient times the factors behind the list, as reading its text again gives it."""
+    if not tail:
+        return Expression(text=said, node=node)
+    if isinstance(node, Sum) and len(node.terms) > 1:
+        said = f"({said})"
+    factors = node.factors if isinstance(node, Product) else (Factor(node),)
+    return Expression(text=said + scale, node=Product((*factors, *tail)))
 
 
 def parse_override(text: str) -> tuple[str, Fraction]:

@@ -34,7 +34,10 @@ def _normalisation(scheme: ScalarScheme) -> Iterator[str]:
 def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
     """0.333333 for 1/3: the sums miss 1 by little, and nearby simple fractions have the right sums."""
     sums = _sums(scheme, scheme.coefficients)
-    if all(s == 1 for s in sums) or any(abs(s - 1) > _NEAR for s in sums):
+    if any(abs(s - 1) > _NEAR for s in sums):
+        return
+    if all(s == 1 for s in sums):
+        yield from _cut_decimals_with_right_sums(scheme)
         return
     for largest in (12, 64, 1024):
         simple = tuple(c.limit_denominator(largest) for c in scheme.coefficients)
@@ -42,6 +45,15 @@ def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
         if _sums(scheme, simple) == [1] * scheme.arity and all(abs(c - q) < _NEAR for c, q in pairs):
             meant = ", ".join(f'{_decimal(c)} for "{q}"' for c, q in dict(pairs).items())
             yield f"cut decimals? {meant} would give residue sums of exactly 1."
+            return
+
+
+def _cut_decimals_with_right_sums(scheme: ScalarScheme) -> Iterator[str]:
+    """0.333333 and 0.666667 make up 1, yet are hardly meant; a decimal of four places or more is taken for one."""
+    for c in scheme.coefficients:
+        simple = c.limit_denominator(12)
+        if c != simple and c.denominator >= 5000 and c.denominator % 5 == 0 and abs(c - simple) * c.denominator < 1:
+            yield f'cut decimals? {_decimal(c)} is close to "{simple}"; every number is taken as it is written.'
             return
 
 

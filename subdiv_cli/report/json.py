@@ -58,6 +58,8 @@ def _result(result: Result) -> dict[str, Any]:
         "findings": [_finding(finding) for finding in result.findings],
         "certificate": None,
         "reference": result.reference,
+        "refinable_function": {"order": result.refinable.order, "sharp": result.refinable.sharp},
+        "hints": list(result.hints),
     }
 
 

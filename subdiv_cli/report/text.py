@@ -132,13 +132,13 @@ class _Page:
         items += [f"{name} = {exact(value)}" for name, value in result.parameters.items()]
         if result.reference:
             items.append(result.reference)
-        told = {name.replace("_", " "): value for name, value in result.facts.items() if value not in (None, ())}
-        facts = [f"{name}: {data(value)}" for name, value in told.items()]
         separator = " · " if self.look.unicode else "; "
-        for row in (items, facts):
+        for row in (items, words.facts(result)):
             self.lines += joined([self.say(i) for i in row], separator, self.look.width, indent=INDENT, role="quiet")
         if result.stopped:
             self.put(f"stopped by the {result.stopped}: another run may find more or less", "open", indent=INDENT)
+        for hint in result.hints:
+            self.put(f"hint: {hint}", "open", indent=INDENT, hanging=6)
 
     def problems(self, result: Result) -> None:
         if not self.look.problems:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from subdiv_cli.model import Expectation, Finding, Result, Verdict
-from subdiv_cli.report.numbers import exact, interval
+from subdiv_cli.model import Data, Expectation, Finding, Result, Smoothness, Verdict
+from subdiv_cli.report.numbers import data, exact, interval
 
 MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
 ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
@@ -39,11 +39,44 @@ def convergence(result: Result) -> str:
 
 
 def smoothness(result: Result) -> str | None:
-    """`C^1, not C^2`, `C^1 at least`, or None where convergence is not proved."""
-    order = result.smoothness.order
-    if order is None:
+    """Of the limit functions: `C^1, not C^2`, `C^1 at least`, or None where convergence is not proved."""
+    return _order(result.smoothness)
+
+
+def _order(smooth: Smoothness) -> str | None:
+    if smooth.order is None:
         return None
-    return f"C^{order}, not C^{order + 1}" if result.smoothness.sharp else f"C^{order} at least"
+    return f"C^{smooth.order}, not C^{smooth.order + 1}" if smooth.sharp else f"C^{smooth.order} at least"
+
+
+def facts(result: Result) -> list[str]:
+    """The facts of a mask in words, the most telling ones: `support -3 … 3`, `symmetric about 0`, `interpolatory`."""
+    told = []
+    for key, value in result.facts.items():
+        if (phrase := _fact(key, value)) is not None:
+            told.append(phrase)
+    centre = result.facts.get("centre")
+    return [f"{phrase} about {data(centre)}" if phrase.endswith("symmetric") else phrase for phrase in told]
+
+
+def _fact(key: str, value: Data) -> str | None:
+    """None for what goes without saying."""
+    match key, value:
+        case "arity" | "coefficients", int():
+            return f"arity {value}" if key == "arity" else _count(value, "coefficient")
+        case "support", (int(first), int(last)):
+            return f"support {first} … {last}"
+        case "gaps", tuple() if value:
+            return f"zero at {', '.join(map(data, value))}" if len(value) <= 6 else f"{len(value)} zeros inside"
+        case "spacing", int() if value > 1:
+            return f"supported on a lattice of spacing {value}"
+        case (("symmetry" | "type"), str()):
+            return value
+        case (("interpolatory" | "nonnegative"), True):
+            return key
+        case (("gaps" | "spacing" | "symmetry" | "type" | "interpolatory" | "nonnegative" | "centre"), _):
+            return None
+    return f"{key}: {data(value)}"
 
 
 def holder(result: Result) -> str | None:
@@ -61,7 +94,9 @@ def headline(result: Result) -> str:
     if result.convergent is Verdict.PROVED:
         return _convergent(result)
     if result.convergent is Verdict.REFUTED:
-        return _with("diverges", _statement(result, Verdict.REFUTED))
+        smooth = _order(result.refinable)
+        verdict = f"φ is {smooth}, but this scheme diverges" if smooth else "diverges"
+        return _with(verdict, _statement(result, Verdict.REFUTED))
     if result.convergent is Verdict.UNDECIDED:
         asked = finding(result, "SD201")
         return _with("convergence undecided", asked.reason if asked else None)

@@ -4,6 +4,9 @@ A problem is (code, fragment of the message, key, line, column, fragment of the 
 marked `AT_SCHEME` read well and fail when parameters get their defaults.
 """
 
+# One file a line:
+# ruff: noqa: E501
+
 from __future__ import annotations
 
 from typing import NamedTuple

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fractions import Fraction as F
+from fractions import Fraction as Q
 
 import pytest
 from hypothesis import given, settings
@@ -14,10 +14,10 @@ from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Fault
 
 Z = ("z", "w", "v")
-VALUES = {"w": F(1, 16), "v": F(-3)}
+VALUES = {"w": Q(1, 16), "v": Q(-3)}
 
 
-def value(text: str) -> dict[int, F]:
+def value(text: str) -> dict[int, Q]:
     return evaluate(parse(text, Z), VALUES, Work()).coefficients
 
 
@@ -25,44 +25,44 @@ def value(text: str) -> dict[int, F]:
     ("text", "expected"),
     [
         ("0", {}),
-        ("-1/16", {0: F(-1, 16)}),
-        ("0.1", {0: F(1, 10)}),
-        (".5", {0: F(1, 2)}),
-        ("2.", {0: F(2)}),
-        ("1.25e-3", {0: F(1, 800)}),
-        ("1E+2", {0: F(100)}),
-        ("+3", {0: F(3)}),
-        ("007", {0: F(7)}),
-        ("1/2/2", {0: F(1, 4)}),
-        ("8/4*2", {0: F(4)}),
-        ("1-2-3", {0: F(-4)}),
-        ("2*-3", {0: F(-6)}),
-        ("1 - -1", {0: F(2)}),
-        ("--1", {0: F(1)}),
-        ("1/-2", {0: F(-1, 2)}),
-        ("-z^2", {2: F(-1)}),
-        ("(-z)^2", {2: F(1)}),
-        ("2z", {1: F(2)}),
-        ("2 z^-3", {-3: F(2)}),
-        ("z^(-3)", {-3: F(1)}),
-        ("z^+2", {2: F(1)}),
-        ("(2z)^-2", {-2: F(1, 4)}),
-        ("z^0", {0: F(1)}),
-        ("0^0", {0: F(1)}),
-        ("w z", {1: F(1, 16)}),
-        ("w(1+z)", {0: F(1, 16), 1: F(1, 16)}),
-        ("(1+z)(1-z)", {0: F(1), 2: F(-1)}),
-        ("(1+z)^3", {0: F(1), 1: F(3), 2: F(3), 3: F(1)}),
-        ("z/2 * v", {1: F(-3, 2)}),
-        ("z/(2 v)", {1: F(-1, 6)}),
-        ("(1+z)/z", {-1: F(1), 0: F(1)}),
-        ("(1+z)/(1+z-1)", {-1: F(1), 0: F(1)}),
-        ("1/2*3 z", {1: F(3, 2)}),
-        ("1/(1-16w+1)", {0: F(1)}),
-        ("\t1\n+ 1 ", {0: F(2)}),
+        ("-1/16", {0: Q(-1, 16)}),
+        ("0.1", {0: Q(1, 10)}),
+        (".5", {0: Q(1, 2)}),
+        ("2.", {0: Q(2)}),
+        ("1.25e-3", {0: Q(1, 800)}),
+        ("1E+2", {0: Q(100)}),
+        ("+3", {0: Q(3)}),
+        ("007", {0: Q(7)}),
+        ("1/2/2", {0: Q(1, 4)}),
+        ("8/4*2", {0: Q(4)}),
+        ("1-2-3", {0: Q(-4)}),
+        ("2*-3", {0: Q(-6)}),
+        ("1 - -1", {0: Q(2)}),
+        ("--1", {0: Q(1)}),
+        ("1/-2", {0: Q(-1, 2)}),
+        ("-z^2", {2: Q(-1)}),
+        ("(-z)^2", {2: Q(1)}),
+        ("2z", {1: Q(2)}),
+        ("2 z^-3", {-3: Q(2)}),
+        ("z^(-3)", {-3: Q(1)}),
+        ("z^+2", {2: Q(1)}),
+        ("(2z)^-2", {-2: Q(1, 4)}),
+        ("z^0", {0: Q(1)}),
+        ("0^0", {0: Q(1)}),
+        ("w z", {1: Q(1, 16)}),
+        ("w(1+z)", {0: Q(1, 16), 1: Q(1, 16)}),
+        ("(1+z)(1-z)", {0: Q(1), 2: Q(-1)}),
+        ("(1+z)^3", {0: Q(1), 1: Q(3), 2: Q(3), 3: Q(1)}),
+        ("z/2 * v", {1: Q(-3, 2)}),
+        ("z/(2 v)", {1: Q(-1, 6)}),
+        ("(1+z)/z", {-1: Q(1), 0: Q(1)}),
+        ("(1+z)/(1+z-1)", {-1: Q(1), 0: Q(1)}),
+        ("1/2*3 z", {1: Q(3, 2)}),
+        ("1/(1-16w+1)", {0: Q(1)}),
+        ("\t1\n+ 1 ", {0: Q(2)}),
     ],
 )
-def test_values(text: str, expected: dict[int, F]) -> None:
+def test_values(text: str, expected: dict[int, Q]) -> None:
     assert value(text) == expected
 
 
@@ -78,19 +78,19 @@ def test_juxtaposition_after_a_division_is_refused(text: str) -> None:
 def test_the_four_point_symbol_of_the_literature() -> None:
     symbol = "z^-3 (1+z)^2 (z^2/2 - w (z-1)^2 (1+z^2))"
     w = VALUES["w"]
-    assert value(symbol) == {-3: -w, -1: F(1, 2) + w, 0: F(1), 1: F(1, 2) + w, 3: -w}
+    assert value(symbol) == {-3: -w, -1: Q(1, 2) + w, 0: Q(1), 1: Q(1, 2) + w, 3: -w}
 
 
 def test_nesting_up_to_the_bound() -> None:
-    assert value("(" * 32 + "1" + ")" * 32) == {0: F(1)}
+    assert value("(" * 32 + "1" + ")" * 32) == {0: Q(1)}
     with pytest.raises(Fault, match="nested more than 32"):
         value("(" * 33 + "1" + ")" * 33)
-    assert value("(1)" * 1000) == {0: F(1)}
+    assert value("(1)" * 1000) == {0: Q(1)}
 
 
 def test_digits_up_to_the_bound() -> None:
-    assert value("9" * 1000) == {0: F(10**1000 - 1)}
-    assert value("1e-1000 * 10^1000") == {0: F(1)}
+    assert value("9" * 1000) == {0: Q(10**1000 - 1)}
+    assert value("1e-1000 * 10^1000") == {0: Q(1)}
     for text in ("9" * 1001, "1e1001", "1e99999999999999999999", "10^1000 * 10^1000", "(1/10^999)^2"):
         with pytest.raises(Fault) as caught:
             value(text)
@@ -98,12 +98,12 @@ def test_digits_up_to_the_bound() -> None:
 
 
 def test_long_sums_and_products_are_no_deep_trees() -> None:
-    assert value("+".join(["z"] * 5000)) == {1: F(5000)}
-    assert value("-" * 5000 + "1") == {0: F(1)}
-    assert value("z*" * 5000 + "1") == {5000: F(1)}
+    assert value("+".join(["z"] * 5000)) == {1: Q(5000)}
+    assert value("-" * 5000 + "1") == {0: Q(1)}
+    assert value("z*" * 5000 + "1") == {5000: Q(1)}
 
 
-Poly = dict[int, F]
+Poly = dict[int, Q]
 
 
 def trim(p: Poly) -> Poly:
@@ -111,25 +111,25 @@ def trim(p: Poly) -> Poly:
 
 
 def add(a: Poly, b: Poly, sign: int = 1) -> Poly:
-    return trim({k: a.get(k, F(0)) + sign * b.get(k, F(0)) for k in {*a, *b}})
+    return trim({k: a.get(k, Q(0)) + sign * b.get(k, Q(0)) for k in {*a, *b}})
 
 
 def mul(a: Poly, b: Poly) -> Poly:
     out: Poly = {}
     for j, x in a.items():
         for k, y in b.items():
-            out[j + k] = out.get(j + k, F(0)) + x * y
+            out[j + k] = out.get(j + k, Q(0)) + x * y
     return trim(out)
 
 
 numbers = st.one_of(
-    st.integers(0, 99).map(lambda n: (str(n), trim({0: F(n)}))),
+    st.integers(0, 99).map(lambda n: (str(n), trim({0: Q(n)}))),
     st.tuples(st.integers(0, 99), st.integers(0, 999)).map(
-        lambda t: (f"{t[0]}.{t[1]:03}", trim({0: F(1000 * t[0] + t[1], 1000)}))
+        lambda t: (f"{t[0]}.{t[1]:03}", trim({0: Q(1000 * t[0] + t[1], 1000)}))
     ),
 )
-names = st.sampled_from([("z", {1: F(1)}), ("w", {0: VALUES["w"]}), ("v", {0: VALUES["v"]})])
-monomials = st.builds(lambda n, c: (f"({c}z^{n})", {n: F(c)}), st.integers(-4, 4), st.integers(1, 5))
+names = st.sampled_from([("z", {1: Q(1)}), ("w", {0: VALUES["w"]}), ("v", {0: VALUES["v"]})])
+monomials = st.builds(lambda n, c: (f"({c}z^{n})", {n: Q(c)}), st.integers(-4, 4), st.integers(1, 5))
 Printed = tuple[str, Poly]
 
 
@@ -146,7 +146,7 @@ def compound(children: st.SearchStrategy[Printed]) -> st.SearchStrategy[Printed]
             lambda t: (f"({t[0][0]})/{t[1][0]}", mul(t[0][1], {-k: 1 / c for k, c in t[1][1].items()}))
         ),
         st.tuples(monomials, st.integers(-3, 3)).map(
-            lambda t: (f"{t[0][0]}^{t[1]}", {k * t[1]: F(c) ** t[1] for k, c in t[0][1].items()})
+            lambda t: (f"{t[0][0]}^{t[1]}", {k * t[1]: Q(c) ** t[1] for k, c in t[0][1].items()})
         ),
     )
 
@@ -161,11 +161,12 @@ def test_printed_expressions_read_back_as_the_same_polynomial(printed: Printed) 
     assert value(text) == expected
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=250, deadline=None)
 @given(st.text("zwv0123456789+-*/^()., e", max_size=25))
 def test_any_text_gives_a_value_or_a_fault_inside_it(text: str) -> None:
+    found = None
     try:
         value(text)
     except Fault as fault:
-        assert 0 <= fault.at <= len(text)
-        assert fault.help
+        found = fault
+    assert found is None or (0 <= found.at <= len(text) and found.help)

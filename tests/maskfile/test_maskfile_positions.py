@@ -66,7 +66,7 @@ def paths_of(value: object, path: tuple[str | int, ...] = ()) -> dict[tuple[str 
 def test_every_path_and_value_is_where_tomllib_has_it() -> None:
     seen = {True: 0, False: 0}
 
-    @settings(max_examples=500, deadline=None)
+    @settings(max_examples=300, deadline=None)
     @given(documents)
     def compare(text: str) -> None:
         result = scan(text)
@@ -91,7 +91,7 @@ def test_every_path_and_value_is_where_tomllib_has_it() -> None:
     assert seen[True] >= seen[False]
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=250, deadline=None)
 @given(st.text(st.sampled_from("ab=.[]{},\"'\\#\n\r 01-/+eT:zé"), max_size=60))
 def test_any_text_is_scanned_to_an_end(text: str) -> None:
     result = scan(text)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
-from fractions import Fraction as F
+from fractions import Fraction as Q
 
 import pytest
 from hypothesis import given, settings
@@ -24,21 +25,21 @@ def number(x: ClosedForm) -> float:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("2", F(2)),
-        ("1.99", F(199, 100)),
-        ("-1/2", F(-1, 2)),
-        ("log2(8)", F(3)),
-        ("log4(2)", F(1, 2)),
-        ("log2(9)/2", Log(base=2, argument=F(3))),
-        ("log2(64/9)", Log(base=2, argument=F(64, 9))),
-        ("log3(11)/2", Log(base=3, argument=F(11), divisor=2)),
-        ("2 - log2(3)", Log(base=2, argument=F(4, 3))),
-        ("-log2(3/4)", Log(base=2, argument=F(4, 3))),
-        ("3 log9(2)", Log(base=3, argument=F(8), divisor=2)),
-        ("log2(3) + log4(9)", Log(base=2, argument=F(9))),
-        ("log2(3) - log2(3)", F(0)),
-        ("log2(3)*0", F(0)),
-        ("log2(1/3) + 1/2", Log(base=2, argument=F(2, 9), divisor=2)),
+        ("2", Q(2)),
+        ("1.99", Q(199, 100)),
+        ("-1/2", Q(-1, 2)),
+        ("log2(8)", Q(3)),
+        ("log4(2)", Q(1, 2)),
+        ("log2(9)/2", Log(base=2, argument=Q(3))),
+        ("log2(64/9)", Log(base=2, argument=Q(64, 9))),
+        ("log3(11)/2", Log(base=3, argument=Q(11), divisor=2)),
+        ("2 - log2(3)", Log(base=2, argument=Q(4, 3))),
+        ("-log2(3/4)", Log(base=2, argument=Q(4, 3))),
+        ("3 log9(2)", Log(base=3, argument=Q(8), divisor=2)),
+        ("log2(3) + log4(9)", Log(base=2, argument=Q(9))),
+        ("log2(3) - log2(3)", Q(0)),
+        ("log2(3)*0", Q(0)),
+        ("log2(1/3) + 1/2", Log(base=2, argument=Q(2, 9), divisor=2)),
     ],
 )
 def test_closed_forms_are_canonical(text: str, expected: ClosedForm) -> None:
@@ -63,7 +64,7 @@ def test_closed_forms_are_canonical(text: str, expected: ClosedForm) -> None:
         ("log2(3) + 1/1000", "SD010"),
         ("log2(3) + 1000000", "SD010"),
         ("2^2000", "SD010"),
-        ("log2(2^999 3^999)", "SD010"),
+        ("log2(2^999*3^999)", "SD010"),
         ("log9999999(3)", "SD012"),
         ("log(3)", "SD008"),
         ("ln(3)", "SD008"),
@@ -77,7 +78,7 @@ def test_what_is_no_closed_form(text: str, code: str) -> None:
     assert caught.value.help
 
 
-logs = st.tuples(st.integers(2, 12), st.fractions(F(1, 50), 50, max_denominator=50), st.integers(1, 4)).map(
+logs = st.tuples(st.integers(2, 12), st.fractions(Q(1, 50), 50, max_denominator=50), st.integers(1, 4)).map(
     lambda t: f"log{t[0]}({t[1]})/{t[2]}"
 )
 rationals = st.fractions(-5, 5, max_denominator=9).map(lambda q: f"({q})")
@@ -88,10 +89,8 @@ rationals = st.fractions(-5, 5, max_denominator=9).map(lambda q: f"({q})")
 def test_closed_forms_agree_with_floats(x: str, y: str, q: str) -> None:
     a, b, c = read_closed_form(x), read_closed_form(y), read_closed_form(q)
     assert number(read_closed_form(f"{x} * {q}")) == pytest.approx(number(a) * number(c), abs=1e-9)
-    try:
+    with contextlib.suppress(Fault):  # two bases
         assert number(read_closed_form(f"{x} - {y}")) == pytest.approx(number(a) - number(b), abs=1e-9)
-    except Fault:
-        pass  # two bases
     if certainly_less(a, b):
         assert number(a) < number(b) + 1e-12
         assert not certainly_less(b, a)
@@ -110,11 +109,11 @@ def test_closed_forms_agree_with_floats(x: str, y: str, q: str) -> None:
         ("stable=true", "stable", True, True),
         ("smoothness=1", "smoothness", 1, 1),
         ("smoothness == 1", "smoothness", 1, 1),
-        (" holder>=1.5 ", "holder", F(3, 2), None),
-        ("holder >= log2(3)", "holder", Log(base=2, argument=F(3)), None),
-        ("holder=1.99 .. 2.01", "holder", F(199, 100), F(201, 100)),
-        ("holder = 1..2", "holder", F(1), F(2)),
-        ("sobolev = 2..2", "sobolev", F(2), F(2)),
+        (" holder>=1.5 ", "holder", Q(3, 2), None),
+        ("holder >= log2(3)", "holder", Log(base=2, argument=Q(3)), None),
+        ("holder=1.99 .. 2.01", "holder", Q(199, 100), Q(201, 100)),
+        ("holder = 1..2", "holder", Q(1), Q(2)),
+        ("sobolev = 2..2", "sobolev", Q(2), Q(2)),
         ("generation = 1 .. 3", "generation", 1, 3),
         ("reproduction >= 2", "reproduction", 2, None),
     ],
@@ -159,7 +158,7 @@ def test_bad_properties(text: str, message: str, column: int | None) -> None:
 
 def test_the_text_of_an_expectation_is_as_it_was_spelled() -> None:
     assert parse_expectation("holder", ">=log2(64/9)") == Expectation(
-        key="holder", text=">= log2(64/9)", lower=Log(base=2, argument=F(64, 9))
+        key="holder", text=">= log2(64/9)", lower=Log(base=2, argument=Q(64, 9))
     )
     assert parse_expectation("holder", " 1.990 .. 2.01 ").text == "1.990 .. 2.01"
 
@@ -167,7 +166,9 @@ def test_the_text_of_an_expectation_is_as_it_was_spelled() -> None:
 @settings(max_examples=300, deadline=None)
 @given(st.text("C1holder>=<. log2()/-+*^9", max_size=20))
 def test_any_property_is_read_or_refused(text: str) -> None:
+    problems = None
     try:
         parse_property(text)
     except MaskFileError as error:
-        assert error.problems[0].help
+        problems = error.problems
+    assert problems is None or problems[0].help

@@ -1,0 +1,79 @@
+"""The explain pages: every code has one, and what their fences show is what happens."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from subdiv_cli.catalog.run import check_all
+from subdiv_cli.explain import codes, page
+from subdiv_cli.maskfile import MaskFileError, read_text
+from subdiv_cli.model import Verdict
+
+PACKAGE = Path(__file__).parents[1] / "subdiv_cli"
+PAGES = sorted((PACKAGE / "explain" / "pages").glob("SD*.md"))
+FENCE = re.compile(r"^```toml (passes|fails)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+HEADINGS = ["What it checks", "Why it matters", "Example", "Instead", "Source"]
+WITHOUT_A_FAILING_FILE = {"SD002", "SD014", "SD099"}
+NEVER_PROVED = {"SD303"}
+"""The next order of smoothness: where it is proved, it is not the next one."""
+
+
+def fences(text, kind):
+    return [body for how, body in FENCE.findall(text) if how == kind]
+
+
+def result_of(body, tmp_path):
+    file = tmp_path / "mask.toml"
+    file.write_text(body, encoding="utf-8")
+    (result,) = check_all([str(file)], debug=True)
+    return result
+
+
+def test_codes_in_the_source_are_those_with_a_page():
+    written = {
+        code for file in PACKAGE.rglob("*.py") for code in re.findall(r'"(SD\d{3})"', file.read_text(encoding="utf-8"))
+    }
+    assert written == {file.stem for file in PAGES} == set(codes())
+
+
+@pytest.mark.parametrize("file", PAGES, ids=lambda file: file.stem)
+def test_page_has_its_headings(file):
+    text = file.read_text(encoding="utf-8")
+    assert re.match(rf"# {file.stem} [a-z-]+\n", text)
+    assert re.findall(r"^## (.*)$", text, re.MULTILINE) == HEADINGS
+    assert page(file.stem) == page(file.stem.lower()) == text
+
+
+@pytest.mark.parametrize("file", PAGES, ids=lambda file: file.stem)
+def test_passing_example(file, tmp_path):
+    examples = fences(file.read_text(encoding="utf-8"), "passes")
+    assert examples
+    for body in examples:
+        result = result_of(body, tmp_path)
+        assert result.status == "passed"
+        if file.stem >= "SD100":
+            expected = Verdict.REFUTED if file.stem in NEVER_PROVED else Verdict.PROVED
+            assert expected in {f.verdict for f in result.findings if f.code == file.stem}
+
+
+@pytest.mark.parametrize("file", PAGES, ids=lambda file: file.stem)
+def test_failing_example(file, tmp_path):
+    examples = fences(file.read_text(encoding="utf-8"), "fails")
+    assert bool(examples) is (file.stem not in WITHOUT_A_FAILING_FILE)
+    for body in examples:
+        result = result_of(body, tmp_path)
+        if file.stem < "SD100":
+            assert result.status == "invalid"
+            assert {problem.code for problem in result.problems} == {file.stem}
+        else:
+            assert result.status in {"failed", "undecided"}
+            assert file.stem in {finding.code for finding in result.findings}
+
+
+def test_files_that_fail_do_so_when_read():
+    """The same without the pipeline: the reader alone refuses them."""
+    for file in PAGES:
+        for body in fences(file.read_text(encoding="utf-8"), "fails") if file.stem < "SD011" else []:
+            with pytest.raises(MaskFileError):
+                read_text(body, file="mask.toml").scheme({})
