@@ -32,12 +32,12 @@ def truncated(x: Fraction, digits: int = _DIGITS) -> str:
     return f"{whole}.{decimals:0{digits}d}…" + (f"e{exponent}" if exponent else "")
 
 
-def rounded_down(x: float, digits: int = 9) -> str:
+def rounded_down(x: float, digits: int = 6) -> str:
     """A decimal that is not above x."""
     return _decimal(Fraction(Fraction(x) * 10**digits // 1, 10**digits), digits)
 
 
-def rounded_up(x: float, digits: int = 9) -> str:
+def rounded_up(x: float, digits: int = 6) -> str:
     """A decimal that is not below x."""
     return _decimal(Fraction(-(-Fraction(x) * 10**digits // 1), 10**digits), digits)
 

@@ -133,16 +133,14 @@ def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expre
                 message, mend = f'"{shown(name)}" cannot be a parameter\'s name', "use letters, digits and _: w, w_1"
             problems.add(Fault("SD011", message, mend), path, of_key=True)
             continue
-        found[name] = None
-        if value == "":
-            continue
-        earlier = [other for other in found if other != name]
+        expression = None
         try:
-            found[name] = read_expression(value, path, earlier)
+            expression = read_expression(value, path, found) if value != "" else None
         except Fault as fault:
             if fault.code == "SD008" and fault.message.endswith("is not declared") and table:
                 _explain_order(fault, name, table.data)
             problems.add(fault, path)
+        found[name] = expression
     return found
 
 

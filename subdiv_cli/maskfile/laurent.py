@@ -85,7 +85,7 @@ def total(terms: Iterable[tuple[int, Laurent]], work: Work) -> Laurent:
             numerators = {k: n * scale for k, n in numerators.items()}
             denominator = common
         factor = sign * (common // term.denominator)
-        work.charge(10 + len(term.numerators), term.bits, factor.bit_length())
+        work.charge(30 + len(term.numerators), term.bits, factor.bit_length())
         for k, n in term.numerators.items():
             numerators[k] = numerators.get(k, 0) + factor * n
     return Laurent(numerators, denominator)
@@ -93,7 +93,7 @@ def total(terms: Iterable[tuple[int, Laurent]], work: Work) -> Laurent:
 
 def times(a: Laurent, b: Laurent, work: Work) -> Laurent:
     """a · b. Raises TooLargeError."""
-    work.charge(10 + len(a.numerators) * len(b.numerators), a.bits, b.bits)
+    work.charge(30 + len(a.numerators) * len(b.numerators), a.bits, b.bits)
     numerators: dict[int, int] = {}
     for j, m in a.numerators.items():
         for k, n in b.numerators.items():

@@ -102,7 +102,13 @@ class _Page:
             return [status, label, self.cell(words.errors(result)), self.cell(None), self.cell(None)]
         role = words.ROLES[result.convergent]
         verdict = self.cell(words.convergence(result), role)
-        return [status, label, verdict, self.cell(words.smoothness(result)), self.cell(words.holder(result))]
+        return [
+            status,
+            label,
+            verdict,
+            self.cell(words.smoothness_or_that_of_phi(result)),
+            self.cell(words.holder(result)),
+        ]
 
     # one mask
 

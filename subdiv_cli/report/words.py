@@ -43,6 +43,12 @@ def smoothness(result: Result) -> str | None:
     return _order(result.smoothness)
 
 
+def smoothness_or_that_of_phi(result: Result) -> str | None:
+    """That of the limit functions; of a divergent scheme with a smooth refinable function `φ: C^1, not C^2`."""
+    shown = smoothness(result)
+    return shown if shown or result.refinable.order is None else f"φ: {_order(result.refinable)}"
+
+
 def _order(smooth: Smoothness) -> str | None:
     if smooth.order is None:
         return None

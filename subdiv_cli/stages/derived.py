@@ -13,7 +13,7 @@ from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import laurent
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts
+from subdiv_cli.stages.stage import Facts, derived_names
 
 _LONGEST_MASK = 6
 
@@ -39,6 +39,6 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 def _statement(k: int, masks: list[Laurent]) -> str:
     if k == 0:
         return "there is no derived scheme: the first sum rule fails"
-    names = "S_1 exists" if k == 1 else f"S_1, …, S_{k} exist"
+    names = f"{derived_names(k)} exist{'s' if k == 1 else ''}"
     shown = f"; S_{k} has the symbol {laurent(masks[-1])}" if masks[-1].degree < _LONGEST_MASK else ""
     return f"{names}, S_{k + 1} does not{shown}"

@@ -14,7 +14,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.exact.enclosures import interval
-from subdiv_cli.exact.text import rounded_up
+from subdiv_cli.exact.text import eigenvalue, rounded_up
 from subdiv_cli.model import Data, Finding, Interval, Verdict
 from subdiv_cli.quantities.products import exponent_bound
 from subdiv_cli.quantities.scalar import ScalarNumbers
@@ -35,9 +35,8 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         statement = f"α ≤ {k}, the sum-rule order"
         return (_finding(Verdict.PROVED, statement, Interval(upper=interval(Fraction(k)).upper), witness),)
     shown = bound.exact if product.eigenvalue.rational is not None else rounded_up(bound.upper)
-    length = len(product.word)
-    root = "ρ" if length == 1 else f"ρ^(1/{length})"
-    statement = f"α ≤ {shown} = -log_{numbers.p} {root} by {product_text(product)} of S_(Δ^{k})"
+    modulus = eigenvalue(product.eigenvalue).strip("|-")
+    statement = f"α ≤ {shown}: {product_text(product)} of S_(Δ^{k}) has an eigenvalue of modulus {modulus}"
     return (_finding(Verdict.PROVED, statement, Interval(upper=bound.upper), {**witness, **product_witness(product)}),)
 
 

@@ -16,7 +16,7 @@ from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.spectra import Spectrum, eigen_condition
 from subdiv_cli.stages.eigenvalues import listed
-from subdiv_cli.stages.stage import ContradictionError, Facts, integer, verdict
+from subdiv_cli.stages.stage import ContradictionError, Facts, derived_names, integer, verdict
 
 _MOST_LISTED = 6
 
@@ -36,8 +36,7 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     elif largest == 0:
         statement = f"the eigen-conditions exclude the convergence of S_1: A_0 has the eigenvalues {shown}"
     else:
-        derived = f"S_1, …, S_{largest}" if largest > 1 else "S_1"
-        statement = f"{derived} {'meet their' if largest > 1 else 'meets its'} eigen-condition"
+        statement = f"{derived_names(largest)} {'meet their' if largest > 1 else 'meets its'} eigen-condition"
         statement += f", S_{largest + 1} does not" if largest + 1 < numbers.order else ""
         statement += f"; A_0 has the eigenvalues {shown}"
     witness: dict[str, Data] = {"nu": largest, "eigenvalues": tuple(listed(spectrum) for spectrum in spectra)}

@@ -34,6 +34,11 @@ def power(operator: str, level: int) -> str:
     return f"‖{operator}‖∞" if level == 1 else f"‖({operator})^{level}‖∞"
 
 
+def derived_names(last: int) -> str:
+    """`S_1`, `S_1 and S_2`, `S_1, …, S_4`."""
+    return {1: "S_1", 2: "S_1 and S_2"}.get(last, f"S_1, …, S_{last}")
+
+
 def product_name(word: tuple[int, ...]) -> str:
     """The product T_(w_ℓ) … T_(w_1) of a word, runs as powers: `T_1T_0^12`."""
     runs: list[list[int]] = []

@@ -1,0 +1,77 @@
+"""The README is true: its commands are run and must print what it shows. `UPDATE_GOLDEN=1` writes the outputs anew."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+README = ROOT / "README.md"
+CONSOLE = re.compile(r"^```console\n\$ (subdiv [^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+TOML = re.compile(r"^```toml\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+@pytest.fixture
+def directory(tmp_path):
+    """A directory as the reader has it: the shipped masks, my_scheme.toml, and the same with its mistake."""
+    (tmp_path / "masks").symlink_to(ROOT / "masks")
+    (mask,) = (body for body in TOML.findall(README.read_text(encoding="utf-8")) if body.startswith("name"))
+    (tmp_path / "my_scheme.toml").write_text(mask, encoding="utf-8")
+    (tmp_path / "mistake.toml").write_text(mask.replace('"1/20"', "1/20"), encoding="utf-8")
+    return tmp_path
+
+
+def output(command, directory):
+    """stdout and stderr together, as a terminal of 100 columns without colour shows them."""
+    environment = {**os.environ, "NO_COLOR": "1", "COLUMNS": "100", "PYTHONIOENCODING": "utf-8"}
+    run = subprocess.run(
+        [sys.executable, "-m", "subdiv_cli", *shlex.split(command)[1:]],
+        cwd=directory,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
+    return run.stdout.decode("utf-8")
+
+
+def test_every_command_prints_what_is_shown(directory):
+    text = README.read_text(encoding="utf-8")
+
+    def rerun(block):
+        return f"```console\n$ {block[1]}\n{output(block[1], directory)}```"
+
+    actual = CONSOLE.sub(rerun, text)
+    if os.environ.get("UPDATE_GOLDEN"):
+        README.write_text(actual, encoding="utf-8")
+    assert len(CONSOLE.findall(text)) >= 5
+    assert actual == text
+
+
+def test_the_number_of_shipped_masks():
+    (count,) = re.findall(r"ships (\d+) masks", README.read_text(encoding="utf-8"))
+    assert int(count) == len(list((ROOT / "masks").rglob("*.toml")))
+
+
+def test_the_symbol_in_the_readme_is_the_mask_in_the_readme(directory):
+    from subdiv_cli.maskfile import read_text
+
+    text = README.read_text(encoding="utf-8")
+    (mask,) = (body for body in TOML.findall(text) if body.startswith("name"))
+    (symbol,) = (body for body in TOML.findall(text) if body.startswith("symbol"))
+    lines = [line for line in mask.splitlines() if not line.startswith(("start", "coefficients"))]
+    lines[lines.index("[mask]")] += "\n" + symbol
+    assert read_text("\n".join(lines), file="a").scheme({}) == read_text(mask, file="b").scheme({})
+
+
+def test_the_test_command_is_what_ci_runs():
+    """`.ci/run` installs and tests as the README says, in an environment of its own."""
+    script = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    readme = README.read_text(encoding="utf-8")
+    assert 'pip install -e ".[test]" && .venv/bin/python -m pytest' in readme
+    assert re.search(r'pip install .*-e "\.\[test\]"', script)
+    assert "python -m pytest" in script
