@@ -4,26 +4,22 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
-from subdiv_cli.maskfile import is_mask
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.problems import unreadable
+from subdiv_cli.maskfile.recognise import is_mask
 from subdiv_cli.model import Problem
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Discovery:
-    """What the arguments come to; iterating gives the entries."""
+class Discovery(NamedTuple):
+    """What the arguments come to."""
 
     entries: tuple[str | Problem, ...]
     """A path for `maskfile.read_path` ("-" is standard input), or why there is none; in the order of the arguments."""
     skipped: int = 0
     """`*.toml` files met in directories that are no masks."""
-
-    def __iter__(self) -> Iterator[str | Problem]:
-        return iter(self.entries)
 
 
 def discover(paths: Iterable[str | Path]) -> Discovery:

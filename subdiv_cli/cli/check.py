@@ -154,7 +154,8 @@ def _overrides(parameters: Sequence[str]) -> dict[str, Fraction] | None:
     """The values of -p by name; None where one could not be read, which is then said on stderr."""
     if not parameters:
         return {}
-    from subdiv_cli.maskfile import MaskFileError, parse_override
+    from subdiv_cli.maskfile import MaskFileError
+    from subdiv_cli.maskfile.option import parse_override
 
     overrides: dict[str, Fraction] = {}
     problems: list[Problem] = []
@@ -178,7 +179,8 @@ def _targets(
     """What to check; an invalid Result where --mask cannot be read."""
     if mask is None:
         return list(targets)
-    from subdiv_cli.maskfile import MaskFileError, from_option
+    from subdiv_cli.maskfile import MaskFileError
+    from subdiv_cli.maskfile.option import from_option
 
     try:
         return [from_option(mask, start=0 if start is None else start, arity=2 if arity is None else arity)]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
+from typing import NamedTuple
 
 from flint import acb, arb, fmpq, fmpq_poly, fmpz_poly
 
@@ -12,8 +12,7 @@ from subdiv_cli.exact.enclosures import ball, bounds, decide
 from subdiv_cli.exact.rationals import to_fraction
 
 
-@dataclass(frozen=True, slots=True)
-class AlgebraicNumber:
+class AlgebraicNumber(NamedTuple):
     """The one root of the irreducible, primitive `minimal_polynomial` that lies in the ball `region`."""
 
     minimal_polynomial: fmpz_poly

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 
@@ -12,12 +11,10 @@ from flint import fmpq, fmpq_poly, fmpz_poly
 from subdiv_cli.exact.rationals import to_fmpq, to_fraction
 
 
-@dataclass(frozen=True, slots=True, init=False)
 class Laurent:
-    """z^low · poly(z) in canonical form: poly(0) ≠ 0, and zero is (0, 0)."""
+    """z^low · poly(z) in canonical form: poly(0) ≠ 0, and zero is (0, 0). Never changed."""
 
-    low: int
-    poly: fmpq_poly
+    __slots__ = ("low", "poly")
 
     def __init__(self, low: int, poly: fmpq_poly) -> None:
         valuation = next((i for i, c in enumerate(poly) if c), None)
@@ -25,8 +22,16 @@ class Laurent:
             low, poly = 0, fmpq_poly()
         elif valuation:
             low, poly = low + valuation, poly.right_shift(valuation)
-        object.__setattr__(self, "low", low)
-        object.__setattr__(self, "poly", poly)
+        self.low, self.poly = low, poly
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Laurent) and self.low == other.low and self.poly == other.poly
+
+    def __hash__(self) -> int:
+        return hash((self.low, str(self.poly)))
+
+    def __repr__(self) -> str:
+        return f"Laurent({self.low}, {self.poly})"
 
     @classmethod
     def from_coefficients(cls, low: int, coefficients: Iterable[Fraction | int]) -> Laurent:

@@ -10,7 +10,6 @@ parentheses, which is bounded.
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
 from fractions import Fraction
 
 from subdiv_cli.maskfile.bounds import MAX_EXPONENT, MAX_NESTING
@@ -18,55 +17,80 @@ from subdiv_cli.maskfile.problems import Fault, shown
 from subdiv_cli.maskfile.tokens import Token, number, tokens
 
 
-@dataclass(frozen=True, slots=True)
-class Number:
-    value: Fraction
-    at: int = field(default=0, compare=False)
+class _Node:
+    """A node of a tree, never changed: equal to another of its class with the same content, wherever each stands."""
+
+    __slots__ = ("at",)
+
+    at: int
+    """Where it starts in the text."""
+
+    def _content(self) -> tuple[object, ...]:
+        return tuple(getattr(self, name) for name in self.__slots__)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Node) and type(self) is type(other) and self._content() == other._content()
+
+    def __hash__(self) -> int:
+        return hash((type(self), self._content()))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}{self._content()}"
 
 
-@dataclass(frozen=True, slots=True)
-class Name:
+class Number(_Node):
+    __slots__ = ("value",)
+
+    def __init__(self, value: Fraction, at: int = 0) -> None:
+        self.value, self.at = value, at
+
+
+class Name(_Node):
     """A parameter, or the variable z."""
 
-    name: str
-    at: int = field(default=0, compare=False)
+    __slots__ = ("name",)
+
+    def __init__(self, name: str, at: int = 0) -> None:
+        self.name, self.at = name, at
 
 
-@dataclass(frozen=True, slots=True)
-class Sum:
+class Sum(_Node):
     """Terms with their signs, 1 or -1; a negation is a sum of one term."""
 
-    terms: tuple[tuple[int, Node], ...]
-    at: int = field(default=0, compare=False)
+    __slots__ = ("terms",)
+
+    def __init__(self, terms: tuple[tuple[int, Node], ...], at: int = 0) -> None:
+        self.terms, self.at = terms, at
 
 
-@dataclass(frozen=True, slots=True)
-class Factor:
-    node: Node
-    divides: bool = False
-    at: int = field(default=0, compare=False)
+class Factor(_Node):
+    __slots__ = ("divides", "node")
+
+    def __init__(self, node: Node, divides: bool = False, at: int = 0) -> None:
+        self.node, self.divides, self.at = node, divides, at
 
 
-@dataclass(frozen=True, slots=True)
-class Product:
-    factors: tuple[Factor, ...]
-    at: int = field(default=0, compare=False)
+class Product(_Node):
+    __slots__ = ("factors",)
+
+    def __init__(self, factors: tuple[Factor, ...], at: int = 0) -> None:
+        self.factors, self.at = factors, at
 
 
-@dataclass(frozen=True, slots=True)
-class Power:
-    base: Node
-    exponent: int
-    at: int = field(default=0, compare=False)
+class Power(_Node):
+    __slots__ = ("base", "exponent")
+
+    def __init__(self, base: Node, exponent: int, at: int = 0) -> None:
+        self.base, self.exponent, self.at = base, exponent, at
 
 
-@dataclass(frozen=True, slots=True)
-class Logarithm:
+class Logarithm(_Node):
     """log_base(argument), in expectations only."""
 
-    base: int
-    argument: Node
-    at: int = field(default=0, compare=False)
+    __slots__ = ("argument", "base")
+
+    def __init__(self, base: int, argument: Node, at: int = 0) -> None:
+        self.base, self.argument, self.at = base, argument, at
 
 
 Node = Number | Name | Sum | Product | Power | Logarithm

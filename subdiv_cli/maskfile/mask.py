@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
+from typing import NamedTuple
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.evaluate import evaluate, names_in
@@ -25,8 +26,7 @@ class Expression:
     path: KeyPath = field(default=(), compare=False)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Coefficients:
+class Coefficients(NamedTuple):
     """a_start, a_(start+1), …, one expression without z each; at least one."""
 
     arity: int
@@ -34,8 +34,7 @@ class Coefficients:
     entries: tuple[Expression, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Symbol:
+class Symbol(NamedTuple):
     """a(z) = Σ a_k z^k as one expression in z."""
 
     arity: int

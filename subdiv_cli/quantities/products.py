@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
+from typing import NamedTuple
 
 from flint import ctx, fmpq_mat, fmpz_mat
 
@@ -26,8 +26,7 @@ _TIE = 1e-9
 """Logarithms of radii closer than this count as equal in the search."""
 
 
-@dataclass(frozen=True, slots=True)
-class Product:
+class Product(NamedTuple):
     """Π = T_(w_ℓ) … T_(w_1) for the word w, and an eigenvalue λ of Π, the largest one as balls of 64 bits see it."""
 
     word: tuple[int, ...]

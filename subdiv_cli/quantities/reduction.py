@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from flint import fmpz_poly
 
@@ -10,8 +10,7 @@ from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.quantities.independence import circle_factors, cycles, monic, polyphase_gcd
 
 
-@dataclass(frozen=True, slots=True)
-class Step:
+class Step(NamedTuple):
     """a0(z) = a(z) g(z)/g(z^p), an exact division; φ = Σ_j g_j φ0(·-j) / g(1)."""
 
     factor: Laurent

@@ -1,15 +1,14 @@
 """`subdiv check`, its options, streams and exit codes, against a stand-in for the catalog."""
 
 import json
-import sys
 from fractions import Fraction
 from itertools import chain, combinations
-from types import ModuleType
 
 import pytest
 from cli_samples import PROBLEM, result
 
 from subdiv_cli.model import DEFAULT_EFFORT
+from subdiv_cli.schemes.scalar import ScalarScheme
 
 
 def test_what_the_catalog_is_asked_by_default(run, catalog):
@@ -103,58 +102,35 @@ def test_an_unknown_command_has_a_near_name(run):
     assert "did you mean 'check'?" in shown.stderr
 
 
-class MaskFileError(Exception):
-    def __init__(self, *problems):
-        self.problems = problems
-
-
-@pytest.fixture
-def maskfile(monkeypatch):
-    """Stands in for subdiv_cli.maskfile."""
-
-    def parse_override(text):
-        name, equals, value = text.partition("=")
-        if not equals:
-            raise MaskFileError(PROBLEM)
-        return name, Fraction(value)
-
-    def from_option(text, *, start, arity):
-        if text == "bad":
-            raise MaskFileError(PROBLEM)
-        return ("mask", text, start, arity)
-
-    module = ModuleType("subdiv_cli.maskfile")
-    module.parse_override, module.from_option, module.MaskFileError = parse_override, from_option, MaskFileError
-    monkeypatch.setitem(sys.modules, "subdiv_cli.maskfile", module)
-
-
-def test_parameters(run, catalog, maskfile):
+def test_parameters(run, catalog):
     assert run("check", "a", "-p", "w=-1/20", "-p", "v=2", "-p", "v=2").exit_code == 0
     assert catalog.asked[1]["overrides"] == {"w": Fraction(-1, 20), "v": Fraction(2)}
 
 
-def test_bad_parameters(run, catalog, maskfile):
+def test_bad_parameters(run, catalog):
     shown = run("check", "a", "-p", "w", "-p", "v")
     assert shown.exit_code == 2
-    assert shown.stderr.count("error[SD003]") == 2
+    assert shown.stderr.count("error[SD011]") == 2
     shown = run("check", "a", "-p", "w=1", "-p", "w=2")
     assert shown.exit_code == 2
     assert "w twice: 1 and 2" in shown.stderr
     assert catalog.asked is None
 
 
-def test_mask_from_the_command_line(run, catalog, maskfile):
-    assert run("check", "--mask", "-1,2", "--start", "-3", "--arity", "3").exit_code == 0
-    assert catalog.asked[0] == [("mask", "-1,2", -3, 3)]
-    assert run("check", "--mask", "1").exit_code == 0
-    assert catalog.asked[0] == [("mask", "1", 0, 2)]
+def test_mask_from_the_command_line(run, catalog):
+    assert run("check", "--mask", "[-1,2]", "--start", "-3", "--arity", "3").exit_code == 0
+    (mask,) = catalog.asked[0]
+    assert mask.scheme() == ScalarScheme(arity=3, start=-3, coefficients=(Fraction(-1), Fraction(2)))
+    assert run("check", "--mask", "1+z").exit_code == 0
+    (mask,) = catalog.asked[0]
+    assert mask.scheme() == ScalarScheme(arity=2, start=0, coefficients=(Fraction(1), Fraction(1)))
 
 
-def test_a_bad_mask_is_an_invalid_result(run, catalog, maskfile):
-    shown = run("check", "--mask", "bad", "--format", "json")
+def test_a_bad_mask_is_an_invalid_result(run, catalog):
+    shown = run("check", "--mask", "[1, sqrt(3)]", "--format", "json")
     assert shown.exit_code == 2
     report = json.loads(shown.stdout)["results"][0]
-    assert (report["file"], report["status"], report["errors"][0]["code"]) == ("--mask", "invalid", "SD003")
+    assert (report["file"], report["status"], report["errors"][0]["code"]) == ("--mask", "invalid", "SD008")
     assert catalog.asked is None
 
 

@@ -10,8 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.maskfile import MaskFileError, parse_expectation, parse_property
+from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
+from subdiv_cli.maskfile.option import parse_expectation, parse_property
 from subdiv_cli.maskfile.problems import Fault
 from subdiv_cli.model import ClosedForm, Expectation, Log
 

@@ -11,18 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.maskfile import (
-    MaskFile,
-    MaskFileError,
-    from_option,
-    from_scheme,
-    is_mask,
-    parse_expectation,
-    parse_override,
-    read_path,
-    read_text,
-    write,
-)
+from subdiv_cli.maskfile import MaskFile, MaskFileError, from_scheme, read_path, read_text
+from subdiv_cli.maskfile.option import from_option, parse_expectation, parse_override
+from subdiv_cli.maskfile.recognise import is_mask
+from subdiv_cli.maskfile.writer import write
 from subdiv_cli.model import Expectation, Problem
 from subdiv_cli.schemes.scalar import ScalarScheme
 
