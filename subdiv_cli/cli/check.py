@@ -125,7 +125,7 @@ def command(
     overrides = _overrides(parameters)
     if overrides is None:
         return ExitCode.ERROR
-    results, interrupted = _run(_targets(targets, mask, start, arity), overrides, effort, budget, debug)
+    results, interrupted = _run(_targets(targets, mask, start, arity), overrides, effort, budget, debug, verbose > 0)
     verbosity = -1 if quiet else verbose
     _print(results, form, verbosity, allow_undecided)
     written = _write(results, outputs, form, Look(verbosity=verbosity, allow_undecided=allow_undecided))
@@ -194,6 +194,7 @@ def _run(
     effort: int,
     budget: float | None,
     debug: bool,
+    tell_skipped: bool,
 ) -> tuple[list[Result], bool]:
     """The results, and whether Ctrl-C ended them early."""
     if isinstance(targets, Result):
@@ -203,7 +204,8 @@ def _run(
     try:
         from subdiv_cli.catalog.run import check_all
 
-        for result in check_all(targets, overrides=overrides, work=effort, seconds=budget, debug=debug):
+        told = {"on_skipped": _tell_skipped} if tell_skipped else {}
+        for result in check_all(targets, overrides=overrides, work=effort, seconds=budget, debug=debug, **told):
             results.append(result)
             progress.step()
     except KeyboardInterrupt:
@@ -211,6 +213,11 @@ def _run(
     finally:
         progress.close()
     return results, False
+
+
+def _tell_skipped(count: int) -> None:
+    if count:
+        emit(f"skipped {count} TOML file{'' if count == 1 else 's'} without kind, mask or matrices\n", sys.stderr)
 
 
 def _print(results: Sequence[Result], form: str, verbosity: int, allow_undecided: bool) -> None:

@@ -19,10 +19,12 @@ from __future__ import annotations
 
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, number
-from subdiv_cli.model import Data, Finding, Interval, Verdict
+from subdiv_cli.model import Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_obstacle
-from subdiv_cli.stages.stage import Facts, power, scaled, series
+from subdiv_cli.stages.stage import Facts, Rule, power, scaled, series
+
+RULE = Rule("SD301", "contractivity", "Dyn 1992, Theorems 3.2 and 3.4")
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -34,32 +36,17 @@ def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
     operator = scaled(numbers.p, nu)
     if (obstacle := product_obstacle(numbers, nu - 1)) is not None:
         text, witness = obstacle
-        return _finding(Verdict.REFUTED, f"{operator} does not contract: {text}", {"nu": nu, **witness})
+        return RULE.refuted(f"{operator} does not contract: {text}", {"nu": nu, **witness})
     norms = numbers.norms(nu)
     level = next((level for level, norm in enumerate(norms, 1) if norm < 1), None)
     if level is None:
         lowest = f"the lowest is {number(min(norms))}" if norms else "not one was computed"
         reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); a higher effort computes more"
-        return _finding(Verdict.UNDECIDED, f"does {operator} contract?", {"nu": nu, "norms": norms}, reason=reason)
+        return RULE.undecided(f"does {operator} contract?", reason, {"nu": nu, "norms": norms})
     norms = norms[:level]
     statement = f"{power(operator, level)} = {number(norms[-1])} < 1, so φ is C^{nu - 1}"
     if level > 1:
         rate = certain(ball(norms[-1]) ** (ball(1) / level), 4)
         statement += f" (norms from L = 1: {series(norms, number)}; rate {rate})"
     witness = {"nu": nu, "level": level, "norm": norms[-1], "norms": norms}
-    return _finding(Verdict.PROVED, statement, witness, value=interval(norms[-1]))
-
-
-def _finding(
-    answer: Verdict, statement: str, witness: dict[str, Data], reason: str | None = None, value: Interval | None = None
-) -> Finding:
-    return Finding(
-        code="SD301",
-        name="contractivity",
-        verdict=answer,
-        statement=statement,
-        source="Dyn 1992, Theorems 3.2 and 3.4",
-        reason=reason,
-        value=value,
-        witness=witness,
-    )
+    return RULE.proved(statement, witness, interval(norms[-1]))

@@ -15,11 +15,13 @@ from __future__ import annotations
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.contractivity import contraction
-from subdiv_cli.stages.stage import ContradictionError, Facts, integer, power, scaled
+from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, Witness, integer, power, scaled
+
+RULE = Rule("SD201", "convergence", "Dyn 1992, Theorem 3.2")
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    first = (contraction(numbers, 1),) if numbers.order else ()
+    first = [contraction(numbers, 1)] if numbers.order else []
     conditions = (*facts.get("SD101", ()), *first, *facts.get("SD202", ()))
     against = next((finding for finding in conditions if finding.verdict is Verdict.REFUTED), None)
     proof = next((finding for finding in first if finding.verdict is Verdict.PROVED), None)
@@ -30,20 +32,11 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         raise ContradictionError(f"S converges by {proof.code} and diverges by {against.code}")
     if proof is not None:
         norm = power(scaled(numbers.p, integer(proof, "nu")), integer(proof, "level"))
-        return (_finding(Verdict.PROVED, f"S converges uniformly: the residue sums are 1 and {norm} < 1", proof),)
+        return (RULE.proved(f"S converges uniformly: the residue sums are 1 and {norm} < 1", _witness(proof)),)
     if against is not None:
-        return (_finding(Verdict.REFUTED, f"S diverges: {against.statement}", against),)
-    reason = first[0].reason if first else None
-    return (_finding(Verdict.UNDECIDED, "does S converge uniformly?", None, reason=reason),)
+        return (RULE.refuted(f"S diverges: {against.statement}", _witness(against)),)
+    return (RULE.undecided("does S converge uniformly?", first[0].reason or ""),)
 
 
-def _finding(answer: Verdict, statement: str, by: Finding | None, reason: str | None = None) -> Finding:
-    return Finding(
-        code="SD201",
-        name="convergence",
-        verdict=answer,
-        statement=statement,
-        source="Dyn 1992, Theorem 3.2" if by is None or by.code == "SD301" else by.source,
-        reason=reason,
-        witness={} if by is None else {"by": by.code, **by.witness},
-    )
+def _witness(by: Finding) -> Witness:
+    return {"by": by.code, **by.witness}

@@ -9,36 +9,22 @@ Witness: `starts` and `masks`, the derived masks for ν = 1, …, k.
 
 from __future__ import annotations
 
-from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import laurent
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts, derived_names
+from subdiv_cli.stages.stage import Facts, Rule, derived_names
+
+RULE = Rule("SD105", "derived-schemes", "Dyn 1992, Proposition 3.1 and (3.17)")
 
 _LONGEST_MASK = 6
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     k = numbers.order
-    masks = [numbers.difference(nu).scale(numbers.p) for nu in range(1, k + 1)]
-    return (
-        Finding(
-            code="SD105",
-            name="derived-schemes",
-            verdict=Verdict.PROVED if k else Verdict.REFUTED,
-            statement=_statement(k, masks),
-            source="Dyn 1992, Proposition 3.1 and (3.17)",
-            witness={
-                "starts": tuple(mask.low for mask in masks),
-                "masks": tuple(mask.coefficients() for mask in masks),
-            },
-        ),
-    )
-
-
-def _statement(k: int, masks: list[Laurent]) -> str:
     if k == 0:
-        return "there is no derived scheme: the first sum rule fails"
-    names = f"{derived_names(k)} exist{'s' if k == 1 else ''}"
+        return (RULE.refuted("there is no derived scheme: the first sum rule fails", {"starts": (), "masks": ()}),)
+    masks = [numbers.difference(nu).scale(numbers.p) for nu in range(1, k + 1)]
+    witness: dict[str, Data] = {"starts": tuple(m.low for m in masks), "masks": tuple(m.coefficients() for m in masks)}
     shown = f"; S_{k} has the symbol {laurent(masks[-1])}" if masks[-1].degree < _LONGEST_MASK else ""
-    return f"{names}, S_{k + 1} does not{shown}"
+    exist = f"{derived_names(k)} exist{'s' if k == 1 else ''}"
+    return (RULE.proved(f"{exist}, S_{k + 1} does not{shown}", witness),)

@@ -16,15 +16,19 @@ from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.spectra import Spectrum, eigen_condition, limit_stencil
 from subdiv_cli.schemes.operators import refinement_window
-from subdiv_cli.stages.stage import Facts, verdict
+from subdiv_cli.stages.stage import Facts, Rule, verdict
+
+RULE = Rule("SD202", "eigenvalue-condition", "Dyn 1992, Theorem 4.2")
+
+_QUESTION = "do the refinement matrices have the simple eigenvalue 1 and all others inside the unit disc?"
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if verdict(facts, "SD101") is not Verdict.PROVED:
-        return (_finding(Verdict.SKIPPED, _QUESTION, reason="the residue sums are not 1"),)
+        return (RULE.skipped(_QUESTION, "the residue sums are not 1"),)
     spectra = numbers.spectra
     if spectra is None:
-        return (_finding(Verdict.UNDECIDED, _QUESTION, reason="the refinement matrices are too large for this effort"),)
+        return (RULE.undecided(_QUESTION, "the refinement matrices are too large for this effort"),)
     witness: dict[str, Data] = {"eigenvalues": tuple(listed(spectrum) for spectrum in spectra)}
     failing = [epsilon for epsilon, spectrum in enumerate(spectra) if not eigen_condition(spectrum, numbers.p, 0)]
     if failing:
@@ -32,7 +36,7 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         statement = f"A_{culprit} has another eigenvalue on or outside the unit circle: " + ", ".join(
             listed(spectra[culprit])[:4]
         )
-        return (_finding(Verdict.REFUTED, statement, witness={**witness, "matrix": culprit}),)
+        return (RULE.refuted(statement, {**witness, "matrix": culprit}),)
     if (stencil := limit_stencil(numbers.refinement_matrices[0])) is not None:
         witness |= {"stencil_start": refinement_window(numbers.scheme)[0], "stencil": stencil}
     second = max((spectrum[1] for spectrum in spectra if len(spectrum) > 1), key=_size, default=None)
@@ -40,10 +44,7 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     shown = f"; limit stencil ({', '.join(map(number, stencil))})" if stencil and len(stencil) <= 6 else ""
     names = "A_0 and A_1 have" if numbers.p == 2 else f"A_0, …, A_{numbers.p - 1} have"
     statement = f"{names} the simple eigenvalue 1 and all others inside the unit disc{largest}{shown}"
-    return (_finding(Verdict.PROVED, statement, witness=witness),)
-
-
-_QUESTION = "do the refinement matrices have the simple eigenvalue 1 and all others inside the unit disc?"
+    return (RULE.proved(statement, witness),)
 
 
 def listed(spectrum: Spectrum) -> tuple[str, ...]:
@@ -53,17 +54,3 @@ def listed(spectrum: Spectrum) -> tuple[str, ...]:
 
 def _size(entry: tuple[object, int]) -> float:
     return float(entry[0].region.__abs__().mid())  # type: ignore[attr-defined]
-
-
-def _finding(
-    answer: Verdict, statement: str, *, reason: str | None = None, witness: dict[str, Data] | None = None
-) -> Finding:
-    return Finding(
-        code="SD202",
-        name="eigenvalue-condition",
-        verdict=answer,
-        statement=statement,
-        source="Dyn 1992, Theorem 4.2",
-        reason=reason,
-        witness=witness or {},
-    )

@@ -8,22 +8,15 @@ Witness: `degree`, -1 where not even constants are generated.
 
 from __future__ import annotations
 
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts
+from subdiv_cli.stages.stage import Facts, Rule
+
+RULE = Rule("SD103", "generation-degree", "Levin 2003, section 2")
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     degree = numbers.order - 1
-    return (
-        Finding(
-            code="SD103",
-            name="generation-degree",
-            verdict=Verdict.PROVED if degree >= 0 else Verdict.REFUTED,
-            statement=f"S generates the polynomials of degree {degree} and no higher"
-            if degree >= 0
-            else "S does not even generate constants",
-            source="Levin 2003, section 2",
-            witness={"degree": degree},
-        ),
-    )
+    if degree < 0:
+        return (RULE.refuted("S does not even generate constants", {"degree": degree}),)
+    return (RULE.proved(f"S generates the polynomials of degree {degree} and no higher", {"degree": degree}),)

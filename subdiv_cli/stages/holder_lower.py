@@ -16,10 +16,12 @@ from __future__ import annotations
 
 from subdiv_cli.exact.enclosures import closed_interval
 from subdiv_cli.exact.text import number, rounded_down
-from subdiv_cli.model import Data, Finding, Interval, Verdict, logarithm
+from subdiv_cli.model import Data, Finding, Interval, logarithm
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_text, product_witness
-from subdiv_cli.stages.stage import Facts, power
+from subdiv_cli.stages.stage import Facts, Rule, power
+
+RULE = Rule("SD311", "holder-lower", "Dyn 1992, section 3; Rioul 1992")
 
 _QUESTION = "how regular are the limit functions at least?"
 
@@ -28,10 +30,10 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
     k, p = numbers.order, numbers.p
     if k == 0:
-        return (_finding(Verdict.SKIPPED, _QUESTION, reason="no sum rule holds"),)
+        return (RULE.skipped(_QUESTION, "no sum rule holds"),)
     scaled_norms = numbers.norms(k)
     if not scaled_norms:
-        return (_finding(Verdict.UNDECIDED, _QUESTION, reason="the effort does not reach the first norm"),)
+        return (RULE.undecided(_QUESTION, "the effort does not reach the first norm"),)
     norms = [norm / p ** ((k - 1) * level) for level, norm in enumerate(scaled_norms, 1)]
     bounds = [logarithm(p, 1 / norm, level) for level, norm in enumerate(norms, 1)]
     values = [closed_interval(bound) for bound in bounds]
@@ -41,25 +43,6 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     witness: dict[str, Data] = {"difference_order": k, "level": level, "norm": norm}
     if product is not None and numbers.closes(k, level, scaled_norms[best]):
         statement = f"α = {bounds[best]}: {proof}, and {product_text(product)} attains it"
-        return (_finding(Verdict.PROVED, statement, values[best], {**witness, **product_witness(product)}),)
+        return (RULE.proved(statement, {**witness, **product_witness(product)}, values[best]),)
     statement = f"α ≥ {rounded_down(values[best].lower or 0.0)}: {proof}"
-    return (_finding(Verdict.PROVED, statement, Interval(lower=values[best].lower), witness),)
-
-
-def _finding(
-    answer: Verdict,
-    statement: str,
-    value: Interval | None = None,
-    witness: dict[str, Data] | None = None,
-    reason: str | None = None,
-) -> Finding:
-    return Finding(
-        code="SD311",
-        name="holder-lower",
-        verdict=answer,
-        statement=statement,
-        source="Dyn 1992, section 3; Rioul 1992",
-        reason=reason,
-        value=value,
-        witness=witness or {},
-    )
+    return (RULE.proved(statement, witness, Interval(lower=values[best].lower)),)

@@ -15,11 +15,13 @@ from fractions import Fraction
 
 from subdiv_cli.exact.enclosures import interval
 from subdiv_cli.exact.text import eigenvalue, rounded_up
-from subdiv_cli.model import Data, Finding, Interval, Verdict
+from subdiv_cli.model import Data, Finding, Interval
 from subdiv_cli.quantities.products import exponent_bound
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_text, product_witness
-from subdiv_cli.stages.stage import Facts
+from subdiv_cli.stages.stage import Facts, Rule
+
+RULE = Rule("SD312", "holder-upper", "Cavaretta, Dahmen & Micchelli 1991; Rioul 1992")
 
 _QUESTION = "how regular is φ at most?"
 
@@ -28,32 +30,13 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
     k, product = numbers.order, numbers.best_product
     if k == 0:
-        return (_finding(Verdict.SKIPPED, _QUESTION, reason="no sum rule holds"),)
+        return (RULE.skipped(_QUESTION, "no sum rule holds"),)
     witness: dict[str, Data] = {"difference_order": k}
     bound = None if product is None else exponent_bound(product, numbers.p)
     if product is None or bound is None or bound.upper is None or bound.upper > k:
         statement = f"α ≤ {k}, the sum-rule order"
-        return (_finding(Verdict.PROVED, statement, Interval(upper=interval(Fraction(k)).upper), witness),)
+        return (RULE.proved(statement, witness, Interval(upper=interval(Fraction(k)).upper)),)
     shown = bound.exact if product.eigenvalue.rational is not None else rounded_up(bound.upper)
     modulus = eigenvalue(product.eigenvalue).strip("|-")
     statement = f"α ≤ {shown}: {product_text(product)} of S_(Δ^{k}) has an eigenvalue of modulus {modulus}"
-    return (_finding(Verdict.PROVED, statement, Interval(upper=bound.upper), {**witness, **product_witness(product)}),)
-
-
-def _finding(
-    answer: Verdict,
-    statement: str,
-    value: Interval | None = None,
-    witness: dict[str, Data] | None = None,
-    reason: str | None = None,
-) -> Finding:
-    return Finding(
-        code="SD312",
-        name="holder-upper",
-        verdict=answer,
-        statement=statement,
-        source="Cavaretta, Dahmen & Micchelli 1991; Rioul 1992",
-        reason=reason,
-        value=value,
-        witness=witness or {},
-    )
+    return (RULE.proved(statement, {**witness, **product_witness(product)}, Interval(upper=bound.upper)),)

@@ -12,58 +12,34 @@ cycles were looked for (the degree of the factor rules out larger ones). Refuted
 from __future__ import annotations
 
 from subdiv_cli.exact.text import laurent
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts
+from subdiv_cli.stages.stage import Facts, Rule
 
-_SOURCE = "Jia & Wang 1993; Zhou 1996"
+RULE = Rule("SD401", "linear-independence", "Jia & Wang 1993; Zhou 1996")
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
-    return (_finding(numbers),)
+    return (_decide(numbers),)
 
 
-def _finding(numbers: ScalarNumbers) -> Finding:
-    code, name = "SD401", "linear-independence"
+def _decide(numbers: ScalarNumbers) -> Finding:
+    p = numbers.p
     if not numbers.is_normalised:
-        return Finding(
-            code=code,
-            name=name,
-            verdict=Verdict.SKIPPED,
-            statement="are the integer translates of φ linearly independent?",
-            source=_SOURCE,
-            reason="a(1) is not the arity, so there is no refinable function with integral 1",
-        )
+        reason = "a(1) is not the arity, so there is no refinable function with integral 1"
+        return RULE.skipped("are the integer translates of φ linearly independent?", reason)
     g, cofactors = numbers.polyphase_gcd
+    dependent = "the translates of φ are linearly dependent"
     if g.degree > 0:
-        return Finding(
-            code=code,
-            name=name,
-            verdict=Verdict.REFUTED,
-            statement=f"the translates of φ are linearly dependent: {laurent(g)} divides all polyphase components",
-            source=_SOURCE,
-            witness={"gcd": g.coefficients()},
-        )
+        statement = f"{dependent}: {laurent(g)} divides all polyphase components"
+        return RULE.refuted(statement, {"gcd": g.coefficients()})
     if (n := numbers.cycle) is not None:
-        return Finding(
-            code=code,
-            name=name,
-            verdict=Verdict.REFUTED,
-            statement="the translates of φ are linearly dependent: "
-            f"Φ_{n}(z^{numbers.p})/Φ_{n}(z) divides a(z), a cycle of {n}-th roots of unity",
-            source=_SOURCE,
-            witness={"cycle": n},
-        )
-    return Finding(
-        code=code,
-        name=name,
-        verdict=Verdict.PROVED,
-        statement="the translates of φ are linearly independent: "
-        "the polyphase components are coprime and a(z) has no cycle of roots of unity",
-        source=_SOURCE,
-        witness={
-            "starts": tuple(u.low for u in cofactors),
-            "cofactors": tuple(u.coefficients() for u in cofactors),
-            "largest_n": 10 * (numbers.scheme.degree // (numbers.p - 1)),
-        },
-    )
+        statement = f"{dependent}: Φ_{n}(z^{p})/Φ_{n}(z) divides a(z), a cycle of {n}-th roots of unity"
+        return RULE.refuted(statement, {"cycle": n})
+    witness: dict[str, Data] = {
+        "starts": tuple(u.low for u in cofactors),
+        "cofactors": tuple(u.coefficients() for u in cofactors),
+        "largest_n": 10 * (numbers.scheme.degree // (p - 1)),
+    }
+    statement = "the translates of φ are linearly independent: the polyphase components are coprime and a(z) has no "
+    return RULE.proved(statement + "cycle of roots of unity", witness)

@@ -11,34 +11,24 @@ Witness: `order`, n+1, and either `sum_rule_order`, k, or the product (see obsta
 
 from __future__ import annotations
 
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_obstacle, sum_rule_obstacle
-from subdiv_cli.stages.stage import ContradictionError, Facts, integer, verdict
+from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, integer, verdict
+
+RULE = Rule("SD303", "next-smoothness", "Cavaretta, Dahmen & Micchelli 1991; Dyn 1992, Theorem 5.3")
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if verdict(facts, "SD302") is not Verdict.PROVED:
-        return (_finding(Verdict.SKIPPED, "is φ smoother than proved?", {}, "no smoothness of φ is proved"),)
+        return (RULE.skipped("is φ smoother than proved?", "no smoothness of φ is proved"),)
     reduced, proved = numbers.reduced, integer(facts["SD302"][0], "order")
     if sum_rule_obstacle(reduced, proved) or product_obstacle(reduced, proved):
         raise ContradictionError(f"C^{proved} is proved by SD302 and refuted by SD303")
     obstacle = sum_rule_obstacle(reduced, proved + 1) or product_obstacle(reduced, proved + 1)
     if obstacle is None:
         reason = "no norm proves it and no short product of transition matrices excludes it; a higher effort may decide"
-        return (_finding(Verdict.UNDECIDED, f"is φ C^{proved + 1}?", {}, reason),)
+        return (RULE.undecided(f"is φ C^{proved + 1}?", reason),)
     stable = "φ is stable" if reduced is numbers else "φ0 of the reduced mask is stable"
     statement = f"φ is not C^{proved + 1}: {stable}, and {obstacle[0]}"
-    return (_finding(Verdict.REFUTED, statement, {"order": proved + 1, **obstacle[1]}),)
-
-
-def _finding(answer: Verdict, statement: str, witness: dict[str, Data], reason: str | None = None) -> Finding:
-    return Finding(
-        code="SD303",
-        name="next-smoothness",
-        verdict=answer,
-        statement=statement,
-        source="Cavaretta, Dahmen & Micchelli 1991; Dyn 1992, Theorem 5.3",
-        reason=reason,
-        witness=witness,
-    )
+    return (RULE.refuted(statement, {"order": proved + 1, **obstacle[1]}),)

@@ -14,10 +14,12 @@ Witness: `factors`, the g of each step; `cycles`, the n of each step or None; `s
 from __future__ import annotations
 
 from subdiv_cli.exact.text import laurent
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.reduction import Step
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts
+from subdiv_cli.stages.stage import Facts, Rule
+
+RULE = Rule("SD403", "reduction", "Jia & Wang 1993; Zhou 1996")
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -25,22 +27,15 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if not steps:
         return ()
     reduced = steps[-1].symbol
-    return (
-        Finding(
-            code="SD403",
-            name="reduction",
-            verdict=Verdict.PROVED,
-            statement=f"φ is as smooth as the stable φ0 of the reduced mask a0(z) = {laurent(reduced)}, "
-            + " then ".join(_text(step, numbers.p) for step in steps),
-            source="Jia & Wang 1993; Zhou 1996",
-            witness={
-                "factors": tuple(step.factor.coefficients() for step in steps),
-                "cycles": tuple(step.cycle for step in steps),
-                "start": reduced.low,
-                "mask": reduced.coefficients(),
-            },
-        ),
-    )
+    how = " then ".join(_text(step, numbers.p) for step in steps)
+    statement = f"φ is as smooth as the stable φ0 of the reduced mask a0(z) = {laurent(reduced)}, {how}"
+    witness: dict[str, Data] = {
+        "factors": tuple(step.factor.coefficients() for step in steps),
+        "cycles": tuple(step.cycle for step in steps),
+        "start": reduced.low,
+        "mask": reduced.coefficients(),
+    }
+    return (RULE.proved(statement, witness),)
 
 
 def _text(step: Step, p: int) -> str:

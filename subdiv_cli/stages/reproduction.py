@@ -9,10 +9,12 @@ Witness: `degree`; `shift`, τ; `defects`, a^(j)(1) - p·Π_(i<j)(τ-i) for j = 
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.polynomials import parameter_shift, reproduction_defects
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts
+from subdiv_cli.stages.stage import Facts, Rule
+
+RULE = Rule("SD104", "reproduction-degree", "Conti & Hormann 2011")
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -20,22 +22,12 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     tau = parameter_shift(numbers.symbol, p)
     defects = reproduction_defects(numbers.symbol, p, generation)
     degree = next((j for j, defect in enumerate(defects) if defect), len(defects)) - 1
+    witness: dict[str, Data] = {"degree": degree, "shift": tau, "defects": defects}
     if degree < 0:
-        statement = "S does not even reproduce constants"
+        return (RULE.refuted("S does not even reproduce constants", witness),)
+    if degree == generation:
+        why = f"it generates degree {generation} only"
     else:
-        statement = f"S reproduces the polynomials of degree {degree} with parameter shift τ = {number(tau)}"
-        statement += (
-            f", not {degree + 1}: it generates degree {generation} only"
-            if degree == generation
-            else f", not {degree + 1}: a^({degree + 1})(1) is off by {number(defects[degree + 1])}"
-        )
-    return (
-        Finding(
-            code="SD104",
-            name="reproduction-degree",
-            verdict=Verdict.PROVED if degree >= 0 else Verdict.REFUTED,
-            statement=statement,
-            source="Conti & Hormann 2011",
-            witness={"degree": degree, "shift": tau, "defects": defects},
-        ),
-    )
+        why = f"a^({degree + 1})(1) is off by {number(defects[degree + 1])}"
+    statement = f"S reproduces the polynomials of degree {degree} with parameter shift τ = {number(tau)}"
+    return (RULE.proved(f"{statement}, not {degree + 1}: {why}", witness),)

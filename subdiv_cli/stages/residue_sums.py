@@ -10,26 +10,16 @@ Witness: `sums`, the p class sums.
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts
+from subdiv_cli.stages.stage import Facts, Rule
+
+RULE = Rule("SD101", "residue-sums", "Dyn 1992, Proposition 2.1")
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     p, sums = numbers.p, numbers.residue_sums
-    holds = all(s == 1 for s in sums)
-    if holds:
-        statement = f"each of the {p} residue classes of the mask sums to 1"
-    else:
-        listed = ", ".join(f"Σ a_({gamma}+{p}β) = {number(s)}" for gamma, s in enumerate(sums))
-        statement = f"the residue classes must sum to 1 each, but {listed}"
-    return (
-        Finding(
-            code="SD101",
-            name="residue-sums",
-            verdict=Verdict.PROVED if holds else Verdict.REFUTED,
-            statement=statement,
-            source="Dyn 1992, Proposition 2.1",
-            witness={"sums": sums},
-        ),
-    )
+    if all(s == 1 for s in sums):
+        return (RULE.proved(f"each of the {p} residue classes of the mask sums to 1", {"sums": sums}),)
+    listed = ", ".join(f"Σ a_({gamma}+{p}β) = {number(s)}" for gamma, s in enumerate(sums))
+    return (RULE.refuted(f"the residue classes must sum to 1 each, but {listed}", {"sums": sums}),)

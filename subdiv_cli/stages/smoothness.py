@@ -11,17 +11,19 @@ Witness: `order`, n, and `level`, that of the contraction; refuted: the obstacle
 
 from __future__ import annotations
 
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_obstacle, sum_rule_obstacle
-from subdiv_cli.stages.stage import ContradictionError, Facts, integer, power, scaled, verdict
+from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, integer, power, scaled, verdict
+
+RULE = Rule("SD302", "smoothness", "Dyn 1992, Theorem 3.4")
 
 _QUESTION = "how smooth is φ?"
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if not numbers.is_normalised:
-        return (_finding(Verdict.SKIPPED, _QUESTION, {}, "a(1) is not the arity: there is no φ with integral 1"),)
+        return (RULE.skipped(_QUESTION, "a(1) is not the arity: there is no φ with integral 1"),)
     reduced = numbers.reduced
     proved = [finding for finding in facts.get("SD301", ()) if finding.verdict is Verdict.PROVED]
     converges = verdict(facts, "SD201")
@@ -34,20 +36,8 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
             statement += ", but S diverges"
             if reduced is numbers:
                 raise ContradictionError("a stable φ is continuous and S diverges")
-        return (_finding(Verdict.PROVED, statement, {"order": order, "level": level}),)
+        return (RULE.proved(statement, {"order": order, "level": level}),)
     obstacle = sum_rule_obstacle(reduced, 0) or product_obstacle(reduced, 0)
     if obstacle is not None:
-        return (_finding(Verdict.REFUTED, f"φ is not continuous: {obstacle[0]}", obstacle[1]),)
-    return (_finding(Verdict.UNDECIDED, _QUESTION, {}, "the norms do not prove that φ is continuous"),)
-
-
-def _finding(answer: Verdict, statement: str, witness: dict[str, Data], reason: str | None = None) -> Finding:
-    return Finding(
-        code="SD302",
-        name="smoothness",
-        verdict=answer,
-        statement=statement,
-        source="Dyn 1992, Theorem 3.4",
-        reason=reason,
-        witness=witness,
-    )
+        return (RULE.refuted(f"φ is not continuous: {obstacle[0]}", obstacle[1]),)
+    return (RULE.undecided(_QUESTION, "the norms do not prove that φ is continuous"),)

@@ -16,7 +16,9 @@ from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.spectra import Spectrum, eigen_condition
 from subdiv_cli.stages.eigenvalues import listed
-from subdiv_cli.stages.stage import ContradictionError, Facts, derived_names, integer, verdict
+from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, derived_names, integer, verdict
+
+RULE = Rule("SD304", "smoothness-spectrum", "Dyn 1992, Theorem 4.2 and (4.12)")
 
 _MOST_LISTED = 6
 
@@ -24,7 +26,7 @@ _MOST_LISTED = 6
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if verdict(facts, "SD202") is not Verdict.PROVED:
         reason = "the eigen-condition of S itself is not proved"
-        return (_finding(Verdict.SKIPPED, "do the derived schemes meet their eigen-conditions?", {}, reason),)
+        return (RULE.skipped("do the derived schemes meet their eigen-conditions?", reason),)
     spectra = numbers.spectra or ()
     largest = _largest_order(spectra, numbers)
     stable = verdict(facts, "SD402") is Verdict.PROVED
@@ -40,7 +42,7 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         statement += f", S_{largest + 1} does not" if largest + 1 < numbers.order else ""
         statement += f"; A_0 has the eigenvalues {shown}"
     witness: dict[str, Data] = {"nu": largest, "eigenvalues": tuple(listed(spectrum) for spectrum in spectra)}
-    return (_finding(Verdict.PROVED if largest else Verdict.REFUTED, statement, witness),)
+    return (RULE.proved(statement, witness) if largest else RULE.refuted(statement, witness),)
 
 
 def _largest_order(spectra: tuple[Spectrum, ...], numbers: ScalarNumbers) -> int:
@@ -49,15 +51,3 @@ def _largest_order(spectra: tuple[Spectrum, ...], numbers: ScalarNumbers) -> int
     while nu + 1 < numbers.order and all(eigen_condition(s, numbers.p, nu + 1) for s in spectra):
         nu += 1
     return nu
-
-
-def _finding(answer: Verdict, statement: str, witness: dict[str, Data], reason: str | None = None) -> Finding:
-    return Finding(
-        code="SD304",
-        name="smoothness-spectrum",
-        verdict=answer,
-        statement=statement,
-        source="Dyn 1992, Theorem 4.2 and (4.12)",
-        reason=reason,
-        witness=witness,
-    )

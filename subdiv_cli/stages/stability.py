@@ -10,44 +10,30 @@ Witness: that of SD401; with a common zero off the circle only `gcd`; refuted: `
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from subdiv_cli.exact.text import laurent, polynomial
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts, verdict
+from subdiv_cli.stages.stage import Facts, Rule, verdict
+
+RULE = Rule("SD402", "stability", "Jia & Wang 1993; Zhou 1996")
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    answer, statement, witness = _decide(numbers, facts)
-    return (
-        Finding(
-            code="SD402",
-            name="stability",
-            verdict=answer,
-            statement=statement,
-            source="Jia & Wang 1993; Zhou 1996",
-            reason="a(1) is not the arity, so there is no refinable function with integral 1"
-            if answer is Verdict.SKIPPED
-            else None,
-            witness=witness,
-        ),
-    )
+    return (_decide(numbers, facts),)
 
 
-def _decide(numbers: ScalarNumbers, facts: Facts) -> tuple[Verdict, str, dict[str, Data]]:
+def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
     independent = verdict(facts, "SD401")
     if independent is Verdict.SKIPPED:
-        return Verdict.SKIPPED, "are the integer translates of φ stable?", {}
+        return RULE.skipped("are the integer translates of φ stable?", facts["SD401"][0].reason or "")
     if independent is Verdict.PROVED:
-        return Verdict.PROVED, "φ is stable: its integer translates are linearly independent", {}
+        return RULE.proved("φ is stable: its integer translates are linearly independent", facts["SD401"][0].witness)
     g = numbers.polyphase_gcd[0]
     if numbers.circle_factors:
         factor = numbers.circle_factors[0]
-        coefficients = tuple(Fraction(int(c)) for c in factor)
         statement = f"φ is not stable: the polyphase components share the zeros of {polynomial(factor, 'z')} on |z| = 1"
-        return Verdict.REFUTED, statement, {"circle_factor": coefficients}
+        return RULE.refuted(statement, {"circle_factor": tuple(int(c) for c in factor)})
     if (n := numbers.cycle) is not None:
-        return Verdict.REFUTED, f"φ is not stable: a(z) has a cycle of {n}-th roots of unity", {"cycle": n}
+        return RULE.refuted(f"φ is not stable: a(z) has a cycle of {n}-th roots of unity", {"cycle": n})
     statement = f"φ is stable: the common factor {laurent(g)} of the polyphase components has no zero on |z| = 1"
-    return Verdict.PROVED, f"{statement}, and a(z) has no cycle", {"gcd": g.coefficients()}
+    return RULE.proved(f"{statement}, and a(z) has no cycle", {"gcd": g.coefficients()})

@@ -1,17 +1,59 @@
-"""What all stages share: their type, and reading the findings of earlier ones."""
+"""What all stages share: their type, how they answer, and reading the findings of earlier ones."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from typing import NamedTuple
 
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Data, Finding, Interval, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 
 Facts = Mapping[str, tuple[Finding, ...]]
 """The findings so far, by code; a code may have several (one for each ν)."""
 
+Witness = Mapping[str, Data]
+
 Stage = Callable[[ScalarNumbers, Facts], tuple[Finding, ...]]
+
+
+class Rule(NamedTuple):
+    """What all findings of a stage share, and the four answers it can give."""
+
+    code: str
+    name: str
+    source: str
+
+    def proved(self, statement: str, witness: Witness, value: Interval | None = None) -> Finding:
+        return self._finding(Verdict.PROVED, statement, witness=witness, value=value)
+
+    def refuted(self, statement: str, witness: Witness) -> Finding:
+        return self._finding(Verdict.REFUTED, statement, witness=witness)
+
+    def undecided(self, question: str, reason: str, witness: Witness | None = None) -> Finding:
+        return self._finding(Verdict.UNDECIDED, question, reason=reason, witness=witness)
+
+    def skipped(self, question: str, reason: str) -> Finding:
+        return self._finding(Verdict.SKIPPED, question, reason=reason)
+
+    def _finding(
+        self,
+        verdict: Verdict,
+        statement: str,
+        reason: str | None = None,
+        witness: Witness | None = None,
+        value: Interval | None = None,
+    ) -> Finding:
+        return Finding(
+            code=self.code,
+            name=self.name,
+            verdict=verdict,
+            statement=statement,
+            source=self.source,
+            reason=reason,
+            value=value,
+            witness=witness or {},
+        )
 
 
 class ContradictionError(Exception):

@@ -9,9 +9,11 @@ Witness: `order`; `cofactor_start` and `cofactor`, the coefficients of q; `remai
 from __future__ import annotations
 
 from subdiv_cli.exact.text import laurent, number
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts
+from subdiv_cli.stages.stage import Facts, Rule
+
+RULE = Rule("SD102", "sum-rule-order", "Dyn 1992, (3.15)")
 
 _LONGEST_COFACTOR = 7
 
@@ -19,29 +21,19 @@ _LONGEST_COFACTOR = 7
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     p, k = numbers.p, numbers.order
     cofactor, remainder = numbers.sum_rules[1:]
+    witness: dict[str, Data] = {
+        "order": k,
+        "cofactor_start": cofactor.low,
+        "cofactor": cofactor.coefficients(),
+        "remainder": remainder.coefficients(),
+    }
     factor = "1+z" if p == 2 else "1+z+z²" if p == 3 else f"1+…+z^{p - 1}"
     if not numbers.is_normalised:
-        statement = f"no sum rule holds: a(1) = {number(numbers.symbol(1))}, must be {p}"
-    elif k == 0:
-        statement = f"no sum rule holds: {factor} does not divide a(z)"
-    else:
-        short = len(cofactor.coefficients()) <= _LONGEST_COFACTOR
-        quotient = laurent(cofactor) if short else f"a polynomial of degree {cofactor.degree}"
-        statement = (
-            f"sum rules of order {k}, not {k + 1}: a(z) = ({factor}){f'^{k}' if k > 1 else ''} q(z), q(z) = {quotient}"
-        )
-    return (
-        Finding(
-            code="SD102",
-            name="sum-rule-order",
-            verdict=Verdict.PROVED if k else Verdict.REFUTED,
-            statement=statement,
-            source="Dyn 1992, (3.15)",
-            witness={
-                "order": k,
-                "cofactor_start": cofactor.low,
-                "cofactor": cofactor.coefficients(),
-                "remainder": remainder.coefficients(),
-            },
-        ),
-    )
+        return (RULE.refuted(f"no sum rule holds: a(1) = {number(numbers.symbol(1))}, must be {p}", witness),)
+    if k == 0:
+        return (RULE.refuted(f"no sum rule holds: {factor} does not divide a(z)", witness),)
+    short = len(cofactor.coefficients()) <= _LONGEST_COFACTOR
+    quotient = laurent(cofactor) if short else f"a polynomial of degree {cofactor.degree}"
+    power = f"^{k}" if k > 1 else ""
+    statement = f"sum rules of order {k}, not {k + 1}: a(z) = ({factor}){power} q(z), q(z) = {quotient}"
+    return (RULE.proved(statement, witness),)

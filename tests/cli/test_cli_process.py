@@ -115,3 +115,12 @@ def test_module_and_version():
     done = subprocess.run([sys.executable, "-m", "subdiv_cli", "--version"], capture_output=True, text=True, timeout=60)
     assert done.returncode == 0
     assert done.stdout.startswith("subdiv, version ")
+
+
+def test_other_toml_files_of_a_directory_are_counted_when_verbose(tmp_path):
+    (tmp_path / "settings.toml").write_text("[tool]\n")
+    (tmp_path / "chaikin.toml").write_text("[mask]\nstart = 0\ncoefficients = ['1/4', '3/4', '3/4', '1/4']\n")
+    for options, told in (((), ""), (("-v",), "skipped 1 TOML file without kind, mask or matrices\n")):
+        command = [sys.executable, "-m", "subdiv_cli", "check", str(tmp_path), *options]
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert (run.returncode, run.stderr) == (0, told)
