@@ -17,13 +17,19 @@ from subdiv_cli.model import Expectation
 from subdiv_cli.schemes.scalar import ScalarScheme
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Expression:
-    """An exact number or expression as the file spells it, and its tree."""
+    """An exact number or expression as the file spells it, and its tree; equal to another wherever each stands."""
 
-    text: str
-    node: Node
-    path: KeyPath = field(default=(), compare=False)
+    __slots__ = ("node", "path", "text")
+
+    def __init__(self, *, text: str, node: Node, path: KeyPath = ()) -> None:
+        self.text, self.node, self.path = text, node, path
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Expression) and (self.text, self.node) == (other.text, other.node)
+
+    def __hash__(self) -> int:
+        return hash((self.text, self.node))
 
 
 class Coefficients(NamedTuple):

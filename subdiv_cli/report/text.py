@@ -13,7 +13,6 @@ from subdiv_cli.report.layout import Cell, Line, joined, paint, paragraph, stack
 from subdiv_cli.report.letters import letters
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import at_least, at_most, data, exact, finite, interval, worth
-from subdiv_cli.report.problems import problem_lines
 
 INDENT = 2
 NARROW = 60
@@ -147,8 +146,10 @@ class _Page:
             self.put(f"hint: {hint}", "open", indent=INDENT, hanging=6)
 
     def problems(self, result: Result) -> None:
-        if not self.look.problems:
+        if not (self.look.problems and result.problems):
             return
+        from subdiv_cli.report.problems import problem_lines
+
         for problem in result.problems:
             self.blank()
             self.lines += problem_lines(problem, self.look)
