@@ -63,9 +63,10 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> ClosedForm:
         if (root := _exact_root(base, e)) is not None:
             base, divisor = root, divisor * e
             break
-    for d in range(divisor, 1, -1):
-        numerator, denominator = _exact_root(argument.numerator, d), _exact_root(argument.denominator, d)
-        if divisor % d == 0 and numerator is not None and denominator is not None:
+    for d in (d for d in range(divisor, 1, -1) if divisor % d == 0):
+        numerator = _exact_root(argument.numerator, d)
+        denominator = _exact_root(argument.denominator, d) if numerator is not None else None
+        if numerator is not None and denominator is not None:
             argument, divisor = Fraction(numerator, denominator), divisor // d
             break
     power = max(argument.numerator, argument.denominator)
@@ -76,12 +77,11 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> ClosedForm:
 
 
 def _exact_root(n: int, d: int) -> int | None:
-    """The integer m >= 1 with m^d = n, by bisection."""
-    low, high = 1, 1 << -(-n.bit_length() // d)
-    while low < high:
-        middle = (low + high) // 2
-        low, high = (middle + 1, high) if middle**d < n else (low, middle)
-    return low if low**d == n else None
+    """The integer m >= 1 with m^d = n >= 1, by Newton's method from above."""
+    root = 1 << -(-n.bit_length() // d)
+    while (lower := ((d - 1) * root + n // root ** (d - 1)) // d) < root:
+        root = lower
+    return root if root**d == n else None
 
 
 def _exact_log(n: int, base: int) -> int | None:

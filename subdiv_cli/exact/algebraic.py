@@ -104,8 +104,15 @@ def is_reciprocal(f: fmpz_poly, r: Fraction) -> bool:
     return all(mirrored[j] * c[0] == mirrored[0] * c[j] for j in range(n + 1))
 
 
+def meets_circle(f: fmpz_poly, r: Fraction) -> bool:
+    """Whether an irreducible f has a root on |z| = r, exactly. Needs r > 0."""
+    if f.degree() == 1:
+        return abs(to_fraction(fmpq(-f[0], f[1]))) == r
+    return is_reciprocal(f, r) and any(root.compare_modulus(r) == 0 for root, _ in roots(fmpq_poly(f)))
+
+
 def roots(f: fmpq_poly) -> tuple[tuple[AlgebraicNumber, int], ...]:
-    """All complex roots with multiplicities, by falling modulus as balls of 64 bits see it. Needs f ≠ 0."""
+    """All complex roots with multiplicities, by falling modulus as balls of double precision see it. Needs f ≠ 0."""
     found = []
     for factor, multiplicity in f.numer().factor()[1]:
         found += [(AlgebraicNumber(factor, z), multiplicity) for z in isolated_roots(factor)]

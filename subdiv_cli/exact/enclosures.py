@@ -89,8 +89,9 @@ def closed_ball(x: ClosedForm) -> arb:
 
 
 def closed_interval(x: ClosedForm) -> Interval:
-    """Outward doubles around a closed form."""
+    """Outward doubles around a closed form, and its text where that is not too long to read."""
     if isinstance(x, Fraction):
         return interval(x)
     with ctx.workprec(128):
-        return interval(closed_ball(x), str(x))
+        readable = max(x.argument.numerator.bit_length(), x.argument.denominator.bit_length()) <= 1024
+        return interval(closed_ball(x), str(x) if readable else None)

@@ -69,15 +69,13 @@ class Laurent:
         value = self.poly(to_fmpq(x))
         return to_fraction(value if self.low == 0 else value * to_fmpq(x) ** self.low)
 
-    def factorial_moment(self, j: int) -> Fraction:
-        """The j-th derivative at 1: Σ_α c_α α(α-1)…(α-j+1)."""
-        total = fmpq(0)
-        for i, c in enumerate(self.poly):
-            falling = 1
-            for m in range(j):
-                falling *= self.low + i - m
-            total += c * falling
-        return to_fraction(total)
+    def derivatives_at_one(self, count: int) -> tuple[Fraction, ...]:
+        """The derivatives of order 0, …, count-1 at 1: Σ_α c_α α(α-1)…(α-j+1)."""
+        terms, derivatives = list(self.poly), []
+        for j in range(count):
+            derivatives.append(to_fraction(sum(terms, fmpq(0))))
+            terms = [c * (self.low + i - j) for i, c in enumerate(terms)]
+        return tuple(derivatives)
 
     def inflate(self, p: int) -> Laurent:
         """This at z^p."""

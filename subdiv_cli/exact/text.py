@@ -2,21 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
-from flint import arb, fmpz_poly
+from flint import arb, ctx, fmpz_poly
 
-from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated_roots
+from subdiv_cli.exact.algebraic import AlgebraicNumber, is_reciprocal, isolated_roots
 from subdiv_cli.exact.enclosures import ball, bounds
 from subdiv_cli.exact.laurent import Laurent
 
 _LONGEST_EXACT = 24
 _DIGITS = 10
+_LONGEST_BITS = 256
+"""Python refuses to print huge integers and is slow at large ones: from here on only leading digits are shown."""
 
 
 def number(x: Fraction) -> str:
     """`-7/16`; a rational with a long spelling as its first digits, `0.43843…`, cut and not rounded."""
-    return str(x) if len(str(x)) <= _LONGEST_EXACT else truncated(x)
+    short = is_short(x) and len(str(x)) <= _LONGEST_EXACT
+    return str(x) if short else truncated(x)
+
+
+def is_short(x: Fraction) -> bool:
+    """Whether x can be printed in full without thought."""
+    return max(x.numerator.bit_length(), x.denominator.bit_length()) <= _LONGEST_BITS
 
 
 def truncated(x: Fraction, digits: int = _DIGITS) -> str:
@@ -25,11 +34,20 @@ def truncated(x: Fraction, digits: int = _DIGITS) -> str:
         return "-" + truncated(-x, digits)
     exponent = 0
     if x and not Fraction(1, 10**4) <= x < 10**6:
-        exponent = len(str(x.numerator)) - len(str(x.denominator))
-        exponent -= x < Fraction(10) ** exponent
+        exponent = _decimal_exponent(x)
         x /= Fraction(10) ** exponent
     whole, decimals = divmod(x.numerator * 10**digits // x.denominator, 10**digits)
     return f"{whole}.{decimals:0{digits}d}…" + (f"e{exponent}" if exponent else "")
+
+
+def _decimal_exponent(x: Fraction) -> int:
+    """The e with 10^e <= x < 10^(e+1), x > 0: estimated from the bits, then put right."""
+    exponent = (x.numerator.bit_length() - x.denominator.bit_length()) * 30103 // 100000
+    while x < Fraction(10) ** exponent:
+        exponent -= 1
+    while x >= Fraction(10) ** (exponent + 1):
+        exponent += 1
+    return exponent
 
 
 def rounded_down(x: float, digits: int = 6) -> str:
@@ -42,12 +60,19 @@ def rounded_up(x: float, digits: int = 6) -> str:
     return _decimal(Fraction(-(-Fraction(x) * 10**digits // 1), 10**digits), digits)
 
 
-def certain(x: arb, digits: int = _DIGITS) -> str:
-    """The digits on which both ends of a ball agree, at most some places."""
-    low, high = bounds(x)
-    while digits > 1 and truncated(low, digits) != truncated(high, digits):
-        digits -= 1
-    return truncated(low if abs(low) < abs(high) else high, digits)
+def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
+    """The first digits of a real number, all of them certain; `x` gives a ball around it at the current precision.
+
+    A number so close to a decimal that 256 bits do not separate them is shown as the double next to it, without `…`.
+    """
+    precision = 64
+    while precision <= 256:
+        with ctx.workprec(precision):
+            low, high = bounds(x())
+        if truncated(low, digits) == truncated(high, digits):
+            return truncated(low, digits)
+        precision *= 2
+    return repr(float((low + high) / 2))
 
 
 def polynomial(f: fmpz_poly, variable: str = "x") -> str:
@@ -100,7 +125,17 @@ def _decimal(x: Fraction, places: int) -> str:
 
 
 def eigenvalue(x: AlgebraicNumber) -> str:
-    """For a list of eigenvalues: `1/2`, `0.8535533905…`, or the modulus `|0.7071067811…|` of a complex one."""
+    """For a list of eigenvalues: `1/2`, `0.8535533905…`, or `|0.7071067811…|`, the modulus of a complex one."""
     if (exact := x.rational) is not None:
         return number(exact)
-    return certain(x.region.real) if x.is_real else f"|{certain(x.region.__abs__())}|"
+    return certain(lambda: x.enclosure().real) if x.is_real else f"|{modulus(x)}|"
+
+
+def modulus(x: AlgebraicNumber) -> str:
+    """|λ|: exact where it is a simple rational, else its first digits."""
+    if (exact := x.rational) is not None:
+        return number(abs(exact))
+    simple = Fraction(float(x.region.__abs__().mid())).limit_denominator(1000)
+    if simple and is_reciprocal(x.minimal_polynomial, simple) and x.compare_modulus(simple) == 0:
+        return number(simple)
+    return certain(x.modulus)

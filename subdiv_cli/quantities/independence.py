@@ -8,12 +8,20 @@ from math import gcd
 
 from flint import fmpq, fmpq_poly, fmpz_poly
 
-from subdiv_cli.exact.algebraic import is_reciprocal, roots
+from subdiv_cli.exact.algebraic import meets_circle
 from subdiv_cli.exact.laurent import Laurent
 
 
-def polyphase_gcd(a: Laurent, p: int) -> tuple[Laurent, tuple[Laurent, ...]]:
-    """(g, u) with g = gcd(a_0, …, a_(p-1)) = Σ_r u_r a_r, a_r the polyphase components, g monic from exponent 0."""
+def polyphase_gcd(a: Laurent, p: int) -> Laurent:
+    """gcd(a_0, …, a_(p-1)) of the polyphase components, monic from exponent 0."""
+    g = fmpz_poly()
+    for component in a.components(p):
+        g = g.gcd(component.poly.numer())
+    return monic(g)
+
+
+def bezout_cofactors(a: Laurent, p: int) -> tuple[Laurent, ...]:
+    """u_0, …, u_(p-1) with Σ_r u_r a_r = gcd(a_0, …, a_(p-1)), a_r the polyphase components."""
     components = a.components(p)
     g, cofactors = fmpq_poly(), [fmpq_poly()] * p
     for r, component in enumerate(components):
@@ -22,18 +30,13 @@ def polyphase_gcd(a: Laurent, p: int) -> tuple[Laurent, tuple[Laurent, ...]]:
         g, s, t = g.xgcd(component.poly)
         cofactors = [s * u for u in cofactors]
         cofactors[r] = t
-    return Laurent(0, g), tuple(Laurent(-c.low, u) for c, u in zip(components, cofactors, strict=True))
+    return tuple(Laurent(-c.low, u) for c, u in zip(components, cofactors, strict=True))
 
 
 def circle_factors(g: Laurent) -> tuple[fmpz_poly, ...]:
     """The irreducible factors of g over Q that vanish somewhere on |z| = 1, decided exactly."""
     factors = (f for f, _ in g.poly.numer().factor()[1])
-    return tuple(f for f in factors if _vanishes_on_circle(f))
-
-
-def _vanishes_on_circle(f: fmpz_poly) -> bool:
-    one = Fraction(1)
-    return is_reciprocal(f, one) and any(root.compare_modulus(one) == 0 for root, _ in roots(fmpq_poly(f)))
+    return tuple(f for f in factors if meets_circle(f, Fraction(1)))
 
 
 def cycles(a: Laurent, p: int) -> Iterator[int]:

@@ -27,14 +27,14 @@ def sum_rules(a: Laurent, p: int) -> tuple[int, Laurent, Laurent]:
 
 def parameter_shift(a: Laurent, p: int) -> Fraction:
     """τ = a'(1)/p: the value of level j with index i belongs to the parameter (i + τ/(p-1)) / p^j."""
-    return a.factorial_moment(1) / p
+    return a.derivatives_at_one(2)[1] / p
 
 
 def reproduction_defects(a: Laurent, p: int, degree: int) -> tuple[Fraction, ...]:
     """a^(j)(1) - p·Π_(i<j) (τ - i) for j = 0, …, degree; all zero iff π_degree is reproduced, where it is generated."""
     tau = parameter_shift(a, p)
     defects, expected = [], Fraction(p)
-    for j in range(degree + 1):
-        defects.append(a.factorial_moment(j) - expected)
+    for j, derivative in enumerate(a.derivatives_at_one(degree + 1)):
+        defects.append(derivative - expected)
         expected *= tau - j
     return tuple(defects)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from flint import ctx, fmpq_mat, fmpz_mat
 
-from subdiv_cli.exact.algebraic import AlgebraicNumber, roots
+from subdiv_cli.exact.algebraic import AlgebraicNumber, meets_circle, roots
 from subdiv_cli.exact.enclosures import ball, closed_interval, interval
 from subdiv_cli.exact.text import root
 from subdiv_cli.model import Effort, Interval, logarithm
@@ -27,7 +27,7 @@ _TIE = 1e-9
 
 
 class Product(NamedTuple):
-    """Π = T_(w_ℓ) … T_(w_1) for the word w, and an eigenvalue λ of Π, the largest one as balls of 64 bits see it."""
+    """Π = T_(w_ℓ) … T_(w_1) for the word w, and an eigenvalue λ of Π, the largest one as balls see it."""
 
     word: tuple[int, ...]
     matrix: fmpq_mat
@@ -38,19 +38,20 @@ class Product(NamedTuple):
         return self.eigenvalue.compare_modulus(r ** len(self.word))
 
     def closes(self, norm: Fraction, level: int) -> bool:
-        """Whether |λ|^(1/ℓ) = norm^(1/level), exactly.
+        """Whether Π has an eigenvalue λ with |λ|^(1/ℓ) = norm^(1/level), decided exactly.
 
-        With `norm` that of all products of `level` matrices, the joint spectral radius then is this number.
+        With `norm` that of all products of `level` matrices, the joint spectral radius then is this number. |λ| = r is
+        asked of Π^level with the rational r = norm^ℓ: only a factor that is reciprocal in |z| = r meets that circle.
         """
-        if norm == 0:
-            return False
         target = norm ** len(self.word)
-        if (rational := self.eigenvalue.rational) is not None:
-            return abs(rational) ** level == target
-        size = math.log(float(self.eigenvalue.region.__abs__().mid()))
-        if abs(level * size - math.log(target.numerator) + math.log(target.denominator)) > 1e-6 * level:
-            return False
-        return any(root.compare_modulus(target) == 0 for root, _ in roots((self.matrix**level).charpoly()))
+        with ctx.workprec(64):
+            gap = self.eigenvalue.modulus().log() * level - ball(target).log()
+            if gap > 0 or gap < 0:
+                return False
+        if (rational := self.eigenvalue.rational) is not None and abs(rational) ** level == target:
+            return True
+        factors = (f for f, _ in (self.matrix**level).charpoly().numer().factor()[1])
+        return any(meets_circle(f, target) for f in factors)
 
 
 def exponent_bound(product: Product, p: int) -> Interval:

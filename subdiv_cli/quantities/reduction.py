@@ -40,7 +40,7 @@ def reduction(a: Laurent, p: int) -> tuple[Step, ...]:
 
 
 def _unstable_factor(a: Laurent, p: int) -> tuple[Laurent, int | None] | None:
-    g, _ = polyphase_gcd(a, p)
+    g = polyphase_gcd(a, p)
     if circle_factors(g):
         return g, None
     n = next(cycles(a, p), None)

@@ -10,7 +10,7 @@ from flint import fmpq_mat, fmpz_poly
 
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.model import Effort
-from subdiv_cli.quantities.independence import circle_factors, cycles, polyphase_gcd
+from subdiv_cli.quantities.independence import bezout_cofactors, circle_factors, cycles, polyphase_gcd
 from subdiv_cli.quantities.norms import power_norms
 from subdiv_cli.quantities.polynomials import residue_sums, sum_rules
 from subdiv_cli.quantities.products import Product, best_product
@@ -64,9 +64,17 @@ class ScalarNumbers:
         """The sum-rule order k; 0 where a(1) ≠ p."""
         return self.sum_rules[0] if self.is_normalised else 0
 
+    @cached_property
+    def _differences(self) -> list[Laurent]:
+        """The symbols of S_(Δ^0) = S, S_(Δ^1), …, as far as they were asked for: each from the one before."""
+        return [self.symbol]
+
     def difference(self, nu: int) -> Laurent:
-        """The symbol of (1/p) S_ν = p^(ν-1) S_(Δ^ν), 1 <= ν <= k."""
-        return difference_symbol(self.symbol, self.p, nu).scale(self.p ** (nu - 1))
+        """The symbol of S_(Δ^ν), 0 <= ν <= k."""
+        known = self._differences
+        while len(known) <= nu:
+            known.append(difference_symbol(known[-1], self.p, 1))
+        return known[nu]
 
     @cached_property
     def transition_order(self) -> int:
@@ -76,11 +84,9 @@ class ScalarNumbers:
     @cached_property
     def best_product(self) -> Product | None:
         """Among the products of the transition matrices of D = S_(Δ^k)."""
-        if not self.effort.allows(self.p * self.transition_order**2):
+        if not self.effort.allows(self.p * self.transition_order**2 * self.weight):
             return None
-        return best_product(
-            transition_matrices(difference_symbol(self.symbol, self.p, self.order), self.p), self.effort
-        )
+        return best_product(transition_matrices(self.difference(self.order), self.p), self.effort)
 
     @cached_property
     def _norms(self) -> dict[int, tuple[Fraction, ...]]:
@@ -96,7 +102,8 @@ class ScalarNumbers:
         return self._norms[nu]
 
     def _needed_norms(self, nu: int) -> Iterator[Fraction]:
-        for level, norm in enumerate(power_norms(self.difference(nu), self.p, self.effort), 1):
+        symbol = self.difference(nu).scale(self.p ** (nu - 1))
+        for level, norm in enumerate(power_norms(symbol, self.p, self.effort), 1):
             yield norm
             if self.closes(nu, level, norm) or (norm < 1 and nu < self.order):
                 return
@@ -115,17 +122,29 @@ class ScalarNumbers:
     def spectra(self) -> tuple[Spectrum, ...] | None:
         """Of A_0, …, A_(p-1); None where they are too large for the effort."""
         order = -(-self.scheme.degree // (self.p - 1)) + 2
-        if not self.effort.allows(self.p * order**3 // 8):
+        if not self.effort.allows(self.p * order**3 * self.weight // 8):
             return None
         return tuple(spectrum(matrix) for matrix in self.refinement_matrices)
 
     @cached_property
-    def polyphase_gcd(self) -> tuple[Laurent, tuple[Laurent, ...]]:
+    def polyphase_gcd(self) -> Laurent:
         return polyphase_gcd(self.symbol, self.p)
 
     @cached_property
+    def bezout_cofactors(self) -> tuple[Laurent, ...] | None:
+        """Of the polyphase components; None where they would cost more than the effort."""
+        affordable = self.effort.allows(len(self.scheme.coefficients) ** 2 * self.weight // 4)
+        return bezout_cofactors(self.symbol, self.p) if affordable else None
+
+    @cached_property
+    def weight(self) -> int:
+        """1, and more for coefficients of more than 64 bits: what an operation on them costs."""
+        numerators, denominator = self.symbol.integer_form()
+        return 1 + max(numerators.height_bits(), denominator.bit_length()) // 64
+
+    @cached_property
     def circle_factors(self) -> tuple[fmpz_poly, ...]:
-        return circle_factors(self.polyphase_gcd[0])
+        return circle_factors(self.polyphase_gcd)
 
     @cached_property
     def cycle(self) -> int | None:

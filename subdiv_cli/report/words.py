@@ -34,7 +34,10 @@ def finding(result: Result, *codes: str) -> Finding | None:
 
 def convergence(result: Result) -> str:
     """One word or two: whether the scheme converges."""
-    words = {Verdict.PROVED: "converges", Verdict.REFUTED: "diverges", Verdict.UNDECIDED: "undecided"}
+    if result.convergent is Verdict.REFUTED:
+        sums = finding(result, "SD101")
+        return "not convergent" if sums and sums.verdict is Verdict.REFUTED else "diverges"
+    words = {Verdict.PROVED: "converges", Verdict.UNDECIDED: "undecided"}
     return words.get(result.convergent, "not asked")
 
 
@@ -101,12 +104,16 @@ def headline(result: Result) -> str:
         return _convergent(result)
     if result.convergent is Verdict.REFUTED:
         smooth = _order(result.refinable)
-        verdict = f"φ is {smooth}, but this scheme diverges" if smooth else "diverges"
+        verdict = f"φ is {smooth}, but this scheme {_not(result)}" if smooth else _not(result)
         return _with(verdict, _statement(result, Verdict.REFUTED))
     if result.convergent is Verdict.UNDECIDED:
         asked = finding(result, "SD201")
         return _with("convergence undecided", asked.reason if asked else None)
     return "convergence not asked"
+
+
+def _not(result: Result) -> str:
+    return "diverges" if convergence(result) == "diverges" else "does not converge"
 
 
 def errors(result: Result) -> str:
@@ -129,7 +136,7 @@ def _statement(result: Result, verdict: Verdict) -> str | None:
     for code in ("SD201", "SD101", "SD202"):
         for found in result.findings:
             if found.code == code and found.verdict is verdict:
-                return found.statement.removeprefix("S diverges: ")
+                return found.statement.partition(": ")[2] or found.statement
     return None
 
 

@@ -1,4 +1,4 @@
-"""SD201: does S converge uniformly?
+"""SD201: does S converge uniformly, to a limit that is not zero for some data (Dyn 1992, section 2)?
 
 Theorem (Dyn 1992, Theorem 3.2, for any arity p): S converges uniformly iff its residue sums are 1 and
 ‖((1/p)S_1)^L‖∞ < 1 for some L. Both directions need no stability, and the mask judged is S's own, never a reduced one.
@@ -15,7 +15,7 @@ from __future__ import annotations
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.contractivity import contraction
-from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, Witness, integer, power, scaled
+from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, Witness, text
 
 RULE = Rule("SD201", "convergence", "Dyn 1992, Theorem 3.2")
 
@@ -31,10 +31,11 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if against is not None and proof is not None:
         raise ContradictionError(f"S converges by {proof.code} and diverges by {against.code}")
     if proof is not None:
-        norm = power(scaled(numbers.p, integer(proof, "nu")), integer(proof, "level"))
-        return (RULE.proved(f"S converges uniformly: the residue sums are 1 and {norm} < 1", _witness(proof)),)
+        condition = text(proof, "condition")
+        return (RULE.proved(f"S converges uniformly: the residue sums are 1 and {condition}", _witness(proof)),)
     if against is not None:
-        return (RULE.refuted(f"S diverges: {against.statement}", _witness(against)),)
+        what = "S does not converge to a non-zero limit" if against.code == "SD101" else "S diverges"
+        return (RULE.refuted(f"{what}: {against.statement}", _witness(against)),)
     return (RULE.undecided("does S converge uniformly?", first[0].reason or ""),)
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 from subdiv_cli.exact.text import laurent
 from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts, Rule, derived_names
+from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule, derived_names
 
 RULE = Rule("SD105", "derived-schemes", "Dyn 1992, Proposition 3.1 and (3.17)")
 
@@ -20,10 +20,12 @@ _LONGEST_MASK = 6
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    if not numbers.is_normalised:
+        return (RULE.skipped("which derived schemes are there?", NOT_NORMALISED),)
     k = numbers.order
     if k == 0:
         return (RULE.refuted("there is no derived scheme: the first sum rule fails", {"starts": (), "masks": ()}),)
-    masks = [numbers.difference(nu).scale(numbers.p) for nu in range(1, k + 1)]
+    masks = [numbers.difference(nu).scale(numbers.p**nu) for nu in range(1, k + 1)]
     witness: dict[str, Data] = {"starts": tuple(m.low for m in masks), "masks": tuple(m.coefficients() for m in masks)}
     shown = f"; S_{k} has the symbol {laurent(masks[-1])}" if masks[-1].degree < _LONGEST_MASK else ""
     exist = f"{derived_names(k)} exist{'s' if k == 1 else ''}"

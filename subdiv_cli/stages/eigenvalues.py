@@ -11,7 +11,8 @@ fails; where the scheme may converge `stencil`, the left eigenvector of A_0 for 
 
 from __future__ import annotations
 
-from subdiv_cli.exact.text import eigenvalue, number
+from subdiv_cli.exact.algebraic import AlgebraicNumber
+from subdiv_cli.exact.text import eigenvalue, modulus, number
 from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.spectra import Spectrum, eigen_condition, limit_stencil
@@ -40,7 +41,7 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if (stencil := limit_stencil(numbers.refinement_matrices[0])) is not None:
         witness |= {"stencil_start": refinement_window(numbers.scheme)[0], "stencil": stencil}
     second = max((spectrum[1] for spectrum in spectra if len(spectrum) > 1), key=_size, default=None)
-    largest = f"; the next one has modulus {eigenvalue(second[0]).strip('|-')}" if second else ""
+    largest = f"; the next one has modulus {modulus(second[0])}" if second else ""
     shown = f"; limit stencil ({', '.join(map(number, stencil))})" if stencil and len(stencil) <= 6 else ""
     names = "A_0 and A_1 have" if numbers.p == 2 else f"A_0, …, A_{numbers.p - 1} have"
     statement = f"{names} the simple eigenvalue 1 and all others inside the unit disc{largest}{shown}"
@@ -52,5 +53,5 @@ def listed(spectrum: Spectrum) -> tuple[str, ...]:
     return tuple(eigenvalue(x) + (f" ({multiplicity})" if multiplicity > 1 else "") for x, multiplicity in spectrum)
 
 
-def _size(entry: tuple[object, int]) -> float:
-    return float(entry[0].region.__abs__().mid())  # type: ignore[attr-defined]
+def _size(entry: tuple[AlgebraicNumber, int]) -> float:
+    return float(entry[0].region.__abs__().mid())

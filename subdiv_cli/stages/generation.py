@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from subdiv_cli.model import Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts, Rule
+from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule
 
 RULE = Rule("SD103", "generation-degree", "Levin 2003, section 2")
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    if not numbers.is_normalised:
+        return (RULE.skipped("which polynomials are generated?", NOT_NORMALISED),)
     degree = numbers.order - 1
     if degree < 0:
         return (RULE.refuted("S does not even generate constants", {"degree": degree}),)

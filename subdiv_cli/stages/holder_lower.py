@@ -14,8 +14,10 @@ exact the closing product (see obstacles.py).
 
 from __future__ import annotations
 
-from subdiv_cli.exact.enclosures import closed_interval
-from subdiv_cli.exact.text import number, rounded_down
+from flint import ctx
+
+from subdiv_cli.exact.enclosures import ball, closed_interval, interval
+from subdiv_cli.exact.text import is_short, number, rounded_down
 from subdiv_cli.model import Data, Finding, Interval, logarithm
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_text, product_witness
@@ -35,14 +37,22 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if not scaled_norms:
         return (RULE.undecided(_QUESTION, "the effort does not reach the first norm"),)
     norms = [norm / p ** ((k - 1) * level) for level, norm in enumerate(scaled_norms, 1)]
-    bounds = [logarithm(p, 1 / norm, level) for level, norm in enumerate(norms, 1)]
-    values = [closed_interval(bound) for bound in bounds]
-    best = max(range(len(norms)), key=lambda i: (values[i].lower or 0.0, -i))
+    with ctx.workprec(128):
+        values = [interval(-ball(norm).log() / ball(p).log() / level) for level, norm in enumerate(norms, 1)]
+    best = max(range(len(norms)), key=lambda i: (_lower(values[i]), -i))
     level, norm, product = best + 1, norms[best], numbers.best_product
     proof = f"{power(f'S_(Δ^{k})', level)} = {number(norm)}"
     witness: dict[str, Data] = {"difference_order": k, "level": level, "norm": norm}
     if product is not None and numbers.closes(k, level, scaled_norms[best]):
-        statement = f"α = {bounds[best]}: {proof}, and {product_text(product)} attains it"
-        return (RULE.proved(statement, {**witness, **product_witness(product)}, values[best]),)
-    statement = f"α ≥ {rounded_down(values[best].lower or 0.0)}: {proof}"
+        exact = logarithm(p, 1 / norm, level)
+        shown = str(exact) if is_short(norm) else rounded_down(_lower(values[best])) + "…"
+        statement = f"α = {shown}: {proof}, and {product_text(product)} attains it"
+        return (RULE.proved(statement, {**witness, **product_witness(product)}, closed_interval(exact)),)
+    statement = f"α ≥ {rounded_down(_lower(values[best]))}: {proof}"
     return (RULE.proved(statement, witness, Interval(lower=values[best].lower)),)
+
+
+def _lower(value: Interval) -> float:
+    if value.lower is None:
+        raise ArithmeticError("a logarithm beyond the doubles")
+    return value.lower

@@ -14,7 +14,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.exact.enclosures import interval
-from subdiv_cli.exact.text import eigenvalue, rounded_up
+from subdiv_cli.exact.text import modulus, rounded_up
 from subdiv_cli.model import Data, Finding, Interval
 from subdiv_cli.quantities.products import exponent_bound
 from subdiv_cli.quantities.scalar import ScalarNumbers
@@ -36,7 +36,8 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if product is None or bound is None or bound.upper is None or bound.upper > k:
         statement = f"α ≤ {k}, the sum-rule order"
         return (RULE.proved(statement, witness, Interval(upper=interval(Fraction(k)).upper)),)
-    shown = bound.exact if product.eigenvalue.rational is not None else rounded_up(bound.upper)
-    modulus = eigenvalue(product.eigenvalue).strip("|-")
-    statement = f"α ≤ {shown}: {product_text(product)} of S_(Δ^{k}) has an eigenvalue of modulus {modulus}"
+    exact = bound.exact if product.eigenvalue.rational is not None else None
+    shown = exact or rounded_up(bound.upper)
+    size = modulus(product.eigenvalue)
+    statement = f"α ≤ {shown}: {product_text(product)} of S_(Δ^{k}) has an eigenvalue of modulus {size}"
     return (RULE.proved(statement, {**witness, **product_witness(product)}, Interval(upper=bound.upper)),)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from subdiv_cli.exact.text import eigenvalue, number
+from subdiv_cli.exact.text import modulus, number
 from subdiv_cli.model import Data
 from subdiv_cli.quantities.products import Product
 from subdiv_cli.quantities.scalar import ScalarNumbers
@@ -16,13 +16,18 @@ Obstacle = tuple[str, dict[str, Data]]
 def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
     """A product of ℓ matrices of D = S_(Δ^k) with an eigenvalue |λ| >= p^(-mℓ), compared exactly: then α <= m."""
     product, p = numbers.best_product, numbers.p
-    if product is None or product.compare(Fraction(1, p**m)) < 0:
+    bound = Fraction(1, p**m)
+    if product is None or product.compare(bound) < 0:
         return None
     total = m * len(product.word)
-    threshold = number(Fraction(1, p**total)) + (f" = {p}^-{total}" if total else "")
-    modulus = eigenvalue(product.eigenvalue).strip("|-")
-    text = f"{product_text(product)} of S_(Δ^{numbers.order}) has an eigenvalue of modulus {modulus} ≥ {threshold}"
-    return text, product_witness(product)
+    size = number(Fraction(1, p**total)) if product.compare(bound) == 0 else modulus(product.eigenvalue)
+    matrices = f"{product_text(product)} of S_(Δ^{numbers.order})"
+    return f"{matrices} has an eigenvalue of modulus {size} ≥ {threshold(p, total)}", product_witness(product)
+
+
+def threshold(p: int, m: int) -> str:
+    """p^-m as text: `1`, or `1/4 = 2^-2`."""
+    return f"{number(Fraction(1, p**m))} = {p}^-{m}" if m else "1"
 
 
 def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:

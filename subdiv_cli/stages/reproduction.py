@@ -12,12 +12,14 @@ from subdiv_cli.exact.text import number
 from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.polynomials import parameter_shift, reproduction_defects
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts, Rule
+from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule
 
 RULE = Rule("SD104", "reproduction-degree", "Conti & Hormann 2011")
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    if not numbers.is_normalised:
+        return (RULE.skipped("which polynomials are reproduced?", NOT_NORMALISED),)
     p, generation = numbers.p, numbers.order - 1
     tau = parameter_shift(numbers.symbol, p)
     defects = reproduction_defects(numbers.symbol, p, generation)

@@ -6,7 +6,9 @@ well, where S converges (SD201). Hypotheses: those of SD301, checked there.
 
 Refuted: φ is not continuous, where no C^0 is in reach for the stable reduced mask (SD303's theorem for m = 0).
 
-Witness: `order`, n, and `level`, that of the contraction; refuted: the obstacle as in SD303.
+Where S converges (SD201) φ is continuous, whatever the norms of the reduced mask say.
+
+Witness: `order`, n, and `by`, the code of the finding that proves it; refuted: the obstacle as in SD303.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ from __future__ import annotations
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_obstacle, sum_rule_obstacle
-from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, integer, power, scaled, verdict
+from subdiv_cli.stages.stage import NOT_NORMALISED, ContradictionError, Facts, Rule, integer, text, verdict
 
 RULE = Rule("SD302", "smoothness", "Dyn 1992, Theorem 3.4")
 
@@ -23,20 +25,23 @@ _QUESTION = "how smooth is φ?"
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if not numbers.is_normalised:
-        return (RULE.skipped(_QUESTION, "a(1) is not the arity: there is no φ with integral 1"),)
+        return (RULE.skipped(_QUESTION, NOT_NORMALISED),)
     reduced = numbers.reduced
     proved = [finding for finding in facts.get("SD301", ()) if finding.verdict is Verdict.PROVED]
     converges = verdict(facts, "SD201")
+    if not proved and converges is Verdict.PROVED:
+        statement = "φ and every limit function are continuous, because S converges"
+        return (RULE.proved(statement, {"order": 0, "by": "SD201"}),)
     if proved:
-        order, level = integer(proved[-1], "nu") - 1, integer(proved[-1], "level")
-        norm = f"{power(scaled(numbers.p, order + 1), level)} < 1"
+        order = integer(proved[-1], "nu") - 1
         scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
-        statement = f"{scope} C^{order}: {norm}" + (" for the reduced mask" if reduced is not numbers else "")
+        mask = " for the reduced mask" if reduced is not numbers else ""
+        statement = f"{scope} C^{order}: {text(proved[-1], 'condition')}{mask}"
         if converges is Verdict.REFUTED:
             statement += ", but S diverges"
             if reduced is numbers:
                 raise ContradictionError("a stable φ is continuous and S diverges")
-        return (RULE.proved(statement, {"order": order, "level": level}),)
+        return (RULE.proved(statement, {"order": order, "by": "SD301"}),)
     obstacle = sum_rule_obstacle(reduced, 0) or product_obstacle(reduced, 0)
     if obstacle is not None:
         return (RULE.refuted(f"φ is not continuous: {obstacle[0]}", obstacle[1]),)

@@ -1,4 +1,7 @@
-"""SD402: are the integer translates of φ stable, c‖f‖∞ <= ‖Σ f_α φ(·-α)‖∞?
+"""SD402: are the integer translates of φ stable?
+
+That is, the Fourier transform of φ has no 2π-periodic zero on the real line; for a bounded φ this means
+c‖f‖∞ <= ‖Σ f_α φ(·-α)‖∞ for some c > 0 and all bounded f. For a φ that is a distribution it is the former.
 
 Theorem (Jia & Wang 1993 for p = 2, Zhou 1996 for any arity): stable iff (i) the polyphase components have no common
 zero on |z| = 1, and (ii) there is no cycle (SD401). Linear independence implies it. Hypothesis a(1) = p: checked.
@@ -28,7 +31,7 @@ def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
         return RULE.skipped("are the integer translates of φ stable?", facts["SD401"][0].reason or "")
     if independent is Verdict.PROVED:
         return RULE.proved("φ is stable: its integer translates are linearly independent", facts["SD401"][0].witness)
-    g = numbers.polyphase_gcd[0]
+    g = numbers.polyphase_gcd
     if numbers.circle_factors:
         factor = numbers.circle_factors[0]
         statement = f"φ is not stable: the polyphase components share the zeros of {polynomial(factor, 'z')} on |z| = 1"

@@ -14,6 +14,8 @@ Facts = Mapping[str, tuple[Finding, ...]]
 
 Witness = Mapping[str, Data]
 
+NOT_NORMALISED = "a(1) is not the arity, so there is no refinable function with integral 1"
+
 Stage = Callable[[ScalarNumbers, Facts], tuple[Finding, ...]]
 
 
@@ -96,6 +98,14 @@ def series(values: tuple[Fraction, ...], show: Callable[[Fraction], str]) -> str
     """Values separated by commas, the middle of a long series left out."""
     texts = [show(value) for value in values]
     return ", ".join(texts if len(texts) <= 6 else [*texts[:3], "…", texts[-1]])
+
+
+def text(finding: Finding, key: str) -> str:
+    """A text of a witness. Raises TypeError where there is none."""
+    value = finding.witness.get(key)
+    if not isinstance(value, str):
+        raise TypeError(f"{finding.code} has no text {key!r}")
+    return value
 
 
 def integer(finding: Finding, key: str) -> int:

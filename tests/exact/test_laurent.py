@@ -48,14 +48,14 @@ def test_evaluation_is_a_homomorphism(a, b, x):
 
 
 @given(polynomials, st.integers(0, 4))
-def test_factorial_moments_are_derivatives_at_one(a, j):
+def test_derivatives_at_one(a, j):
     def derivative(terms):
         return [(e - 1, c * e) for e, c in terms]
 
     terms = [(a.low + i, c) for i, c in enumerate(a.coefficients())]
     for _ in range(j):
         terms = derivative(terms)
-    assert a.factorial_moment(j) == sum((c for _, c in terms), Fraction(0))
+    assert a.derivatives_at_one(j + 1)[j] == sum((c for _, c in terms), Fraction(0))
 
 
 def test_smoothing_factor():

@@ -15,7 +15,8 @@ def norms(mask, nu, levels):
     """‖((1/p)S_ν)^L‖∞ for L = 1, …, levels, whether below 1 or not."""
     from subdiv_cli.quantities.norms import power_norms
 
-    stream = power_norms(ScalarNumbers(mask, Effort()).difference(nu), mask.arity, Effort(10**6))
+    symbol = ScalarNumbers(mask, Effort()).difference(nu).scale(mask.arity ** (nu - 1))
+    stream = power_norms(symbol, mask.arity, Effort(10**6))
     return [next(stream) for _ in range(levels)]
 
 

@@ -105,7 +105,7 @@ def test_headlines():
     assert first(below).endswith("; Hölder exponent ≥ 1.5")
     assert first(replace(four, holder=None)).endswith("convergence proved")
     assert first(replace(four, name=None)).startswith("✓ masks/scalar/four-point.toml: C^1")
-    assert first(samples.DIVERGENT).startswith("✗ halved Chaikin: diverges: the residue classes sum to")
+    assert first(samples.DIVERGENT).startswith("✗ halved Chaikin: does not converge: the residue classes sum to")
     assert first(samples.INVALID) == "! masks/broken.toml: not checked: 2 errors"
 
 

@@ -1,0 +1,227 @@
+"""Laurent polynomials with integer coefficients over a common denominator, and what of their zeros is decided exactly.
+
+Plain coefficient lists are integers, lowest power first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import zip_longest
+from math import gcd, lcm
+from typing import NamedTuple
+
+
+class Polynomial(NamedTuple):
+    """Σ_k numerators[k] z^(start+k) / denominator in lowest terms, both ends non-zero; () for zero."""
+
+    start: int
+    numerators: tuple[int, ...]
+    denominator: int
+
+    @property
+    def length(self) -> int:
+        """The degree plus one, the start not counted."""
+        return len(self.numerators)
+
+    @property
+    def bits(self) -> int:
+        return max(map(abs, self.numerators), default=0).bit_length() + self.denominator.bit_length()
+
+    def at(self, exponent: int) -> int:
+        """The numerator of the coefficient of z^exponent."""
+        k = exponent - self.start
+        return self.numerators[k] if 0 <= k < len(self.numerators) else 0
+
+    def sum_is(self, value: int) -> bool:
+        """Whether the polynomial takes this value at z = 1."""
+        return sum(self.numerators) == value * self.denominator
+
+
+def polynomial(start: int, numerators: Sequence[int], denominator: int) -> Polynomial:
+    """In the normal form: two polynomials are equal iff they are the same tuple."""
+    support = [k for k, c in enumerate(numerators) if c]
+    if not support:
+        return Polynomial(0, (), 1)
+    first, last = support[0], support[-1]
+    common = gcd(denominator, *numerators)
+    return Polynomial(
+        start + first, tuple(c // common for c in numerators[first : last + 1]), denominator // common
+    )
+
+
+def over_common_denominator(start: int, pairs: Sequence[tuple[int, int]], most_bits: int) -> Polynomial | None:
+    """From coefficients (p, q) = p/q; None where the common denominator is longer than most_bits."""
+    common = 1
+    for _, q in pairs:
+        common = lcm(common, q)
+        if common.bit_length() > most_bits:
+            return None
+    return polynomial(start, [p * (common // q) for p, q in pairs], common)
+
+
+def multiply(f: Polynomial, g: Polynomial) -> Polynomial:
+    product = [0] * (f.length + g.length)
+    for i, x in enumerate(f.numerators):
+        for j, y in enumerate(g.numerators, i):
+            product[j] += x * y
+    return polynomial(f.start + g.start, product, f.denominator * g.denominator)
+
+
+def add(f: Polynomial, g: Polynomial) -> Polynomial:
+    if not f.numerators or not g.numerators:
+        return f if f.numerators else g
+    start = min(f.start, g.start)
+    end = max(f.start + f.length, g.start + g.length)
+    total = [f.at(i) * g.denominator + g.at(i) * f.denominator for i in range(start, end)]
+    return polynomial(start, total, f.denominator * g.denominator)
+
+
+def times(f: Polynomial, numerator: int, denominator: int = 1, shift: int = 0) -> Polynomial:
+    """f(z) z^shift · numerator/denominator."""
+    return polynomial(f.start + shift, [numerator * c for c in f.numerators], f.denominator * denominator)
+
+
+def times_sigma(f: Polynomial, p: int, power: int) -> Polynomial:
+    """f(z) (1 + z + … + z^(p-1))^power."""
+    numerators = list(f.numerators)
+    for _ in range(power):
+        numerators = [sum(numerators[max(0, i - p + 1) : i + 1]) for i in range(len(numerators) + p - 1)]
+    return polynomial(f.start, numerators, f.denominator)
+
+
+def spread(f: Polynomial, p: int) -> Polynomial:
+    """f(z^p)."""
+    numerators = [0] * (p * f.length)
+    numerators[::p] = f.numerators
+    return polynomial(p * f.start, numerators, f.denominator)
+
+
+def classes(f: Polynomial, p: int) -> list[tuple[int, ...]]:
+    """The numerators at the exponents ≡ r mod p, lowest first, for r = 0, …, p-1."""
+    return [f.numerators[(r - f.start) % p :: p] for r in range(p)]
+
+
+def components(f: Polynomial, p: int) -> list[Polynomial]:
+    """f_0, …, f_(p-1) with f(z) = Σ_r z^r f_r(z^p)."""
+    first = [f.start + (r - f.start) % p for r in range(p)]
+    return [
+        polynomial((first[r] - r) // p, numerators, f.denominator) for r, numerators in enumerate(classes(f, p))
+    ]
+
+
+def sigma_divides(f: Polynomial, p: int) -> bool:
+    """Modulo z^p - 1 the multiples of 1 + z + … + z^(p-1) are its constant multiples: equal residue sums."""
+    return len({sum(numerators) for numerators in classes(f, p)}) == 1
+
+
+def slot_bits(f: Polynomial, level: int) -> int:
+    """Room for any coefficient of a product of `level` factors with these numerators, in whole bytes."""
+    return 8 * ((level * sum(map(abs, f.numerators)).bit_length() + 2 + 7) // 8)
+
+
+def iterated_norm(f: Polynomial, p: int, level: int) -> int:
+    """max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(j<L) f(z^(p^j)), f by its numerators only.
+
+    F is kept as the one integer F(2^w), w so large that its coefficients can be read off in the end.
+    """
+    width = slot_bits(f, level)
+    packed, length = 1, 1
+    for j in range(level):
+        step = width * p**j
+        packed = sum((c * packed) << (i * step) for i, c in enumerate(f.numerators) if c)
+        length += (f.length - 1) * p**j
+    size, half = width // 8, 1 << (width - 1)
+    packed += int.from_bytes((bytes(size - 1) + b"\x80") * length, "little")
+    data = packed.to_bytes(size * length, "little")
+    magnitudes = [abs(int.from_bytes(data[i : i + size], "little") - half) for i in range(0, len(data), size)]
+    rows = [magnitudes[i : i + p**level] for i in range(0, length, p**level)]
+    return max(map(sum, zip_longest(*rows, fillvalue=0)))
+
+
+def remainder(f: Sequence[int], g: Sequence[int]) -> list[int]:
+    """A positive multiple of the remainder of f by g ≠ 0, without its content; [] for zero."""
+    rest, lead, sign = list(f), abs(g[-1]), 1 if g[-1] > 0 else -1
+    while len(rest) >= len(g):
+        top, shift = sign * rest[-1], len(rest) - len(g)
+        rest = [lead * c for c in rest]
+        for i, c in enumerate(g, shift):
+            rest[i] -= top * c
+        while rest and not rest[-1]:
+            rest.pop()
+    common = gcd(*rest)
+    return [c // common for c in rest]
+
+
+def greatest_common_divisor(f: Sequence[int], g: Sequence[int]) -> list[int]:
+    """Up to a constant factor."""
+    a, b = list(f), list(g)
+    while b:
+        a, b = b, remainder(a, b)
+    return a
+
+
+def divides(g: Polynomial, fs: Iterable[Polynomial]) -> bool:
+    """Whether g ≠ 0 divides every one of fs, powers of z aside."""
+    return all(not remainder(f.numerators, g.numerators) for f in fs)
+
+
+def vanishes_on_circle(g: Polynomial) -> bool:
+    """Whether g ≠ 0 has a zero on |z| = 1.
+
+    Such zeros are zeros of the reverse too, hence of h, the common divisor, which is ± its own reverse. If
+    h(1) ≠ 0 ≠ h(-1), it is its own reverse and of even degree 2e, and z^-e h(z) = H(z + 1/z).
+    """
+    h = greatest_common_divisor(g.numerators, g.numerators[::-1])
+    if not sum(h) or not sum(h[::2]) - sum(h[1::2]):
+        return True
+    e = len(h) // 2
+    total, before, now = [h[e]], [2], [0, 1]
+    for c in h[e + 1 :]:
+        total = [x + c * t for x, t in zip_longest(total, now, fillvalue=0)]
+        before, now = now, [x - y for x, y in zip_longest([0, *now], before, fillvalue=0)]
+    return sturm_count(total, -2, 2) > 0
+
+
+def sturm_count(f: Sequence[int], left: int, right: int) -> int:
+    """The number of distinct real zeros of f in (left, right); f is not zero at its ends."""
+    chain = [list(f), [i * c for i, c in enumerate(f)][1:]]
+    while chain[-1]:
+        chain.append([-c for c in remainder(chain[-2], chain[-1])])
+    return _sign_changes(chain, left) - _sign_changes(chain, right)
+
+
+def _sign_changes(chain: Sequence[Sequence[int]], x: int) -> int:
+    values = [v for v in (sum(c * x**i for i, c in enumerate(f)) for f in chain) if v]
+    return sum((u > 0) != (v > 0) for u, v in zip(values, values[1:], strict=False))
+
+
+def totients(last: int) -> list[int]:
+    """Euler's φ(0), …, φ(last); φ(0) is set to 0."""
+    phi = list(range(last + 1))
+    for q in range(2, last + 1):
+        if phi[q] == q:
+            for multiple in range(q, last + 1, q):
+                phi[multiple] -= phi[multiple] // q
+    return phi
+
+
+def is_cycle(a: Polynomial, n: int, p: int) -> bool:
+    """For n > 1 coprime to p: whether Φ_n(z^p)/Φ_n(z) = Π_(d|p, d>1) Φ_(nd)(z) divides a ≠ 0."""
+    return all(cyclotomic_divides(n * d, a) for d in range(2, p + 1) if p % d == 0)
+
+
+def cyclotomic_divides(m: int, a: Polynomial) -> bool:
+    """Φ_m divides a iff z^m - 1 divides a(z) Π_(q|m prime) (z^(m/q) - 1), whose factors vanish exactly at the roots
+
+    of unity of proper divisors of m. An identity of integer polynomials, so tried at z = 2 first.
+    """
+    quotients = [m // q for q in range(2, m + 1) if m % q == 0 and all(q % r for r in range(2, int(q**0.5) + 1))]
+    value = sum(c << i for i, c in enumerate(a.numerators))
+    for step in quotients:
+        value *= (1 << step) - 1
+    if value % ((1 << m) - 1):
+        return False
+    folded = [sum(a.numerators[i::m]) for i in range(m)]
+    for step in quotients:
+        folded = [x - y for x, y in zip(folded[-step:] + folded[:-step], folded, strict=True)]
+    return not any(folded)
