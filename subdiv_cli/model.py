@@ -119,6 +119,8 @@ class Finding:
     value: Interval | None = None
     witness: Mapping[str, Data] = field(default_factory=dict)
     """Enough to recheck the verdict without a search; the stage's docstring says what its keys mean."""
+    claims: tuple[int, ...] = ()
+    """The claims of the certificate that say the same, checked independently."""
 
 
 class Smoothness(NamedTuple):
@@ -215,6 +217,8 @@ class Result:
     reproduction: int | None = None
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
+    certificate: str | None = None
+    """The file it was written to."""
 
 
 DEFAULT_EFFORT = 20_000

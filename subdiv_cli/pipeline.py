@@ -1,11 +1,14 @@
-"""One scheme through the stages: findings in order, gathered into a result and held to its expectations."""
+"""One scheme through the stages: findings, certified and checked, gathered into a result and held to expectations."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any, NamedTuple
 
+from subdiv_cli.certificate import certificate, document_text
+from subdiv_cli.checker import check_document
 from subdiv_cli.model import (
     Effort,
     Expectation,
@@ -23,9 +26,34 @@ from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.scalar import analyse
 
 
-def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Effort) -> Result:
-    """Decide what the stages can decide within the effort. The caller adds file, name and parameters to the result."""
+class DisagreementError(Exception):
+    """The independent checker does not accept the certificate: an error in this program, never in the input."""
+
+
+class Checked(NamedTuple):
+    """What was found, and the certificate that the checker has verified; None where it would ask too much of it."""
+
+    result: Result
+    document: Mapping[str, Any] | None
+
+    def certificate_text(self) -> str | None:
+        """The certificate as its file has it."""
+        return None if self.document is None else document_text(self.document)
+
+
+def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:
+    """Decide what the stages can decide within the effort, and have every verdict checked independently.
+
+    The caller adds file, name and parameters to the result. Raises DisagreementError where the checker says no.
+    """
     facts, hints, findings = analyse(scheme, effort)
+    written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
+    if written is not None:
+        outcome = check_document(written.document)
+        if not outcome.verified:
+            raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
+        pairs = zip(findings, written.claims, strict=True)
+        findings = tuple(replace(finding, claims=claims) if claims else finding for finding, claims in pairs)
     found = {finding.code: finding for finding in findings}
     sharp = found["SD303"].verdict is Verdict.REFUTED
     refinable = Smoothness(order=_integer(found, "SD302", "order"), sharp=sharp)
@@ -48,7 +76,8 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
         findings=findings,
     )
     judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
-    return replace(result, expectations=judgements, status=_status(result, judgements))
+    result = replace(result, expectations=judgements, status=_status(result, judgements))
+    return Checked(result, None if written is None else written.document)
 
 
 def _status(result: Result, judgements: Sequence[Judgement]) -> Status:

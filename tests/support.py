@@ -16,7 +16,7 @@ def scheme(coefficients: Sequence[int | str | Fraction], start: int = 0, arity: 
 
 
 def answer(mask: ScalarScheme, work: int = 20_000) -> Result:
-    return check(mask, (), Effort(work))
+    return check(mask, (), Effort(work)).result
 
 
 def findings(result: Result, code: str) -> list[Finding]:

@@ -11,7 +11,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
-CONSOLE = re.compile(r"^```console\n\$ (subdiv [^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+CONSOLE = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 TOML = re.compile(r"^```toml\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -43,7 +43,8 @@ def test_every_command_prints_what_is_shown(directory):
     text = README.read_text(encoding="utf-8")
 
     def rerun(block):
-        return f"```console\n$ {block[1]}\n{output(block[1], directory)}```"
+        commands = [line[2:] for line in block[1].splitlines() if line.startswith("$ ")]
+        return "```console\n" + "".join(f"$ {c}\n{output(c, directory)}" for c in commands) + "```"
 
     actual = CONSOLE.sub(rerun, text)
     if os.environ.get("UPDATE_GOLDEN"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import gcd
 from operator import mul
 
 from subdiv_cli.checker.polynomials import Polynomial
@@ -39,28 +40,20 @@ def characteristic_polynomial(a: Matrix) -> list[int]:
 
 
 def roots_lie_inside(f: Sequence[int], radius: Fraction) -> bool:
-    """Whether all zeros of f, of degree exactly len(f) - 1, lie in |z| < radius.
+    """Whether all zeros of f, of degree exactly len(f) - 1, lie in |z| < radius (Schur & Cohn).
 
-    Schur, Cohn, Fujiwara: iff for g(z) = f(radius z) the matrix below is positive definite.
+    For g(z) = f(radius z) of degree n with the reverse g* and |g_0| < |g_n|, h = (g_n g - g_0 g*)/z has degree n-1. A
+    zero of g on the circle is one of g* and h; without any, g and z h have equally many inside (Rouché, |g*| = |g|).
     """
     u, v, n = radius.numerator, radius.denominator, len(f) - 1
     g = [c * u**i * v ** (n - i) for i, c in enumerate(f)]
-    b = [[0] * n for _ in range(n)]
-    for i in range(n):
-        for j in range(i + 1):
-            b[i][j] = b[j][i] = (b[i - 1][j - 1] if j else 0) + g[n - i] * g[n - j] - g[i] * g[j]
-    return is_positive_definite(b)
-
-
-def is_positive_definite(b: Matrix) -> bool:
-    """Whether all leading minors of a symmetric matrix, the pivots of Bareiss's elimination, are positive."""
-    rows, previous = [list(row) for row in b], 1
-    for k in range(len(rows)):
-        pivot = rows[k][k]
-        if pivot <= 0:
+    if sum(g) * g[-1] <= 0 or (sum(g[::-2]) - sum(g[-2::-2])) * g[-1] <= 0:
+        return False  # at 1 or -1 it has not the sign that it has beyond: a real zero lies there or further out
+    while len(g) > 1:
+        low, top = g[0], g[-1]
+        if abs(low) >= abs(top):
             return False
-        for i in range(k + 1, len(rows)):
-            factor = rows[i][k]
-            rows[i] = [(pivot * x - factor * y) // previous for x, y in zip(rows[i], rows[k], strict=True)]
-        previous = pivot
+        g = [top * x - low * y for x, y in zip(g[1:], g[-2::-1], strict=True)]
+        common = gcd(*g)
+        g = [c // common for c in g]
     return True

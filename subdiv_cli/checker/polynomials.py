@@ -6,8 +6,9 @@ Plain coefficient lists are integers, lowest power first.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import zip_longest
+from itertools import pairwise, zip_longest
 from math import gcd, lcm
+from struct import unpack
 from typing import NamedTuple
 
 
@@ -44,9 +45,7 @@ def polynomial(start: int, numerators: Sequence[int], denominator: int) -> Polyn
         return Polynomial(0, (), 1)
     first, last = support[0], support[-1]
     common = gcd(denominator, *numerators)
-    return Polynomial(
-        start + first, tuple(c // common for c in numerators[first : last + 1]), denominator // common
-    )
+    return Polynomial(start + first, tuple(c // common for c in numerators[first : last + 1]), denominator // common)
 
 
 def over_common_denominator(start: int, pairs: Sequence[tuple[int, int]], most_bits: int) -> Polynomial | None:
@@ -104,9 +103,7 @@ def classes(f: Polynomial, p: int) -> list[tuple[int, ...]]:
 def components(f: Polynomial, p: int) -> list[Polynomial]:
     """f_0, …, f_(p-1) with f(z) = Σ_r z^r f_r(z^p)."""
     first = [f.start + (r - f.start) % p for r in range(p)]
-    return [
-        polynomial((first[r] - r) // p, numerators, f.denominator) for r, numerators in enumerate(classes(f, p))
-    ]
+    return [polynomial((first[r] - r) // p, numerators, f.denominator) for r, numerators in enumerate(classes(f, p))]
 
 
 def sigma_divides(f: Polynomial, p: int) -> bool:
@@ -115,8 +112,8 @@ def sigma_divides(f: Polynomial, p: int) -> bool:
 
 
 def slot_bits(f: Polynomial, level: int) -> int:
-    """Room for any coefficient of a product of `level` factors with these numerators, in whole bytes."""
-    return 8 * ((level * sum(map(abs, f.numerators)).bit_length() + 2 + 7) // 8)
+    """Room for any coefficient of a product of `level` factors with these numerators, in whole bytes, 8 at least."""
+    return max(64, 8 * ((level * sum(map(abs, f.numerators)).bit_length() + 2 + 7) // 8))
 
 
 def iterated_norm(f: Polynomial, p: int, level: int) -> int:
@@ -133,7 +130,11 @@ def iterated_norm(f: Polynomial, p: int, level: int) -> int:
     size, half = width // 8, 1 << (width - 1)
     packed += int.from_bytes((bytes(size - 1) + b"\x80") * length, "little")
     data = packed.to_bytes(size * length, "little")
-    magnitudes = [abs(int.from_bytes(data[i : i + size], "little") - half) for i in range(0, len(data), size)]
+    if size == 8:
+        slots: Sequence[int] = unpack(f"<{length}Q", data)
+    else:
+        slots = [int.from_bytes(data[i : i + size], "little") for i in range(0, len(data), size)]
+    magnitudes = [abs(slot - half) for slot in slots]
     rows = [magnitudes[i : i + p**level] for i in range(0, length, p**level)]
     return max(map(sum, zip_longest(*rows, fillvalue=0)))
 
@@ -192,7 +193,7 @@ def sturm_count(f: Sequence[int], left: int, right: int) -> int:
 
 def _sign_changes(chain: Sequence[Sequence[int]], x: int) -> int:
     values = [v for v in (sum(c * x**i for i, c in enumerate(f)) for f in chain) if v]
-    return sum((u > 0) != (v > 0) for u, v in zip(values, values[1:], strict=False))
+    return sum((u > 0) != (v > 0) for u, v in pairwise(values))
 
 
 def totients(last: int) -> list[int]:
@@ -211,17 +212,29 @@ def is_cycle(a: Polynomial, n: int, p: int) -> bool:
 
 
 def cyclotomic_divides(m: int, a: Polynomial) -> bool:
-    """Φ_m divides a iff z^m - 1 divides a(z) Π_(q|m prime) (z^(m/q) - 1), whose factors vanish exactly at the roots
+    """Φ_m divides a iff z^m - 1 divides a(z) Π_(q|m prime) (z^(m/q) - 1): the factors vanish at the m-th roots of unity
 
-    of unity of proper divisors of m. An identity of integer polynomials, so tried at z = 2 first.
+    that are not primitive, and only there. An identity of integer polynomials, so it is tried at z = 2 first.
     """
-    quotients = [m // q for q in range(2, m + 1) if m % q == 0 and all(q % r for r in range(2, int(q**0.5) + 1))]
+    steps = [m // q for q in prime_factors(m)]
     value = sum(c << i for i, c in enumerate(a.numerators))
-    for step in quotients:
+    for step in steps:
         value *= (1 << step) - 1
     if value % ((1 << m) - 1):
         return False
     folded = [sum(a.numerators[i::m]) for i in range(m)]
-    for step in quotients:
+    for step in steps:
         folded = [x - y for x, y in zip(folded[-step:] + folded[:-step], folded, strict=True)]
     return not any(folded)
+
+
+def prime_factors(m: int) -> list[int]:
+    """The primes that divide m > 0."""
+    primes, q = [], 2
+    while q * q <= m:
+        if m % q == 0:
+            primes.append(q)
+            while m % q == 0:
+                m //= q
+        q += 1
+    return [*primes, m] if m > 1 else primes

@@ -1,4 +1,4 @@
-"""Strict reading: JSON text to integers, rationals and polynomials. Whatever is not exactly as specified is rejected."""
+"""Strict reading: JSON text to integers, rationals, polynomials. Whatever is not exactly as specified is rejected."""
 
 from __future__ import annotations
 
@@ -58,10 +58,10 @@ def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
     """The values of an object that has exactly these keys."""
     if type(value) is not dict:
         raise Rejected(f"{what} is not an object")
-    for key in value:
-        require(key in fields, f"{what} has the unknown key {shown(key)}")
-    for key in fields:
-        require(key in value, f"{what} has no key '{key}'")
+    if value.keys() != fields.keys():
+        for key in value:
+            require(key in fields, f"{what} has the unknown key {shown(key)}")
+        raise Rejected(f"{what} has no key '{min(fields.keys() - value.keys())}'")
     return {key: read(kind, value[key], f"'{key}' of {what}") for key, kind in fields.items()}
 
 
@@ -108,7 +108,7 @@ def _polynomial(value: object, what: str) -> Polynomial:
 def _rational(value: object, what: str) -> tuple[int, int]:
     """`"p/q"` or `"p"` in lowest terms as (p, q), q > 0."""
     if type(value) is not str:
-        raise Rejected(f"{what} is not a string \"p/q\"")
+        raise Rejected(f'{what} is not a string "p/q"')
     require(len(value) <= 2 * MAX_DIGITS + 2, f"{what} has too many digits")
     match = _RATIONAL.fullmatch(value)
     if match is None:
@@ -117,7 +117,7 @@ def _rational(value: object, what: str) -> tuple[int, int]:
     require(max(len(digits), len(below)) <= MAX_DIGITS, f"{what} has too many digits")
     p, q = _decimal(digits), _decimal(below)
     canonical = (digits[0] != "0" or value == "0") and below[0] != "0" and match[2] != "1" and gcd(p, q) == 1
-    require(canonical, f"{what} is not in lowest terms: {shown(value)}")
+    require(canonical, f"{what} is not in lowest terms")
     return (-p if value[0] == "-" else p), q
 
 

@@ -6,13 +6,13 @@ import math
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.outputs import Output, OutputType
-from subdiv_cli.cli.streams import Progress, emit, look_of, write_whole
+from subdiv_cli.cli.streams import Progress, emit, look_of
 from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
 from subdiv_cli.report import FORMATS, renderer
 from subdiv_cli.report.look import UNWRAPPED, Look
@@ -26,6 +26,7 @@ Examples:
   subdiv check four-point.toml -p w=1/20
   subdiv check masks/ -q
   subdiv check masks/ --format concise -o json:report.json
+  subdiv check masks/ --certificate proofs/ && subdiv verify proofs/
   subdiv check --mask "[-1, 0, 9, 16, 9, 0, -1]/16" --start -3
   generate | subdiv check - --allow-undecided
 
@@ -101,6 +102,13 @@ def _seconds(ctx: click.Context, param: click.Parameter, value: float | None) ->
 @click.option("-v", "--verbose", count=True, help="Every report in full; -vv with the witnesses.")
 @click.option("-q", "--quiet", is_flag=True, help="Show only what did not pass.")
 @click.option("--allow-undecided", is_flag=True, help="Undecided is not a failure: exit 0 for it.")
+@click.option(
+    "--certificate",
+    "certificates",
+    metavar="DIR",
+    type=click.Path(file_okay=False),
+    help="Write the proof of each mask's verdicts into DIR, for `subdiv verify`.",
+)
 @click.option("--debug", is_flag=True, help="Show the traceback of an internal error.")
 def command(
     targets: tuple[str, ...],
@@ -115,6 +123,7 @@ def command(
     verbose: int,
     quiet: bool,
     allow_undecided: bool,
+    certificates: str | None,
     debug: bool,
 ) -> ExitCode:
     """Check subdivision masks: convergence, order of smoothness, exponents, and what each file expects.
@@ -125,7 +134,12 @@ def command(
     overrides = _overrides(parameters)
     if overrides is None:
         return ExitCode.ERROR
-    results, interrupted = _run(_targets(targets, mask, start, arity), overrides, effort, budget, debug, verbose > 0)
+    told: dict[str, Any] = {"work": effort, "seconds": budget, "debug": debug}
+    if verbose:
+        told["on_skipped"] = _tell_skipped
+    if certificates is not None:
+        told["certificates"] = certificates
+    results, interrupted = _run(_targets(targets, mask, start, arity), overrides, told)
     verbosity = -1 if quiet else verbose
     _print(results, form, verbosity, allow_undecided)
     written = _write(results, outputs, form, Look(verbosity=verbosity, allow_undecided=allow_undecided))
@@ -189,12 +203,7 @@ def _targets(
 
 
 def _run(
-    targets: list[str | MaskFile] | Result,
-    overrides: Mapping[str, Fraction],
-    effort: int,
-    budget: float | None,
-    debug: bool,
-    tell_skipped: bool,
+    targets: list[str | MaskFile] | Result, overrides: Mapping[str, Fraction], told: Mapping[str, Any]
 ) -> tuple[list[Result], bool]:
     """The results, and whether Ctrl-C ended them early."""
     if isinstance(targets, Result):
@@ -204,12 +213,13 @@ def _run(
     try:
         from subdiv_cli.catalog.run import check_all
 
-        told = {"on_skipped": _tell_skipped} if tell_skipped else {}
-        for result in check_all(targets, overrides=overrides, work=effort, seconds=budget, debug=debug, **told):
+        for result in check_all(targets, overrides=overrides, **told):
             results.append(result)
             progress.step()
     except KeyboardInterrupt:
         return results, True
+    except OSError as error:
+        raise click.ClickException(f"certificates cannot be written: {error}") from None
     finally:
         progress.close()
     return results, False
@@ -239,6 +249,8 @@ def _complain(problems: Iterable[Problem]) -> None:
 
 def _write(results: Sequence[Result], outputs: Sequence[Output], form: str, look: Look) -> bool:
     """The report in every file asked for; whether all could be written."""
+    from subdiv_cli.catalog.files import write_whole
+
     written = True
     for output in outputs:
         try:

@@ -17,6 +17,7 @@ from subdiv_cli.cli.exits import ExitCode
 
 COMMANDS = {
     "check": ("subdiv_cli.cli.check", "Check masks: convergence, smoothness, expectations."),
+    "verify": ("subdiv_cli.cli.verify", "Check certificates independently."),
     "explain": ("subdiv_cli.cli.explain", "Explain a finding code: what it means, why, its source."),
 }
 """Command -> the module that has it as `command`, and what it does in a line."""

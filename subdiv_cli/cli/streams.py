@@ -71,33 +71,6 @@ def _abandon(stream: TextIO) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
-def write_whole(file: str, text: str) -> None:
-    """Write a file so that it is the old one or the new one and never a part; after an OSError it is the old one.
-
-    What is not a plain file (a pipe, /dev/stdout) is written to as it is.
-    """
-    from pathlib import Path
-
-    data = text.encode("utf-8", "backslashreplace")
-    path = Path(os.path.realpath(file))
-    if path.exists() and not path.is_file():
-        path.write_bytes(data)
-        return
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        with part.open("xb") as new:
-            new.write(data)
-            new.flush()
-            os.fsync(new.fileno())
-        if path.exists():
-            part.chmod(path.stat().st_mode & 0o7777)
-        part.replace(path)
-    except BaseException:
-        with suppress(OSError):
-            part.unlink()
-        raise
-
-
 def why_not(file: str) -> str | None:
     """Why a file cannot be written, as far as can be told before the work is done."""
     from pathlib import Path

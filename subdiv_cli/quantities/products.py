@@ -15,7 +15,7 @@ from typing import NamedTuple
 from flint import ctx, fmpq_mat, fmpz_mat
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, meets_circle, roots
-from subdiv_cli.exact.enclosures import ball, closed_interval, interval
+from subdiv_cli.exact.enclosures import ball, bounds, closed_interval
 from subdiv_cli.exact.text import root
 from subdiv_cli.model import Effort, Interval, logarithm
 
@@ -54,14 +54,26 @@ class Product(NamedTuple):
         return any(meets_circle(f, target) for f in factors)
 
 
-def exponent_bound(product: Product, p: int) -> Interval:
-    """-log_p(|λ|) / ℓ, an upper bound of the Hölder exponent for a stable refinable function. Needs λ ≠ 0."""
-    length, eigenvalue = len(product.word), product.eigenvalue
-    if (rational := eigenvalue.rational) is not None:
-        return closed_interval(logarithm(p, 1 / abs(rational), length))
+def radius_bound(product: Product) -> Fraction:
+    """|λ| where λ is rational, else a rational r <= |λ| of twenty digits. Needs λ ≠ 0."""
+    if (rational := product.eigenvalue.rational) is not None:
+        return abs(rational)
     with ctx.workprec(128):
-        enclosure = -(eigenvalue.modulus().log() / ball(p).log()) / length
-        return interval(enclosure, _closed_form(eigenvalue, p, length))
+        low, _ = bounds(product.eigenvalue.modulus())
+    digits = 20 - math.floor(low.numerator.bit_length() * 0.30103 - low.denominator.bit_length() * 0.30103)
+    unit = Fraction(10) ** -digits
+    return low // unit * unit
+
+
+def exponent_bound(product: Product, p: int) -> Interval:
+    """-log_p(r) / ℓ with r of `radius_bound`: an upper bound of the Hölder exponent for a stable refinable function.
+
+    `exact` is -log_p(|λ|) / ℓ itself, where λ is real.
+    """
+    exact = logarithm(p, 1 / radius_bound(product), len(product.word))
+    if product.eigenvalue.rational is not None:
+        return closed_interval(exact)
+    return closed_interval(exact)._replace(exact=_closed_form(product.eigenvalue, p, len(product.word)))
 
 
 def _closed_form(eigenvalue: AlgebraicNumber, p: int, length: int) -> str | None:
@@ -112,9 +124,9 @@ def _better(a: tuple[float, Product], b: tuple[float, Product]) -> bool:
 
 
 def lyndon_words(letters: int) -> Iterator[tuple[int, ...]]:
-    """The primitive words over 0, …, letters-1, the least of each rotation class, by length; endless."""
+    """The primitive words over 0, …, letters-1, the least of each rotation class, by length; endless for letters > 1."""
     length = 1
-    while True:
+    while letters > 1 or length == 1:
         yield from _lyndon_words_of_length(letters, length)
         length += 1
 

@@ -56,7 +56,7 @@ def _result(result: Result) -> dict[str, Any]:
         "reproduction": result.reproduction,
         "expectations": [_expectation(judged) for judged in result.expectations],
         "findings": [_finding(finding) for finding in result.findings],
-        "certificate": None,
+        "certificate": result.certificate,
         "reference": result.reference,
         "refinable_function": {"order": result.refinable.order, "sharp": result.refinable.sharp},
         "hints": list(result.hints),
@@ -100,6 +100,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "source": finding.source,
         "reason": finding.reason,
         "witness": plain(finding.witness),
+        "claims": list(finding.claims),
     }
 
 

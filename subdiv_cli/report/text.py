@@ -255,6 +255,10 @@ class _Page:
         sentence = words.verdict_sentence(result, allow_undecided=self.look.allow_undecided)
         self.blank()
         self.put(f"{words.STATUS_MARKS[result.status]} {sentence}", role, indent=indent, hanging=2)
+        if result.certificate is not None:
+            self.put(
+                f"proof: {result.certificate}, to be checked by: subdiv verify {result.certificate}", indent=indent
+            )
 
 
 def _degree(noun: str, number: int | None) -> str | None:

@@ -5,8 +5,8 @@ the best one. For any product of ℓ transition matrices of D with an eigenvalue
 always. Hypotheses: k >= 1, checked; stability: an unstable mask is reduced to a stable one first, whose exponent is
 that of φ (SD403).
 
-Witness: `difference_order`, k of the (reduced) mask, and the product (see obstacles.py), or
-none where k is the better bound.
+Witness: `difference_order`, k of the (reduced) mask, the product (see obstacles.py) and `radius`,
+a rational lower bound of |λ| from which the bound is computed; k alone where it is the better bound.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from fractions import Fraction
 from subdiv_cli.exact.enclosures import interval
 from subdiv_cli.exact.text import modulus, rounded_up
 from subdiv_cli.model import Data, Finding, Interval
-from subdiv_cli.quantities.products import exponent_bound
+from subdiv_cli.quantities.products import exponent_bound, radius_bound
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_text, product_witness
 from subdiv_cli.stages.stage import Facts, Rule
@@ -40,4 +40,10 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     shown = exact or rounded_up(bound.upper)
     size = modulus(product.eigenvalue)
     statement = f"α ≤ {shown}: {product_text(product)} of S_(Δ^{k}) has an eigenvalue of modulus {size}"
-    return (RULE.proved(statement, {**witness, **product_witness(product)}, Interval(upper=bound.upper)),)
+    return (
+        RULE.proved(
+            statement,
+            {**witness, **product_witness(product), "radius": radius_bound(product)},
+            Interval(upper=bound.upper),
+        ),
+    )

@@ -5,15 +5,15 @@ distribution φ with ∫φ = 1 exists, the translates are linearly independent i
 a_0, …, a_(p-1) have no common zero in C∖{0}, and (ii) there is no cycle. For a rational mask a cycle is an n > 1
 coprime to p for which Φ_n(z^p)/Φ_n(z) divides a(z). Hypothesis a(1) = p: checked.
 
-Witness, proved: `starts` and `cofactors`, Laurent polynomials u_r with Σ u_r a_r = 1 (left out where they cost more
-than the effort), and `largest_n`, up to which cycles were looked for (the degree of the factor rules out larger ones).
+Witness, proved: `largest_n`, up to which cycles were looked for (the degree of the factor rules out larger ones); the
+Bezout cofactors of the components are in SD402.
 Refuted: `gcd`, or `cycle`, the n.
 """
 
 from __future__ import annotations
 
 from subdiv_cli.exact.text import laurent
-from subdiv_cli.model import Data, Finding
+from subdiv_cli.model import Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule
 
@@ -36,9 +36,6 @@ def _decide(numbers: ScalarNumbers) -> Finding:
     if (n := numbers.cycle) is not None:
         statement = f"{dependent}: Φ_{n}(z^{p})/Φ_{n}(z) divides a(z), a cycle of {n}-th roots of unity"
         return RULE.refuted(statement, {"cycle": n})
-    witness: dict[str, Data] = {"largest_n": 10 * (numbers.scheme.degree // (p - 1))}
-    if (cofactors := numbers.bezout_cofactors) is not None:
-        witness["starts"] = tuple(u.low for u in cofactors)
-        witness["cofactors"] = tuple(u.coefficients() for u in cofactors)
+    largest = 10 * (numbers.scheme.degree // (p - 1))
     statement = "the translates of φ are linearly independent: the polyphase components are coprime and a(z) has no "
-    return RULE.proved(statement + "cycle of roots of unity", witness)
+    return RULE.proved(statement + "cycle of roots of unity", {"largest_n": largest})

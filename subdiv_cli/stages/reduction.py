@@ -8,7 +8,9 @@ a(1) = p: checked.
 
 Smoothness, exponents and their refutations are then decided on the reduced mask; convergence is judged on S itself.
 
-Witness: `factors`, the g of each step; `cycles`, the n of each step or None; `start` and `mask`, the reduced mask.
+Witness: `factors`, the g of each step; `cycles`, the n of each step or None; `starts` and `masks`, the mask after each
+step; of the last one `order`, `cofactor_start` and `cofactor` as in SD102, and `stable`, what proves it stable, as
+in SD402.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ from subdiv_cli.exact.text import laurent
 from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.reduction import Step
 from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.stability import stability_witness
 from subdiv_cli.stages.stage import Facts, Rule
 
 RULE = Rule("SD403", "reduction", "Jia & Wang 1993; Zhou 1996")
@@ -29,11 +32,16 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     reduced = steps[-1].symbol
     how = " then ".join(_text(step, numbers.p) for step in steps)
     statement = f"φ is as smooth as the stable φ0 of the reduced mask a0(z) = {laurent(reduced)}, {how}"
+    order, cofactor = numbers.reduced.sum_rules[:2]
     witness: dict[str, Data] = {
         "factors": tuple(step.factor.coefficients() for step in steps),
         "cycles": tuple(step.cycle for step in steps),
-        "start": reduced.low,
-        "mask": reduced.coefficients(),
+        "starts": tuple(step.symbol.low for step in steps),
+        "masks": tuple(step.symbol.coefficients() for step in steps),
+        "order": order,
+        "cofactor_start": cofactor.low,
+        "cofactor": cofactor.coefficients(),
+        "stable": dict(stability_witness(numbers.reduced)),
     }
     return (RULE.proved(statement, witness),)
 

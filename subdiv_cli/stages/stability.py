@@ -8,15 +8,16 @@ zero on |z| = 1, and (ii) there is no cycle (SD401). Linear independence implies
 A common zero on the circle is decided exactly: an irreducible factor of the gcd has one only if it is reciprocal, and
 then its roots are told apart from their mirror images.
 
-Witness: that of SD401; with a common zero off the circle only `gcd`; refuted: `circle_factor` or `cycle`.
+Witness, proved: `gcd` of the polyphase components, `starts` and `cofactors` (see below). Refuted: `circle_factor`,
+lowest coefficient first, or `cycle`.
 """
 
 from __future__ import annotations
 
 from subdiv_cli.exact.text import laurent, polynomial
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import Facts, Rule, verdict
+from subdiv_cli.stages.stage import Facts, Rule, Witness, verdict
 
 RULE = Rule("SD402", "stability", "Jia & Wang 1993; Zhou 1996")
 
@@ -30,7 +31,7 @@ def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
     if independent is Verdict.SKIPPED:
         return RULE.skipped("are the integer translates of φ stable?", facts["SD401"][0].reason or "")
     if independent is Verdict.PROVED:
-        return RULE.proved("φ is stable: its integer translates are linearly independent", facts["SD401"][0].witness)
+        return RULE.proved("φ is stable: its integer translates are linearly independent", stability_witness(numbers))
     g = numbers.polyphase_gcd
     if numbers.circle_factors:
         factor = numbers.circle_factors[0]
@@ -39,4 +40,16 @@ def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
     if (n := numbers.cycle) is not None:
         return RULE.refuted(f"φ is not stable: a(z) has a cycle of {n}-th roots of unity", {"cycle": n})
     statement = f"φ is stable: the common factor {laurent(g)} of the polyphase components has no zero on |z| = 1"
-    return RULE.proved(f"{statement}, and a(z) has no cycle", {"gcd": g.coefficients()})
+    return RULE.proved(f"{statement}, and a(z) has no cycle", stability_witness(numbers))
+
+
+def stability_witness(numbers: ScalarNumbers) -> Witness:
+    """`gcd` of the polyphase components, monic, and `starts` and `cofactors`: Laurent polynomials u_r, Σ u_r a_r = gcd.
+
+    The latter are left out where they cost more than the effort.
+    """
+    witness: dict[str, Data] = {"gcd": numbers.polyphase_gcd.coefficients()}
+    if (cofactors := numbers.bezout_cofactors) is not None:
+        witness["starts"] = tuple(u.low for u in cofactors)
+        witness["cofactors"] = tuple(u.coefficients() for u in cofactors)
+    return witness

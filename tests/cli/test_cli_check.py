@@ -165,7 +165,7 @@ def test_a_file_that_cannot_be_written_in_the_end(run, catalog, tmp_path, monkey
     def full(file, text):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("subdiv_cli.cli.check.write_whole", full)
+    monkeypatch.setattr("subdiv_cli.catalog.files.write_whole", full)
     shown = run("check", "x", "-o", str(tmp_path / "r.json"))
     assert shown.exit_code == 2
     assert "r.json cannot be written: No space left on device" in shown.stderr

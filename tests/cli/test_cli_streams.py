@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from subdiv_cli.catalog.files import write_whole
 from subdiv_cli.cli.streams import (
     Progress,
     columns,
@@ -15,7 +16,6 @@ from subdiv_cli.cli.streams import (
     look_of,
     speaks_mathematics,
     why_not,
-    write_whole,
 )
 
 

@@ -33,7 +33,7 @@ KEYS = {
     "stable": ["verdict"],
     "linearly_independent": ["verdict"],
     "expectations": ["key", "expected", "verdict"],
-    "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "witness"],
+    "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "witness", "claims"],
     "value": ["exact", "lower", "upper"],
 }
 FREE = {"parameters", "facts", "witness"}

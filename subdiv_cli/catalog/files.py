@@ -1,0 +1,54 @@
+"""Files written whole or not at all, and the names of certificates."""
+
+from __future__ import annotations
+
+import os
+from contextlib import suppress
+from pathlib import Path
+
+
+def write_whole(file: str | Path, text: str) -> None:
+    """Write a file so that it is the old one or the new one and never a part; after an OSError it is the old one.
+
+    What is not a plain file (a pipe, /dev/stdout) is written to as it is.
+    """
+    data = text.encode("utf-8", "backslashreplace")
+    path = Path(os.path.realpath(file))
+    if path.exists() and not path.is_file():
+        path.write_bytes(data)
+        return
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with part.open("xb") as new:
+            new.write(data)
+            new.flush()
+            os.fsync(new.fileno())
+        if path.exists():
+            part.chmod(path.stat().st_mode & 0o7777)
+        part.replace(path)
+    except BaseException:
+        with suppress(OSError):
+            part.unlink()
+        raise
+
+
+class CertificateDirectory:
+    """A directory that takes one certificate for each mask of a run, named after the mask's file."""
+
+    def __init__(self, directory: str) -> None:
+        """Makes the directory. Raises OSError."""
+        self._directory = Path(directory)
+        self._directory.mkdir(parents=True, exist_ok=True)
+        self._taken: set[str] = set()
+
+    def write(self, mask_file: str, text: str) -> str:
+        """Writes a certificate and returns its file; masks of one name are told apart by a number. Raises OSError."""
+        stem = {"-": "stdin", "--mask": "mask"}.get(mask_file) or Path(mask_file).stem
+        name, number = stem, 1
+        while name in self._taken:
+            number += 1
+            name = f"{stem}-{number}"
+        self._taken.add(name)
+        path = self._directory / f"{name}.json"
+        write_whole(path, text)
+        return str(path)

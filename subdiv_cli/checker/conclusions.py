@@ -1,0 +1,101 @@
+"""The rules that compose earlier claims, one function each: convergence, smoothness and the Hölder exponent α.
+
+φ is that of mask 0; p, a, k as in `scalar`, D = S_(Δ^k).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from subdiv_cli.checker.core import Claim, Statement
+from subdiv_cli.checker.reading import require
+
+
+def converges(c: Claim) -> None:
+    """S converges: some ‖S_(Δ^ν)^L‖∞ < 1 (Dyn 1992, Theorem 3.2, for ν = 1; FORMAT.md for larger ν)."""
+    c.count(1)
+    _contracts(c, c.use("norm", mask=0).statement, 1)
+
+
+def diverges(c: Claim) -> None:
+    """S diverges: a residue sum is not 1, a product has an eigenvalue |λ| >= 1, or an A_ε has one besides simple 1."""
+    c.count(1)
+    used = c.use("residue-sums", "product", "eigen-condition").statement
+    if used["property"] == "eigen-condition":
+        require(used["nu"] == 0 and not used["holds"], "the eigen-condition for ν = 0 is not refuted")
+        return
+    require(used["mask"] == 0, "it uses a claim on another mask")
+    if used["property"] == "product":
+        require(used["radius"] >= 1, "the radius is below 1")
+    else:
+        require(set(used["sums"]) != {1}, "the residue sums are 1")
+
+
+def smooth(c: Claim) -> None:
+    """φ is C^n: some ‖S_(Δ^ν)^L‖∞ < p^(-nL), ν > n, for the mask itself or one that it reduces to (as above)."""
+    c.count(1)
+    used = c.use("norm").statement
+    _contracts(c, used, c.statement["order"] + 1)
+    c.use_reductions(used["mask"])
+
+
+def not_smooth(c: Claim) -> None:
+    """φ is not C^j: stable, possibly reduced, with k <= j or an eigenvalue |λ| >= p^(-jℓ) of a product of length ℓ."""
+    j = c.statement["order"]
+    c.count(1)
+    mask = c.use("stable", holds=True).statement["mask"]
+    used = c.use("sum-rules", "product", mask=mask).statement
+    if used["property"] == "sum-rules":
+        require(used["order"] <= j, f"the sum rules are of order {used['order']}")
+    else:
+        require(used["radius"] * _power(c, Fraction(c.p), j * len(used["word"])) >= 1, "the radius is too small")
+    c.use_reductions(mask)
+
+
+def holder_lower(c: Claim) -> None:
+    """α >= -log_p(x)/L with x = ‖D^L‖∞ = ‖((1/p)S_k)^L‖∞ / p^((k-1)L)."""
+    level = c.statement["level"]
+    c.count(1)
+    used = c.use("norm", level=level).statement
+    k = c.use("sum-rules", mask=used["mask"], order=used["nu"]).statement["order"]
+    scaled = used["norm"] / _power(c, Fraction(c.p), (k - 1) * level)
+    require(c.statement["norm"] == scaled, "the norm of D^L is another")
+    c.use_reductions(used["mask"])
+
+
+def holder_upper(c: Claim) -> None:
+    """α <= -log_p(x)/ℓ: φ is stable, possibly reduced; x is the radius of a product of length ℓ, or p^-k and ℓ = 1."""
+    c.count(1)
+    mask = c.use("stable", holds=True).statement["mask"]
+    used = c.use("product", "sum-rules", mask=mask).statement
+    if used["property"] == "product":
+        bound = (len(used["word"]), used["radius"])
+    else:
+        bound = (1, 1 / _power(c, Fraction(c.p), used["order"]))
+    require(bound == (c.statement["length"], c.statement["radius"]), "length or radius is another")
+    c.use_reductions(mask)
+
+
+def holder_exact(c: Claim) -> None:
+    """α = -log_p(x)/L: bounded by x and L from below, and from above by y and ℓ with y^L >= x^ℓ."""
+    level, x = c.statement["level"], c.statement["norm"]
+    c.count(1)
+    c.use("holder-lower", level=level, norm=x)
+    upper = c.use("holder-upper").statement
+    fits = _power(c, upper["radius"], level) >= _power(c, x, upper["length"])
+    require(fits, "the bounds do not meet")
+
+
+def _contracts(c: Claim, norm: Statement, nu: int) -> None:
+    """That (1/p)S_ν contracts, from ‖S_(Δ^ν')^L‖ < p^(-(ν-1)L), ν' >= ν; the norm is that of p^((ν'-1)L) S_(Δ^ν')^L.
+
+    The joint spectral radius of S_(Δ^ν) is the largest of p^-ν, …, p^(1-ν') and that of S_(Δ^ν').
+    """
+    require(norm["nu"] >= nu, f"the norm is not one of S_{nu} or a later one")
+    bound = _power(c, Fraction(c.p), (norm["nu"] - nu) * norm["level"])
+    require(norm["norm"] < bound, "the norm is not small enough")
+
+
+def _power(c: Claim, x: Fraction, exponent: int) -> Fraction:
+    c.count(1, (x.numerator.bit_length() + x.denominator.bit_length()) * exponent)
+    return Fraction(x**exponent)

@@ -1,0 +1,208 @@
+"""The core: a document's goal and claims in order, each by its rule from earlier claims, within its work."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from subdiv_cli.checker.polynomials import Polynomial
+from subdiv_cli.checker.reading import Fields, Rejected, parse, read, read_object, require, shown
+
+FORMAT, VERSION = "subdiv-certificate", 1
+MAX_ARITY = 64
+MAX_CLAIMS = 10_000
+MAX_WORK = 50_000_000
+MAX_SIZE = 1 << 28
+"""Work times the squares of the lengths of its numbers in pieces of 512 bits, over all claims."""
+Statement = dict[str, Any]
+
+
+class Outcome(NamedTuple):
+    """What the checker has to say of a certificate."""
+
+    verified: bool
+    line: str
+    """`VERIFIED` and the goal in words, or `NOT VERIFIED` and why."""
+    statements: tuple[dict[str, object], ...] = ()
+    """The statements of the goal as the document has them; none unless verified."""
+    claim: int | None = None
+    """The number of the claim that fails, where it is one that does."""
+
+
+class Proved(NamedTuple):
+    """A claim that holds, and what later claims need of it: the quotient of a sum-rules claim."""
+
+    statement: Statement
+    result: Polynomial | None
+
+
+class Rule(NamedTuple):
+    """What claims of a rule look like, and the function that checks one: it returns `Proved.result` or rejects."""
+
+    property: str
+    fixed: Mapping[str, object]
+    """Fields of the statement whose value the rule fixes."""
+    witnesses: Sequence[Fields]
+    """The witnesses the rule knows; their keys tell them apart."""
+    check: Callable[[Claim], Polynomial | None]
+
+
+class Kind(NamedTuple):
+    """The rules of a kind of masks: later kinds add one of these."""
+
+    properties: Mapping[str, Fields]
+    rules: Mapping[str, Rule]
+    words: Callable[[Statement, int], str]
+    """A statement, its property under the key `property`, and the arity, as a phrase."""
+
+
+class Budget:
+    """What is left of the bound on the numbers' sizes, over all claims."""
+
+    def __init__(self) -> None:
+        self.left = MAX_SIZE
+
+
+class Claim:
+    """A claim under check: statement and witness read, and the claims that it uses."""
+
+    def __init__(
+        self, arity: int, masks: list[Polynomial], statement: Statement, work: int, uses: list[Proved], budget: Budget
+    ) -> None:
+        self.p = arity
+        self.masks = masks
+        self.statement = statement
+        self.witness: dict[str, Any] = {}
+        self._work, self._uses, self._budget = work, uses, budget
+
+    def mask(self) -> Polynomial:
+        """The symbol of the mask that the statement names, mask 0 where it names none."""
+        number: int = next((self.statement[key] for key in ("mask", "from") if key in self.statement), 0)
+        require(number < len(self.masks), f"there is no mask {number}")
+        return self.masks[number]
+
+    def count(self, operations: int, bits: int = 0) -> None:
+        """Called before the work is done: operations as the rule counts them, on numbers of so many bits."""
+        require(operations <= self._work, f"it takes more work than stated: {min(operations, 10**18)}")
+        self._budget.left -= (1 + operations) * (1 + bits // 512) ** 2
+        require(self._budget.left >= 0, "the numbers are too long for so much work")
+
+    def use(self, *properties: str, **fields: object) -> Proved:
+        """The next claim that is used: it must state one of these properties with these fields."""
+        asked = " or ".join(properties)
+        require(bool(self._uses), f"it does not use a claim on {asked}")
+        proved = self._uses.pop(0)
+        require(proved.statement["property"] in properties, f"it uses {proved.statement['property']}, not {asked}")
+        for key, value in fields.items():
+            require(proved.statement.get(key) == value, f"it uses {asked} with another {key}")
+        return proved
+
+    def use_reductions(self, mask: int) -> None:
+        """0 -> 1, …, mask-1 -> mask."""
+        for i in range(mask):
+            self.use("reduction", **{"from": i, "to": i + 1})
+
+    def use_nothing_else(self) -> None:
+        require(not self._uses, "it uses claims that it does not need")
+
+
+def check_text(text: str, kinds: Mapping[str, Kind]) -> Outcome:
+    try:
+        document = parse(text)
+    except Rejected as why:
+        return Outcome(False, f"NOT VERIFIED document: {why}")
+    return check_document(document, kinds)
+
+
+def check_document(document: object, kinds: Mapping[str, Kind]) -> Outcome:
+    """Never raises: whatever goes wrong is NOT VERIFIED."""
+    checker = _Checker()
+    try:
+        return checker.run(document, kinds)
+    except Rejected as why:
+        return Outcome(False, f"NOT VERIFIED {checker.place}: {why}", claim=checker.number)
+    except (Exception, RecursionError, MemoryError) as error:
+        line = f"NOT VERIFIED {checker.place}: the checker fails on it ({type(error).__name__})"
+        return Outcome(False, line, claim=checker.number)
+
+
+class _Checker:
+    """One run, and where it stands."""
+
+    def __init__(self) -> None:
+        self.place = "document"
+        self.number: int | None = None
+        self.masks: list[Polynomial] = []
+        self.proved: list[Proved] = []
+        self.work = 0
+        self.budget = Budget()
+
+    def run(self, document: object, kinds: Mapping[str, Kind]) -> Outcome:
+        fields = {"format": "any", "version": "natural", "mask": "any", "goal": "any[]", "claims": "any"}
+        parts = read_object(document, fields, "the document")
+        require(parts["format"] == FORMAT, f"the format is not {FORMAT}")
+        require(parts["version"] == VERSION, f"the version is not {VERSION}")
+        kind, arity = self.read_mask(parts["mask"], kinds)
+        self.place = "goal"
+        goal = [read_statement(statement, kind) for statement in parts["goal"]]
+        require(bool(goal), "there is none")
+        claims = parts["claims"]
+        if type(claims) is not list:
+            raise Rejected("the claims are not a list")
+        require(len(claims) <= MAX_CLAIMS, "there are too many claims")
+        for self.number, claim in enumerate(claims):
+            self.place = f"claim {self.number}"
+            self.proved.append(self.check(claim, kind, arity))
+        self.place, self.number = "goal", None
+        statements = [proved.statement for proved in self.proved]
+        words = [kind.words(statement, arity) for statement in goal]
+        for statement, phrase in zip(goal, words, strict=True):
+            require(statement in statements, f"no claim proves: {phrase}")
+        return Outcome(True, "VERIFIED " + "; ".join(words), tuple(map(dict, parts["goal"])))
+
+    def read_mask(self, value: object, kinds: Mapping[str, Kind]) -> tuple[Kind, int]:
+        name = value.get("kind") if type(value) is dict else None
+        if type(name) is not str or name not in kinds:
+            raise Rejected(f"the kind of the mask is not one of {', '.join(kinds)}")
+        fields = {"kind": "any", "arity": "natural", "start": "any", "coefficients": "any"}
+        parts = read_object(value, fields, "the mask")
+        require(2 <= parts["arity"] <= MAX_ARITY, f"the arity is not one of 2, …, {MAX_ARITY}")
+        symbol = read("polynomial", {key: parts[key] for key in ("start", "coefficients")}, "the mask")
+        require(bool(symbol.numerators), "the mask is zero")
+        self.masks.append(symbol)
+        return kinds[name], parts["arity"]
+
+    def check(self, value: object, kind: Kind, arity: int) -> Proved:
+        name = value.get("rule") if type(value) is dict else None
+        if type(name) is not str or name not in kind.rules:
+            raise Rejected(f"unknown rule {shown(name)}")
+        self.place += f" ({name})"
+        rule = kind.rules[name]
+        fields = {"rule": "any", "statement": "any", "witness": "any", "uses": "natural[]", "work": "work"}
+        parts = read_object(value, fields, "the claim")
+        statement = read_statement(parts["statement"], kind)
+        fixed = {"property": rule.property, **rule.fixed}
+        require(all(statement.get(key) == fixed[key] for key in fixed), "the rule does not prove such statements")
+        require(all(i < len(self.proved) for i in parts["uses"]), "it uses a claim that does not come before it")
+        self.work += parts["work"]
+        require(self.work <= MAX_WORK, f"the claims up to this one take more than {MAX_WORK} of work")
+        uses = [self.proved[i] for i in parts["uses"]]
+        claim = Claim(arity, self.masks, statement, parts["work"], uses, self.budget)
+        claim.witness = _read_witness(parts["witness"], rule.witnesses)
+        result = rule.check(claim)
+        claim.use_nothing_else()
+        return Proved(statement, result)
+
+
+def read_statement(value: object, kind: Kind) -> Statement:
+    """Read strictly, so that two statements are the same iff they are equal."""
+    name = value.get("property") if type(value) is dict else None
+    if type(name) is not str or name not in kind.properties:
+        raise Rejected(f"unknown property {shown(name)}")
+    return read_object(value, {"property": "any", **kind.properties[name]}, "the statement")
+
+
+def _read_witness(value: object, known: Sequence[Fields]) -> dict[str, Any]:
+    """By the known witness with the same keys, otherwise by the first one, which says what is wrong."""
+    keys = value.keys() if type(value) is dict else ()
+    return read_object(value, next((fields for fields in known if fields.keys() == keys), known[0]), "the witness")

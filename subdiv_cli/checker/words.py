@@ -1,0 +1,57 @@
+"""Verified statements as phrases for the line that the checker prints."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+
+def in_words(statement: Mapping[str, Any], p: int) -> str:
+    s = {key: _shown(value) for key, value in statement.items()}
+    holds = "" if statement.get("holds", True) else "not "
+    phrase = {
+        "residue-sums": "residue sums {sums}",
+        "sum-rules": "sum rules of order {order}",
+        "derived": "S_{nu} exists",
+        "generation": "generation degree {degree}",
+        "reproduction": "reproduction degree {degree}",
+        "norm": "‖((1/{p})S_{nu})^{level}‖ = {norm}",
+        "product": "the product of the word {word} has an eigenvalue of modulus >= {radius}",
+        "eigen-condition": "the eigen-condition for ν = {nu} is {holds}met",
+        "independent": "the translates of φ are {holds}linearly independent",
+        "stable": "φ is {holds}stable",
+        "reduction": "φ of mask {from} is as smooth as that of mask {to}",
+        "convergent": "S {converges}",
+        "smooth": "φ is C^{order}",
+        "not-smooth": "φ is not C^{order}",
+        "holder-lower": "α >= {exponent}",
+        "holder-upper": "α <= {exponent}",
+        "holder": "α = {exponent}",
+    }[statement["property"]]
+    phrase += " (mask {mask})" if statement.get("mask") else ""
+    converges = "diverges" if holds else "converges"
+    return phrase.format(**{**s, "p": p, "holds": holds, "converges": converges, "exponent": _exponent(statement, p)})
+
+
+def _exponent(s: Mapping[str, Any], p: int) -> str:
+    """-log_p(x)/L as a rational where x is a small power of p."""
+    x, length = s.get("norm", s.get("radius")), s.get("level", s.get("length"))
+    if not isinstance(x, Fraction) or x <= 0 or not length:
+        return ""
+    power, rest = 0, x if x > 1 else 1 / x
+    rest = rest if rest.numerator.bit_length() < 1000 else Fraction(0)
+    while rest > 1 and power < 64:
+        power, rest = power + 1, rest / p
+    if rest == 1:
+        return str(Fraction(-power if x > 1 else power, length))
+    return f"log_{p}({_shown(1 / x)})" + (f"/{length}" if length > 1 else "")
+
+
+def _shown(value: object) -> str:
+    """Short, whatever the size: Python refuses to write long integers."""
+    if isinstance(value, tuple):
+        return ", ".join(map(_shown, value[:8])) + (", …" if len(value) > 8 else "")
+    if isinstance(value, Fraction) and max(abs(value.numerator), value.denominator) >= 10**40:
+        return "a long fraction"
+    return str(value) if isinstance(value, (int, str, Fraction)) else ""

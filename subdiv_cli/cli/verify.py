@@ -1,0 +1,99 @@
+"""`subdiv verify`: certificates in, a line for each; the checker decides and nothing else of subdiv."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from subdiv_cli.cli.exits import ExitCode
+from subdiv_cli.cli.streams import emit
+
+if TYPE_CHECKING:
+    from subdiv_cli.schemes.scalar import ScalarScheme
+
+_EPILOG = """\b
+Examples:
+  subdiv check masks/ --certificate proofs/
+  subdiv verify proofs/
+  subdiv verify proofs/four_point.json --mask masks/scalar/four_point.toml
+
+\b
+Exit codes:
+  0    all certificates are VERIFIED
+  1    one is not, or it proves something about another mask
+  2    a file cannot be read, or usage
+
+The checker needs the standard library only and trusts nothing of the program that wrote a certificate:
+python -m subdiv_cli.checker CERT runs it alone."""
+
+
+@click.command("verify", epilog=_EPILOG, short_help="Check certificates independently.")
+@click.argument("certificates", nargs=-1, metavar="CERT | DIR ...", type=click.Path())
+@click.option("--mask", metavar="FILE", help="Check that the certificate is about the mask of this file.")
+@click.option("-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE", help="Set a parameter of --mask.")
+def command(certificates: tuple[str, ...], mask: str | None, parameters: tuple[str, ...]) -> ExitCode:
+    """Check certificates: each is VERIFIED, or a claim is named that fails.
+
+    A DIR is searched for *.json files.
+    """
+    if not certificates:
+        raise click.UsageError("nothing to verify: name a certificate, as in `subdiv verify four_point.json`")
+    scheme = None if mask is None else _scheme(mask, parameters)
+    names = [name for target in certificates for name in _files(target)]
+    codes = [_verify(name, mask, scheme, len(names) > 1) for name in names]
+    if not names:
+        emit("error: no *.json files there\n", sys.stderr)
+        return ExitCode.ERROR
+    return max(codes)
+
+
+def _files(target: str) -> Iterator[str]:
+    path = Path(target)
+    yield from (str(file) for file in sorted(path.rglob("*.json"))) if path.is_dir() else (target,)
+
+
+def _verify(name: str, mask: str | None, scheme: ScalarScheme | None, several: bool) -> ExitCode:
+    from subdiv_cli.checker import check_file
+
+    try:
+        outcome, text = check_file(name)
+    except OSError as error:
+        emit(f"error: {name} cannot be read: {error.strerror or error}\n", sys.stderr)
+        return ExitCode.ERROR
+    line, verified = outcome.line, outcome.verified
+    if verified and scheme is not None:
+        verified = _mask_of(text) == scheme
+        other = f"NOT VERIFIED mask: the certificate is about another mask than {mask}"
+        line = f"{line} (the mask of {mask}, as subdiv reads it)" if verified else other
+    emit((f"{name}: " if several else "") + line + "\n", sys.stdout)
+    return ExitCode.PASSED if verified else ExitCode.FAILED
+
+
+def _mask_of(text: str) -> ScalarScheme:
+    """The mask in the text of a verified certificate; zeros at its ends are left out as everywhere."""
+    import json
+    from fractions import Fraction
+
+    from subdiv_cli.schemes.scalar import ScalarScheme
+
+    mask = json.loads(text)["mask"]
+    coefficients = tuple(Fraction(c) for c in mask["coefficients"])
+    return ScalarScheme(arity=mask["arity"], start=mask["start"], coefficients=coefficients)
+
+
+def _scheme(file: str, parameters: Sequence[str]) -> ScalarScheme:
+    from subdiv_cli.maskfile import MaskFileError, read_path
+    from subdiv_cli.maskfile.option import parse_override
+    from subdiv_cli.report.problems import render
+
+    try:
+        return read_path(file).scheme(dict(parse_override(text) for text in parameters))
+    except MaskFileError as error:
+        from subdiv_cli.cli.streams import look_of
+
+        emit(render(error.problems, look_of(sys.stderr)) + "\n", sys.stderr)
+        raise click.exceptions.Exit(ExitCode.ERROR) from None

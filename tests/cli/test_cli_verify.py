@@ -1,0 +1,100 @@
+"""`subdiv verify` as a user runs it: certificates of real masks, forged ones, other masks, files that are none."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+SCALAR = ROOT / "masks" / "scalar"
+
+
+def subdiv(*arguments, cwd=None):
+    command = [sys.executable, "-m", "subdiv_cli", *map(str, arguments)]
+    return subprocess.run(command, cwd=cwd, capture_output=True, text=True, encoding="utf-8", check=False)
+
+
+@pytest.fixture(scope="module")
+def proofs(tmp_path_factory):
+    """Certificates of some shipped masks, as `check --certificate` writes them."""
+    directory = tmp_path_factory.mktemp("proofs")
+    masks = [SCALAR / name for name in ("four_point.toml", "bspline_degree_2.toml", "ternary_four_point.toml")]
+    run = subdiv("check", *masks, SCALAR / "counterexamples" / "chaikin_in_z3.toml", "--certificate", directory)
+    assert run.returncode == 0, run.stderr
+    return directory
+
+
+def test_a_directory_of_certificates(proofs):
+    run = subdiv("verify", proofs)
+    assert run.returncode == 0
+    lines = run.stdout.splitlines()
+    assert [Path(line.split(": ")[0]).stem for line in lines] == [
+        "bspline_degree_2",
+        "chaikin_in_z3",
+        "four_point",
+        "ternary_four_point",
+    ]
+    assert all(": VERIFIED " in line for line in lines)
+
+
+def test_one_certificate_has_no_prefix(proofs):
+    run = subdiv("verify", proofs / "four_point.json")
+    assert run.returncode == 0
+    assert run.stdout.startswith("VERIFIED ")
+    assert run.stdout.count("\n") == 1
+
+
+def test_the_mask_is_compared(proofs):
+    proof = proofs / "four_point.json"
+    same = subdiv("verify", proof, "--mask", SCALAR / "four_point.toml")
+    assert (same.returncode, same.stdout.startswith("VERIFIED ")) == (0, True)
+    other = subdiv("verify", proof, "--mask", SCALAR / "four_point.toml", "-p", "w=1/17")
+    assert other.returncode == 1
+    assert other.stdout.startswith("NOT VERIFIED mask: the certificate is about another mask")
+    assert subdiv("verify", proof, "--mask", proofs / "none.toml").returncode == 2
+
+
+def test_a_forged_number_is_found(proofs, tmp_path):
+    document = json.loads((proofs / "four_point.json").read_text(encoding="utf-8"))
+    (claim,) = (c for c in document["claims"] if c["rule"] == "norm" and c["statement"]["nu"] == 2)
+    claim["statement"]["norm"] = "1/2"
+    forged = tmp_path / "forged.json"
+    forged.write_text(json.dumps(document), encoding="utf-8")
+    run = subdiv("verify", proofs / "four_point.json", forged)
+    assert run.returncode == 1
+    good, bad = run.stdout.splitlines()
+    assert ": VERIFIED " in good
+    assert ": NOT VERIFIED " in bad
+
+
+def test_what_is_no_certificate(proofs, tmp_path):
+    missing = subdiv("verify", tmp_path / "none.json", proofs / "four_point.json")
+    assert missing.returncode == 2
+    assert "none.json cannot be read" in missing.stderr
+    assert "VERIFIED" in missing.stdout
+    (tmp_path / "empty.json").write_text("", encoding="utf-8")
+    (tmp_path / "latin.json").write_bytes(b"\xff\xfe")
+    broken = subdiv("verify", tmp_path)
+    assert broken.returncode == 1
+    assert broken.stdout.count("NOT VERIFIED document") == 2
+    assert subdiv("verify").returncode == 2
+    (tmp_path / "directory").mkdir()
+    assert subdiv("verify", tmp_path / "directory").returncode == 2
+
+
+def test_a_directory_that_cannot_be_made(tmp_path):
+    (tmp_path / "file").write_text("", encoding="utf-8")
+    run = subdiv("check", SCALAR / "four_point.toml", "--certificate", tmp_path / "file" / "proofs")
+    assert run.returncode == 2
+    assert "Traceback" not in run.stderr
+    assert "certificates cannot be written" in run.stderr
+
+
+def test_the_report_names_the_proof(tmp_path):
+    run = subdiv("check", SCALAR / "bspline_degree_2.toml", "--certificate", "proofs", cwd=tmp_path)
+    assert run.returncode == 0
+    assert run.stdout.endswith(
+        "proof: proofs/bspline_degree_2.json, to be checked by: subdiv verify proofs/bspline_degree_2.json\n"
+    )
