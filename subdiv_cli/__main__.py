@@ -14,6 +14,9 @@ def run() -> None:
     collector is told to look less often; and when all is written there is nothing to tear down.
     """
     gc.set_threshold(50_000)
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # closed by the shell, as in `subdiv … >&-`
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: PTH123, SIM115
     from subdiv_cli.cli import main
 
     code: object = 1

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +11,8 @@ import click
 
 from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.outputs import Output, OutputType
-from subdiv_cli.cli.streams import Progress, emit, look_of
+from subdiv_cli.cli.streams import Progress, UnwritableError, emit, look_of
+from subdiv_cli.cli.values import SecondsType, WholeType
 from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
 from subdiv_cli.report import FORMATS, renderer
 from subdiv_cli.report.look import UNWRAPPED, Look
@@ -28,6 +28,7 @@ Examples:
   subdiv check masks/ --format concise -o json:report.json
   subdiv check masks/ --certificate proofs/ && subdiv verify proofs/
   subdiv check --mask "[-1, 0, 9, 16, 9, 0, -1]/16" --start -3
+  subdiv check --mask "[-w, 0, 1/2+w, 1, 1/2+w, 0, -w]" -p w=1/16
   generate | subdiv check - --allow-undecided
 
 \b
@@ -43,13 +44,6 @@ Exit codes:
 The report is on stdout. Progress is on stderr, and so are the errors of invalid
 masks in the text format; concise and json have them in the report.
 """
-
-
-def _seconds(ctx: click.Context, param: click.Parameter, value: float | None) -> float | None:
-    """A positive, finite number of seconds."""
-    if value is not None and not (value > 0 and math.isfinite(value)):
-        raise click.BadParameter(f"{value} is not a positive number of seconds", ctx, param)
-    return value
 
 
 @click.command("check", epilog=_EPILOG)
@@ -82,11 +76,11 @@ def _seconds(ctx: click.Context, param: click.Parameter, value: float | None) ->
     type=OutputType(),
     multiple=True,
     metavar="[FORMAT:]FILE",
-    help="Write the report to FILE as well, whole or not at all; FORMAT is guessed from .json. Repeatable.",
+    help="Write the report to FILE as well, whole or not at all; FORMAT is --format, or json for .json. Repeatable.",
 )
 @click.option(
     "--effort",
-    type=click.IntRange(min=1),
+    type=WholeType(),
     default=DEFAULT_EFFORT,
     show_default=True,
     metavar="N",
@@ -94,8 +88,7 @@ def _seconds(ctx: click.Context, param: click.Parameter, value: float | None) ->
 )
 @click.option(
     "--budget",
-    type=float,
-    callback=_seconds,
+    type=SecondsType(),
     metavar="SECONDS",
     help="Give up on a mask after so long. Results then depend on the machine.",
 )
@@ -139,14 +132,14 @@ def command(
         told["on_skipped"] = _tell_skipped
     if certificates is not None:
         told["certificates"] = certificates
-    results, interrupted = _run(_targets(targets, mask, start, arity), overrides, told)
+    results, interrupted = _run(_targets(targets, mask, start, arity, overrides), overrides, told)
     verbosity = -1 if quiet else verbose
-    _print(results, form, verbosity, allow_undecided)
+    printed = _print(results, form, verbosity, allow_undecided)
     written = _write(results, outputs, form, Look(verbosity=verbosity, allow_undecided=allow_undecided))
     if interrupted:
         emit(f"interrupted: {len(results)} mask{'' if len(results) == 1 else 's'} checked until then\n", sys.stderr)
     code = exit_code((result.status for result in results), allow_undecided=allow_undecided, interrupted=interrupted)
-    return code if written or interrupted else ExitCode.ERROR
+    return code if (printed and written) or interrupted else ExitCode.ERROR
 
 
 def _usage(
@@ -188,16 +181,17 @@ def _overrides(parameters: Sequence[str]) -> dict[str, Fraction] | None:
 
 
 def _targets(
-    targets: Sequence[str], mask: str | None, start: int | None, arity: int | None
+    targets: Sequence[str], mask: str | None, start: int | None, arity: int | None, names: Collection[str]
 ) -> list[str | MaskFile] | Result:
-    """What to check; an invalid Result where --mask cannot be read."""
+    """What to check; an invalid Result where --mask cannot be read. `names` are those of -p, which a mask may use."""
     if mask is None:
         return list(targets)
     from subdiv_cli.maskfile import MaskFileError
     from subdiv_cli.maskfile.option import from_option
 
     try:
-        return [from_option(mask, start=0 if start is None else start, arity=2 if arity is None else arity)]
+        start, arity = 0 if start is None else start, 2 if arity is None else arity
+        return [from_option(mask, start=start, arity=arity, names=names)]
     except MaskFileError as error:
         return Result(file="--mask", status="invalid", problems=tuple(error.problems))
 
@@ -230,12 +224,17 @@ def _tell_skipped(count: int) -> None:
         emit(f"skipped {count} TOML file{'' if count == 1 else 's'} without kind, mask or matrices\n", sys.stderr)
 
 
-def _print(results: Sequence[Result], form: str, verbosity: int, allow_undecided: bool) -> None:
-    """The report on stdout; in the text format the errors of invalid masks come first, on stderr."""
+def _print(results: Sequence[Result], form: str, verbosity: int, allow_undecided: bool) -> bool:
+    """The report on stdout, and whether that could be written; the text format has the errors on stderr, and first."""
     if form == "text":
         _complain(problem for result in results for problem in result.problems)
     look = look_of(sys.stdout, verbosity=verbosity, allow_undecided=allow_undecided, problems=False)
-    emit(renderer(form)(results, look), sys.stdout, encoding="utf-8" if form == "json" else None)
+    try:
+        emit(renderer(form)(results, look), sys.stdout, encoding="utf-8" if form == "json" else None)
+    except UnwritableError as error:
+        error.show()
+        return False
+    return True
 
 
 def _complain(problems: Iterable[Problem]) -> None:

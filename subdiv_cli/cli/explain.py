@@ -16,10 +16,10 @@ def command(code: str | None) -> None:
 
     CODE is as in a report, SD201, or its name, convergence. Without CODE the codes are listed.
     """
-    from subdiv_cli.explain import UnknownCodeError, codes, page, title
+    from subdiv_cli.explain import UnknownCodeError, page
 
     if code is None:
-        _print("".join(f"{known}  {title(known)}\n" for known in codes()))
+        _print(_list())
         return
     try:
         text = page(code)
@@ -29,6 +29,28 @@ def command(code: str | None) -> None:
         _print(_rendered(text))
     else:
         _print(text)
+
+
+def _list() -> str:
+    """A line for each code: its name and the beginning of its page."""
+    from subdiv_cli.explain import codes, page, title
+    from subdiv_cli.report.layout import wrap
+    from subdiv_cli.report.letters import letters, width
+
+    unicode = speaks_mathematics(sys.stdout)
+    dots = " …" if unicode else " ..."
+    known = {code: title(code) for code in codes()}
+    longest = max(map(width, known.values()), default=0)
+    lines = []
+    for code, name in known.items():
+        lead = f"{code}  {name}{' ' * (longest - width(name))}  "
+        _, _, text = page(code).partition("\n\n")
+        summary = letters(" ".join(text.partition("\n\n")[0].split()), unicode)
+        room = max(columns(sys.stdout) - width(lead), 20)
+        if width(summary) > room:
+            summary = wrap(summary, room - len(dots))[0].rstrip(" ,;:") + dots
+        lines.append(f"{lead}{summary}".rstrip() + "\n")
+    return "".join(lines)
 
 
 def _print(text: str) -> None:

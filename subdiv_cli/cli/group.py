@@ -5,8 +5,10 @@ It also sees to it that an exit code means what `exits` says: click's own is 1 f
 
 from __future__ import annotations
 
+import errno
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from importlib import import_module
 from io import TextIOWrapper
 from typing import Any, NoReturn
@@ -43,11 +45,7 @@ class LazyGroup(click.Group):
         """As click does it, with near names for an unknown command (click looks only at commands it has imported)."""
         name = args[0]
         if name not in COMMANDS and not name.startswith("-") and not ctx.resilient_parsing:
-            from difflib import get_close_matches
-
-            near = get_close_matches(name, COMMANDS, n=1, cutoff=0.5)
-            hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(COMMANDS)}."
-            ctx.fail(f"no command {name!r}: {hint}")
+            ctx.fail(_no_command(name))
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
@@ -67,14 +65,42 @@ class LazyGroup(click.Group):
         except click.Abort:
             code = ExitCode.INTERRUPTED
         except click.ClickException as error:
-            error.show()
+            with suppress(OSError):  # stderr may be full too
+                error.show()
             code = ExitCode.ERROR
         except BrokenPipeError:
             code = ExitCode.PASSED
         except Exception as error:
-            _report(error, debug="--debug" in args)
+            if not _unwritten(error):
+                _report(error, debug="--debug" in args)
             code = ExitCode.ERROR
         sys.exit(int(code) if isinstance(code, int) else ExitCode.PASSED)
+
+
+def _no_command(name: str) -> str:
+    """What to say of a word that is no command: a file was forgotten a command for, or the command is misspelt."""
+    from pathlib import Path
+
+    if name.endswith(".toml") or Path(name).exists():
+        from shlex import quote
+
+        return f"no command {name!r}: did you mean `subdiv check {quote(name)}`?"
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, COMMANDS, n=1, cutoff=0.5)
+    hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(COMMANDS)}."
+    return f"no command {name!r}: {hint}"
+
+
+def _unwritten(error: Exception) -> bool:
+    """Whether stdout was full while click wrote to it, `--help` for instance; that is then said."""
+    if not isinstance(error, OSError) or error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+        return False
+    from subdiv_cli.cli.streams import UnwritableError, abandon
+
+    abandon(sys.stdout)
+    UnwritableError(error).show()
+    return True
 
 
 def _report(error: Exception, *, debug: bool) -> None:

@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import PurePath
 from typing import NamedTuple
 
 import click
 
 from subdiv_cli.report import FORMATS, SUFFIXES
+
+_FOREIGN = {
+    ".yaml", ".yml", ".toml", ".xml", ".html", ".htm", ".md", ".markdown", ".rst", ".tex", ".csv", ".tsv", ".jsonl",
+    ".ndjson", ".sarif", ".pdf", ".png", ".svg",
+}  # fmt: skip
+"""Suffixes that promise a format; a report in another one under such a name would be a surprise."""
+_PREFIX = re.compile(r"([A-Za-z][\w.+-]+):", re.ASCII)
+"""A word before a colon is meant as a format; a single letter is a drive."""
 
 
 class Output(NamedTuple):
@@ -14,10 +24,6 @@ class Output(NamedTuple):
 
     file: str
     format: str | None = None
-
-
-def _by_suffix(file: str) -> str | None:
-    return next((form for suffix, form in SUFFIXES.items() if file.lower().endswith(suffix)), None)
 
 
 class OutputType(click.ParamType[Output]):
@@ -29,11 +35,13 @@ class OutputType(click.ParamType[Output]):
         """Parse; fail where the file cannot be written, before any work is done."""
         if isinstance(value, Output):
             return value
-        before, colon, after = value.partition(":")
-        if colon and before in FORMATS:
-            output = Output(file=after, format=before)
+        prefix = _PREFIX.match(value)
+        if prefix is None:
+            output = Output(file=value, format=self._by_suffix(value, param, ctx))
+        elif prefix[1] in FORMATS:
+            output = Output(file=value[prefix.end() :], format=prefix[1])
         else:
-            output = Output(file=value, format=_by_suffix(value))
+            self.fail(f"no format {prefix[1]!r}; there are {_formats()}. A file of that name is ./{value}", param, ctx)
         if output.file in ("", "-"):
             self.fail(f"{value!r} names no file; what goes to stdout is chosen with --format", param, ctx)
         from subdiv_cli.cli.streams import why_not
@@ -41,3 +49,13 @@ class OutputType(click.ParamType[Output]):
         if (reason := why_not(output.file)) is not None:
             self.fail(f"{output.file!r} cannot be written: {reason}", param, ctx)
         return output
+
+    def _by_suffix(self, file: str, param: click.Parameter | None, ctx: click.Context | None) -> str | None:
+        suffix = PurePath(file).suffix.lower()
+        if suffix in _FOREIGN and suffix not in SUFFIXES:
+            self.fail(f"no format {suffix}; there are {_formats()}. Say which, as in -o text:{file}", param, ctx)
+        return SUFFIXES.get(suffix)
+
+
+def _formats() -> str:
+    return ", ".join(FORMATS)

@@ -5,13 +5,26 @@ from __future__ import annotations
 import os
 import sys
 from contextlib import suppress
-from typing import TextIO
+from typing import IO, TextIO
+
+import click
 
 from subdiv_cli.report.look import Look
 
 _NEEDED = "φαρνεΣ½‖∞≥≤−²·—…ö✓✗─"
 WIDEST = 120
 """A report is not wider than this on a terminal, however wide that is."""
+
+
+class UnwritableError(click.ClickException):
+    """The result could not be written to stdout: the disk is full, the device is gone."""
+
+    def __init__(self, error: OSError) -> None:
+        super().__init__(f"the report cannot be written: {error.strerror or error}")
+
+    def show(self, file: IO[str] | None = None) -> None:
+        """One line on stderr."""
+        emit(f"error: {self.message}\n", sys.stderr)
 
 
 def look_of(stream: TextIO, **settings: int | bool) -> Look:
@@ -51,7 +64,10 @@ def has_colour(stream: TextIO) -> bool:
 
 
 def emit(text: str, stream: TextIO, *, encoding: str | None = None) -> None:
-    """Write all of it; a letter that cannot be encoded as its escape. A reader that went away is no error."""
+    """Write all of it; a letter that cannot be encoded as its escape. A reader that went away is no error.
+
+    Raises UnwritableError where a result cannot be written; what stderr does not take is lost, there is nowhere else.
+    """
     raw = text.encode(encoding or stream.encoding or "utf-8", "backslashreplace")
     try:
         stream.flush()
@@ -62,10 +78,14 @@ def emit(text: str, stream: TextIO, *, encoding: str | None = None) -> None:
             buffer.write(raw)
         stream.flush()
     except BrokenPipeError:
-        _abandon(stream)
+        abandon(stream)
+    except OSError as error:
+        abandon(stream)
+        if stream is not sys.stderr:
+            raise UnwritableError(error) from None
 
 
-def _abandon(stream: TextIO) -> None:
+def abandon(stream: TextIO) -> None:
     """Point a stream nobody reads at nothing, so that its last flush is quiet too."""
     with suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

@@ -51,13 +51,19 @@ def _decimal_exponent(x: Fraction) -> int:
 
 
 def rounded_down(x: float, digits: int = 6) -> str:
-    """A decimal that is not above x."""
-    return _decimal(Fraction(Fraction(x) * 10**digits // 1, 10**digits), digits)
+    """A decimal that is not above x, and above every integer that x is above."""
+    below = Fraction(Fraction(x) * 10**digits // 1, 10**digits)
+    return (
+        rounded_down(x, 2 * digits) if below.denominator == 1 and below < x and digits < 50 else _decimal(below, digits)
+    )
 
 
 def rounded_up(x: float, digits: int = 6) -> str:
-    """A decimal that is not below x."""
-    return _decimal(Fraction(-(-Fraction(x) * 10**digits // 1), 10**digits), digits)
+    """A decimal that is not below x, and below every integer that x is below."""
+    above = Fraction(-(-Fraction(x) * 10**digits // 1), 10**digits)
+    return (
+        rounded_up(x, 2 * digits) if above.denominator == 1 and above > x and digits < 50 else _decimal(above, digits)
+    )
 
 
 def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
@@ -125,10 +131,10 @@ def _decimal(x: Fraction, places: int) -> str:
 
 
 def eigenvalue(x: AlgebraicNumber) -> str:
-    """For a list of eigenvalues: `1/2`, `0.8535533905…`, or `|0.7071067811…|`, the modulus of a complex one."""
+    """For a list of eigenvalues: `1/2`, `0.8535533905…`, or `a pair of modulus 0.7071067811…` for conjugate ones."""
     if (exact := x.rational) is not None:
         return number(exact)
-    return certain(lambda: x.enclosure().real) if x.is_real else f"|{modulus(x)}|"
+    return certain(lambda: x.enclosure().real) if x.is_real else f"a pair of modulus {modulus(x)}"
 
 
 def modulus(x: AlgebraicNumber) -> str:

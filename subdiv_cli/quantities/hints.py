@@ -8,17 +8,34 @@ from fractions import Fraction
 from subdiv_cli.quantities.facts import interpolation_shift
 from subdiv_cli.schemes.scalar import ScalarScheme
 
+_ROUNDED = Fraction(1, 2)
+"""Of the last decimal: a rounded fraction is off by no more."""
 _NEAR = Fraction(1, 1000)
 """Residue sums off by less than this come from cut decimals or from a root of the arity."""
 
 
 def hints(scheme: ScalarScheme) -> tuple[str, ...]:
     """One sentence each; none for a mask in which nothing looks like a slip."""
-    return (*_normalisation(scheme), *_cut_decimals(scheme), *_shifted_interpolation(scheme))
+    return (
+        *_arity(scheme),
+        *_normalisation(scheme),
+        *_cut_decimals(scheme),
+        *_shifted_interpolation(scheme),
+    )
 
 
 def _sums(scheme: ScalarScheme, coefficients: tuple[Fraction, ...]) -> list[Fraction]:
     return [sum(coefficients[r :: scheme.arity], Fraction(0)) for r in range(scheme.arity)]
+
+
+def _arity(scheme: ScalarScheme) -> Iterator[str]:
+    """A ternary mask without `arity = 3`: its classes mod 3 sum to 1."""
+    if _sums(scheme, scheme.coefficients) == [1] * scheme.arity:
+        return
+    for p in range(2, 7):
+        if p != scheme.arity and all(sum(scheme.coefficients[r::p], Fraction(0)) == 1 for r in range(p)):
+            yield f"arity = {p} under [mask]? The residue classes mod {p} sum to 1, those mod {scheme.arity} do not."
+            return
 
 
 def _normalisation(scheme: ScalarScheme) -> Iterator[str]:
@@ -49,20 +66,26 @@ def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
 
 
 def _cut_decimals_with_right_sums(scheme: ScalarScheme) -> Iterator[str]:
-    """0.333333 and 0.666667 make up 1, yet are hardly meant; a decimal of four places or more is taken for one."""
+    """0.333333 and 0.666667 make up 1, yet are hardly meant: decimals of four places or more, or three if rounded."""
     for c in scheme.coefficients:
-        simple = c.limit_denominator(12)
-        if c != simple and c.denominator >= 5000 and c.denominator % 5 == 0 and abs(c - simple) * c.denominator < 1:
+        places, simple = _places(c), c.limit_denominator(12)
+        if places is None or places < 3 or c == simple:
+            continue
+        off = abs(c - simple) * 10**places
+        if off < 1 and (places > 3 or off <= _ROUNDED):
             yield f'cut decimals? {_decimal(c)} is close to "{simple}"; every number is taken as it is written.'
             return
 
 
+def _places(x: Fraction) -> int | None:
+    """How many decimals spell x; None where no seventeen do."""
+    return next((places for places in range(18) if 10**places % x.denominator == 0), None)
+
+
 def _decimal(x: Fraction) -> str:
     """A decimal that spells x, or x itself."""
-    for places in range(1, 18):
-        if 10**places % x.denominator == 0:
-            return f"{float(x):.{places}f}"
-    return str(x)
+    places = _places(x)
+    return str(x) if places is None else f"{float(x):.{places}f}"
 
 
 def _shifted_interpolation(scheme: ScalarScheme) -> Iterator[str]:

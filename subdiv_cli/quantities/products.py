@@ -124,7 +124,7 @@ def _better(a: tuple[float, Product], b: tuple[float, Product]) -> bool:
 
 
 def lyndon_words(letters: int) -> Iterator[tuple[int, ...]]:
-    """The primitive words over 0, …, letters-1, the least of each rotation class, by length; endless for letters > 1."""
+    """The primitive words over 0, …, letters-1, the least of each rotation class, by length."""
     length = 1
     while letters > 1 or length == 1:
         yield from _lyndon_words_of_length(letters, length)

@@ -23,10 +23,12 @@ from subdiv_cli.schemes.scalar import ScalarScheme
 class ScalarNumbers:
     """The numbers of one scheme under one effort."""
 
-    def __init__(self, scheme: ScalarScheme, effort: Effort) -> None:
+    def __init__(self, scheme: ScalarScheme, effort: Effort, name: str = "S") -> None:
         self.scheme = scheme
         self.effort = effort
         self.p = scheme.arity
+        self.name = name
+        """S, or S0 for a reduced scheme: what findings call it."""
 
     @cached_property
     def symbol(self) -> Laurent:
@@ -57,7 +59,7 @@ class ScalarNumbers:
             return self
         symbol = self.reduction[-1].symbol
         scheme = ScalarScheme(arity=self.p, start=symbol.low, coefficients=symbol.coefficients())
-        return ScalarNumbers(scheme, self.effort)
+        return ScalarNumbers(scheme, self.effort, "S0")
 
     @property
     def order(self) -> int:

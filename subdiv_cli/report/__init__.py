@@ -1,9 +1,9 @@
 """One file per output format: results in, a string out.
 
 `json` is a contract and `concise` is for grep; `text` is for people: `words` says it, `numbers` prints only certain
-digits, `letters` finds ASCII for the mathematics where it must, `layout` puts it into columns. `problems` shows what is
-wrong with a file. `look` is all that a format knows of the place it is printed to. A format's module is imported when
-it is asked for.
+digits, `letters` finds ASCII for the mathematics where it must, `layout` puts it into columns, `page` gathers the lines
+and `findings` leaves out what says the same again. `problems` shows what is wrong with a file. `look` is all that a
+format knows of the place it is printed to. A format's module is imported when it is asked for.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ FORMATS = {
 }
 """Format -> the module whose `render` makes it."""
 
-SUFFIXES = {".json": "json", ".txt": "text"}
-"""File suffix -> the format it stands for."""
+SUFFIXES = {".json": "json"}
+"""File suffix -> the format it stands for; .txt and .log stand for none, as two of the formats are text."""
 
 
 def renderer(name: str) -> Render:

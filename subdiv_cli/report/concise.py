@@ -1,37 +1,66 @@
-"""A line per finding, to grep in: `file: SD201 convergence proved: statement`, `file:3:19: error[SD003] message`."""
+"""A line per finding, to grep in: `file: SD201 convergence proved: statement`, `file:3:19: error[SD003] message`.
+
+After the findings the expectations: `file: expected smoothness = 3: refuted, found C^2, not C^3`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
-from subdiv_cli.model import Finding, Problem, Result, Verdict
+from subdiv_cli.model import Finding, Judgement, Problem, Result, Verdict
+from subdiv_cli.report import words
 from subdiv_cli.report.letters import letters
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.words import asked, finding, footer
 
 
 def render(results: Sequence[Result], look: Look) -> str:
-    """The lines of all results; nothing is wrapped. Below verbosity 0 only those that did not pass."""
+    """The lines of all results; nothing is wrapped. Below verbosity 0 only what did not pass, and no findings."""
     lines: list[str] = []
     for result in results:
-        if look.verbosity >= 0 or result.status != "passed":
+        allowed = look.allow_undecided and result.status == "undecided"
+        if look.verbosity >= 0:
             lines += _lines(result)
+        elif result.status != "passed" and not allowed:
+            lines += _missed(result)
     if look.verbosity >= 0 and len(results) != 1:
-        lines.append(footer(results, allow_undecided=look.allow_undecided))
+        lines.append(words.footer(results, allow_undecided=look.allow_undecided))
     return "".join(letters(line, look.unicode) + "\n" for line in lines)
 
 
 def _lines(result: Result) -> Iterator[str]:
-    for problem in result.problems:
-        yield problem_line(problem, result.file)
+    yield from _problems(result)
     for found in result.findings:
         yield f"{result.file}: {_finding(found)}"
-    for judged in result.expectations:
-        yield f"{result.file}: expected {asked(judged.expectation)} {judged.verdict.value}"
+    yield from _judged(result, result.expectations)
+    yield from _notes(result)
+    if not result.problems and words.finding(result, "SD201") is None and not result.expectations:
+        yield f"{result.file}: {result.status}"
+
+
+def _missed(result: Result) -> Iterator[str]:
+    """Why a mask did not pass."""
+    yield from _problems(result)
+    yield from _judged(result, (judged for judged in result.expectations if judged.verdict is not Verdict.PROVED))
+    if not result.problems and not result.expectations:
+        yield f"{result.file}: {words.verdict_sentence(result)}"
+    yield from _notes(result)
+
+
+def _problems(result: Result) -> Iterator[str]:
+    for problem in result.problems:
+        yield problem_line(problem, result.file)
+
+
+def _judged(result: Result, judgements: Iterable[Judgement]) -> Iterator[str]:
+    for judged in judgements:
+        yield f"{result.file}: {words.judged(result, judged, judged.verdict.value)}"
+
+
+def _notes(result: Result) -> Iterator[str]:
     if result.stopped:
         yield f"{result.file}: stopped by the {result.stopped}"
-    if not result.problems and finding(result, "SD201") is None and not result.expectations:
-        yield f"{result.file}: {result.status}"
+    for hint in result.hints:
+        yield f"{result.file}: hint: {hint}"
 
 
 def _finding(found: Finding) -> str:

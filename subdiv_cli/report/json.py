@@ -11,7 +11,7 @@ import subdiv_cli
 from subdiv_cli.model import Data, Exponent, Finding, Interval, Judgement, Problem, Result
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import exact, finite
-from subdiv_cli.report.words import summary
+from subdiv_cli.report.words import found, summary
 
 _LONG = 10**4000
 """Integers from here on are written as strings: Python does not print them as numbers."""
@@ -54,7 +54,7 @@ def _result(result: Result) -> dict[str, Any]:
         "linearly_independent": {"verdict": result.linearly_independent.value},
         "generation": result.generation,
         "reproduction": result.reproduction,
-        "expectations": [_expectation(judged) for judged in result.expectations],
+        "expectations": [_expectation(result, judged) for judged in result.expectations],
         "findings": [_finding(finding) for finding in result.findings],
         "certificate": result.certificate,
         "reference": result.reference,
@@ -85,9 +85,14 @@ def _exponent(exponent: Exponent | None, *, attained: bool) -> dict[str, Any] | 
     return {**shown, "attained": exponent.attained} if attained else shown
 
 
-def _expectation(judged: Judgement) -> dict[str, Any]:
+def _expectation(result: Result, judged: Judgement) -> dict[str, Any]:
     expectation = judged.expectation
-    return {"key": expectation.key, "expected": expectation.text, "verdict": judged.verdict.value}
+    return {
+        "key": expectation.key,
+        "expected": expectation.text,
+        "verdict": judged.verdict.value,
+        "found": found(result, expectation),
+    }
 
 
 def _finding(finding: Finding) -> dict[str, Any]:

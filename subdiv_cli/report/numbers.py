@@ -36,6 +36,16 @@ def decimal(value: Fraction, places: int, *, up: bool) -> str:
     return sign + (f"{text[:-places]}.{text[-places:]}" if places else text)
 
 
+def bound(value: Fraction, places: int, *, up: bool) -> str:
+    """A bound as a decimal, rounded outward but never onto an integer, for which it may need more places.
+
+    Integers are thresholds: α ≤ 1.9999 rules out C^2, and α ≤ 2 does not.
+    """
+    while value.denominator > 1 and (math.ceil if up else math.floor)(value * 10**places) % 10**places == 0:
+        places += 1
+    return _strip(decimal(value, places, up=up))
+
+
 def digits(lower: float, upper: float) -> str:
     """What is certain of a number in [lower, upper].
 
@@ -51,20 +61,20 @@ def digits(lower: float, upper: float) -> str:
     for places in (wanted, wanted - 1, wanted - 2):
         if places > 0 and low * high > 0:
             cut = decimal(low, places, up=low < 0)
-            if cut == decimal(high, places, up=low < 0) and float(cut) != 0:
+            same = cut == decimal(high, places, up=low < 0)
+            if same and (not _is_whole(cut) or Fraction(cut) == (high if low < 0 else low)):
                 return cut + "…"
-    first, last = decimal(low, wanted, up=False), decimal(high, wanted, up=True)
-    return f"{_strip(first)} .. {_strip(last)}"
+    return f"{bound(low, wanted, up=False)} .. {bound(high, wanted, up=True)}"
 
 
 def at_least(lower: float, places: int = 6) -> str:
     """`≥ 1.833915`: rounded down."""
-    return f"≥ {_strip(decimal(Fraction(lower), places, up=False))}"
+    return f"≥ {bound(Fraction(lower), places, up=False)}"
 
 
 def at_most(upper: float, places: int = 6) -> str:
     """`≤ 2.000001`: rounded up."""
-    return f"≤ {_strip(decimal(Fraction(upper), places, up=True))}"
+    return f"≤ {bound(Fraction(upper), places, up=True)}"
 
 
 def enclosed(lower: float | None, upper: float | None, closed: str | None = None) -> str | None:
@@ -112,6 +122,10 @@ def worth(lower: float, upper: float) -> int:
     while places < PLACES and spread * 10**places < 100:
         places += 1
     return places
+
+
+def _is_whole(text: str) -> bool:
+    return not text.partition(".")[2].strip("0")
 
 
 def _strip(text: str) -> str:

@@ -8,15 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from subdiv_cli.model import Exponent, Finding, Judgement, Result, Verdict
-from subdiv_cli.report import words
-from subdiv_cli.report.layout import Cell, Line, joined, paint, paragraph, stacked, table
-from subdiv_cli.report.letters import letters
+from subdiv_cli.report import findings, words
+from subdiv_cli.report.layout import Cell, joined, paint
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import at_least, at_most, data, exact, finite, interval, worth
+from subdiv_cli.report.numbers import at_least, at_most, exact, finite, interval, worth
+from subdiv_cli.report.page import INDENT, Page
 
-INDENT = 2
-NARROW = 60
-"""Below so many columns findings are indented less."""
 TITLES = ("property", "verdict", "value", "proof")
 
 
@@ -33,29 +30,8 @@ def render(results: Sequence[Result], look: Look) -> str:
     return paint(page.lines, colour=look.colour)
 
 
-class _Page:
-    """Lines gathered so far; every text goes through `say`, which knows what the console can print."""
-
-    def __init__(self, look: Look) -> None:
-        self.look = look
-        self.lines: list[Line] = []
-
-    def say(self, text: str) -> str:
-        return letters(text, self.look.unicode)
-
-    def cell(self, text: str | None, role: str = "text") -> Cell:
-        return self.say(text or ""), role
-
-    def put(self, text: str, role: str = "text", *, indent: int = 0, hanging: int = 0) -> None:
-        self.lines += paragraph(self.say(text), self.look.width, role=role, indent=indent, hanging=hanging)
-
-    def blank(self) -> None:
-        if self.lines and self.lines[-1]:
-            self.lines.append([])
-
-    def table(self, header: Sequence[str], rows: Sequence[Sequence[Cell]]) -> None:
-        header = [self.say(title) for title in header]
-        self.lines += table(header, rows, self.look.width, rule=self.say("─"), indent=INDENT)
+class _Page(Page):
+    """The parts of the report, put onto a page."""
 
     # several masks
 
@@ -65,6 +41,7 @@ class _Page:
         failing = [r for r in failing if not (self.look.allow_undecided and r.status == "undecided")]
         for result in failing:
             self.headline(result)
+            self.notes(result)
             self.problems(result)
             for judged in result.expectations:
                 if judged.verdict is not Verdict.PROVED:
@@ -74,11 +51,8 @@ class _Page:
 
     def missed(self, result: Result, judged: Judgement) -> None:
         """An expectation that was not proved, in a line."""
-        found = words.found(result, judged.expectation)
-        text = f"expected {words.asked(judged.expectation)}: {words.mark(judged.verdict)}"
-        self.put(
-            f"{text}, found {found}" if found else text, words.ROLES[judged.verdict], indent=INDENT, hanging=INDENT
-        )
+        text = words.judged(result, judged, words.mark(judged.verdict))
+        self.put(text, words.ROLES[judged.verdict], indent=INDENT, hanging=INDENT)
 
     def overview(self, results: Sequence[Result]) -> None:
         """A line each, then in full those that did not pass (or all, when asked), then the counts."""
@@ -119,11 +93,12 @@ class _Page:
         if result.status == "invalid":
             return
         rows = [row for row in self.properties(result) if row]
+        _once(rows)
         if rows:
             self.blank()
             self.table(TITLES, rows)
         self.expectations(result)
-        self.findings(result)
+        findings.show(self, result.findings)
 
     def headline(self, result: Result) -> None:
         sign, role = words.STATUS_MARKS[result.status], words.STATUS_ROLES[result.status]
@@ -140,6 +115,10 @@ class _Page:
         separator = " · " if self.look.unicode else "; "
         for row in (items, words.facts(result)):
             self.lines += joined([self.say(i) for i in row], separator, self.look.width, indent=INDENT, role="quiet")
+        self.notes(result)
+
+    def notes(self, result: Result) -> None:
+        """What a reader of the verdict must know besides: the run was stopped, the mask may be meant otherwise."""
         if result.stopped:
             self.put(f"stopped by the {result.stopped}: another run may find more or less", "open", indent=INDENT)
         for hint in result.hints:
@@ -171,7 +150,7 @@ class _Page:
 
     def smoothness(self, result: Result) -> list[Cell] | None:
         """The row of the order of smoothness: proved by one finding, and found sharp by another."""
-        row = self.property(result, "smoothness", None, words.smoothness(result), "SD302")
+        row = self.property(result, "smoothness", None, words.smoothness_or_that_of_phi(result), "SD302")
         sharp = words.finding(result, "SD303")
         return self.proved_too(row, sharp if sharp and sharp.verdict is Verdict.REFUTED else None)
 
@@ -184,7 +163,7 @@ class _Page:
             return [self.proved_too(row, words.finding(result, "SD312"))]
         places = worth(lower, upper) if lower is not None and upper is not None else 6
         below = None if lower is None else at_least(lower, places)
-        above = None if upper is None else at_most(upper, places)
+        above = None if upper is None else words.labelled(at_most(upper, places), exponent)
         return [
             self.property(result, "Hölder, lower", None, below, "SD311"),
             self.property(result, "Hölder, upper", None, above, "SD312"),
@@ -193,7 +172,7 @@ class _Page:
     def proved_too(self, row: list[Cell] | None, also: Finding | None) -> list[Cell] | None:
         """The row with a second finding among its proofs."""
         if row and also:
-            row[3] = self.cell("; ".join(filter(None, (row[3][0], _proof(also)))), "quiet")
+            row[3] = self.cell(", ".join(filter(None, (row[3][0], _proof(also)))), "quiet")
         return row
 
     def property(
@@ -216,36 +195,12 @@ class _Page:
         rows = []
         for judged in result.expectations:
             verdict = judged.verdict
-            found = None if verdict is Verdict.PROVED else words.found(result, judged.expectation)
+            found = words.found_instead(result, judged)
             shown = self.cell(words.mark(verdict), words.ROLES[verdict])
             rows.append([self.cell(words.asked(judged.expectation)), shown, self.cell(found)])
         self.blank()
         header = ("expected", "verdict", "found" if any(row[2][0] for row in rows) else "")
         self.table(header if header[2] else header[:2], [row if header[2] else row[:2] for row in rows])
-
-    def findings(self, result: Result) -> None:
-        for found in result.findings:
-            self.blank()
-            self.finding(found)
-
-    def finding(self, found: Finding) -> None:
-        indent = INDENT + (2 if self.look.width < NARROW else 13)
-        verdict = self.say(words.mark(found.verdict)).ljust(indent - INDENT)
-        title = f"{found.code} {self.say(found.name)}"
-        role = words.ROLES[found.verdict]
-        if self.look.width >= NARROW:
-            self.lines.append([(" " * INDENT, ""), (verdict, role), (title, "code")])
-        else:
-            self.lines += stacked([[(verdict, role), (title, "code")]], self.look.width - INDENT, INDENT)
-        self.put(found.statement, indent=indent, hanging=2)
-        if (shown := _unsaid(found)) is not None:
-            self.put(f"value: {shown}", indent=indent, hanging=2)
-        if found.reason:
-            self.put(f"because {found.reason}", indent=indent, hanging=2)
-        if self.look.verbosity > 1:
-            for key, value in found.witness.items():
-                self.put(f"{key}: {data(value)}", indent=indent, hanging=2)
-        self.put(found.source, "quiet", indent=indent, hanging=2)
 
     def closing(self, result: Result, *, indent: int = 0) -> None:
         """Why the exit code is what it is."""
@@ -256,22 +211,22 @@ class _Page:
         self.blank()
         self.put(f"{words.STATUS_MARKS[result.status]} {sentence}", role, indent=indent, hanging=2)
         if result.certificate is not None:
-            self.put(
-                f"proof: {result.certificate}, to be checked by: subdiv verify {result.certificate}", indent=indent
-            )
+            self.unbroken(f"proof: {result.certificate}", indent=indent)
 
 
 def _degree(noun: str, number: int | None) -> str | None:
     return None if number is None else f"{noun} {number}"
 
 
-def _unsaid(found: Finding) -> str | None:
-    """The value of a finding whose statement does not have it already."""
-    if found.value is None or (found.value.exact is not None and found.value.exact in found.statement):
-        return None
-    shown = interval(found.value)
-    return None if shown is None or shown.lstrip("≥≤ ").rstrip("…") in found.statement else shown
+def _once(rows: list[list[Cell]]) -> None:
+    """A reason why properties were skipped is said in the first of their rows only."""
+    told: set[str] = set()
+    for row in rows:
+        reason = row[2]
+        if row[1][1] == words.ROLES[Verdict.SKIPPED]:
+            row[2] = ("", reason[1]) if reason[0] in told else reason
+            told.add(reason[0])
 
 
 def _proof(found: Finding | None) -> str:
-    return "" if found is None else f"{found.code} {found.source}"
+    return "" if found is None else found.code

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from subdiv_cli.model import Data, Expectation, Finding, Result, Smoothness, Verdict
+from subdiv_cli.model import Data, Expectation, Exponent, Finding, Judgement, Result, Smoothness, Verdict
 from subdiv_cli.report.numbers import data, exact, interval
 
 MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
@@ -34,10 +34,7 @@ def finding(result: Result, *codes: str) -> Finding | None:
 
 def convergence(result: Result) -> str:
     """One word or two: whether the scheme converges."""
-    if result.convergent is Verdict.REFUTED:
-        sums = finding(result, "SD101")
-        return "not convergent" if sums and sums.verdict is Verdict.REFUTED else "diverges"
-    words = {Verdict.PROVED: "converges", Verdict.UNDECIDED: "undecided"}
+    words = {Verdict.PROVED: "converges", Verdict.REFUTED: "not convergent", Verdict.UNDECIDED: "undecided"}
     return words.get(result.convergent, "not asked")
 
 
@@ -89,11 +86,17 @@ def _fact(key: str, value: Data) -> str | None:
 
 
 def holder(result: Result) -> str | None:
-    """What is known of the Hölder exponent of φ; not positive, it speaks of a distribution and says so."""
+    """What is known of the Hölder exponent of φ, and what it means where it is not positive."""
     shown = None if result.holder is None else interval(result.holder)
-    if shown is None or result.holder is None or result.holder.upper is None or result.holder.upper > 0:
+    return shown if shown is None or result.holder is None else labelled(shown, result.holder)
+
+
+def labelled(shown: str, exponent: Exponent) -> str:
+    """The exponent as shown; not positive, it says what φ then is: a continuous φ has a positive one."""
+    upper = 0.0 if exponent.exact == 0 else exponent.upper
+    if upper is None or upper > 0:
         return shown
-    return f"{shown}, distributional"
+    return f"{shown}, distributional" if upper < 0 else f"{shown} (φ is not continuous)"
 
 
 def headline(result: Result) -> str:
@@ -104,16 +107,12 @@ def headline(result: Result) -> str:
         return _convergent(result)
     if result.convergent is Verdict.REFUTED:
         smooth = _order(result.refinable)
-        verdict = f"φ is {smooth}, but this scheme {_not(result)}" if smooth else _not(result)
+        verdict = f"φ is {smooth}, but this scheme does not converge" if smooth else "does not converge"
         return _with(verdict, _statement(result, Verdict.REFUTED))
     if result.convergent is Verdict.UNDECIDED:
         asked = finding(result, "SD201")
         return _with("convergence undecided", asked.reason if asked else None)
     return "convergence not asked"
-
-
-def _not(result: Result) -> str:
-    return "diverges" if convergence(result) == "diverges" else "does not converge"
 
 
 def errors(result: Result) -> str:
@@ -159,9 +158,9 @@ def found(result: Result, expectation: Expectation) -> str | None:
     """What the run says of the property an expectation speaks of; None where it says nothing."""
     match expectation.key:
         case "convergent":
-            return convergence(result)
+            return _decided(result)
         case "smoothness":
-            return smoothness(result)
+            return smoothness(result) or (_decided(result) if result.convergent is Verdict.REFUTED else None)
         case "holder":
             return holder(result)
         case "sobolev":
@@ -172,6 +171,23 @@ def found(result: Result, expectation: Expectation) -> str | None:
             return None if result.generation is None else exact(result.generation)
         case "reproduction":
             return None if result.reproduction is None else exact(result.reproduction)
+
+
+def _decided(result: Result) -> str | None:
+    """Whether the scheme converges, where that is known."""
+    return convergence(result) if result.convergent in (Verdict.PROVED, Verdict.REFUTED) else None
+
+
+def found_instead(result: Result, judgement: Judgement) -> str | None:
+    """What was found of an expectation that was not proved."""
+    return None if judgement.verdict is Verdict.PROVED else found(result, judgement.expectation)
+
+
+def judged(result: Result, judgement: Judgement, verdict: str) -> str:
+    """`expected smoothness = 3: refuted, found C^2, not C^3`; the verdict as the format writes it."""
+    instead = found_instead(result, judgement)
+    text = f"expected {asked(judgement.expectation)}: {verdict}"
+    return f"{text}, found {instead}" if instead else text
 
 
 def verdict_sentence(result: Result, *, allow_undecided: bool = False) -> str:

@@ -27,7 +27,7 @@ from subdiv_cli.exact.text import certain, number
 from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_obstacle, threshold
-from subdiv_cli.stages.stage import Facts, Rule, power, scaled, series
+from subdiv_cli.stages.stage import Facts, Rule, last_difference, power, scaled, series
 
 RULE = Rule("SD301", "contractivity", "Dyn 1992, Theorems 3.2 and 3.4")
 
@@ -38,7 +38,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 
 def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
     """Whether (1/p)S_ν contracts, for the mask of these numbers and 1 <= ν <= k."""
-    operator = scaled(numbers.p, nu)
+    operator = scaled(numbers, nu)
     if (obstacle := product_obstacle(numbers, nu - 1)) is not None:
         text, witness = obstacle
         return RULE.refuted(f"{operator} does not contract: {text}", {"nu": nu, **witness})
@@ -48,7 +48,8 @@ def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
     if (level := _first_below(numbers.norms(numbers.order), numbers.p ** (numbers.order - nu))) is not None:
         return _by_last_difference(numbers, nu, level)
     lowest = f"the lowest is {number(min(norms))}" if norms else "not one was computed"
-    reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); a higher effort computes more"
+    more = "the time budget ended" if numbers.effort.struck else "a higher effort computes more"
+    reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); {more}"
     return RULE.undecided(f"does {operator} contract?", reason, {"nu": nu, "norms": norms})
 
 
@@ -59,7 +60,7 @@ def _first_below(norms: Sequence[Fraction], bound: int) -> int | None:
 
 def _by_own_norm(numbers: ScalarNumbers, nu: int, norms: tuple[Fraction, ...]) -> Finding:
     level, norm = len(norms), norms[-1]
-    condition = f"{power(scaled(numbers.p, nu), level)} = {number(norm)} < 1"
+    condition = f"{power(scaled(numbers, nu), level)} = {number(norm)} < 1"
     statement = f"{condition}, so φ is C^{nu - 1}"
     if level > 1:
         rate = certain(lambda: ball(norm) ** (ball(1) / level), 4)
@@ -79,7 +80,7 @@ def _by_last_difference(numbers: ScalarNumbers, nu: int, level: int) -> Finding:
     k, p = numbers.order, numbers.p
     scaled_norm = numbers.norms(k)[level - 1]
     norm = scaled_norm / p ** ((k - 1) * level)
-    condition = f"{power(f'S_(Δ^{k})', level)} = {number(norm)} < {threshold(p, (nu - 1) * level)}"
-    statement = f"{scaled(p, nu)} contracts, as {condition}, so φ is C^{nu - 1}"
+    condition = f"{power(last_difference(numbers), level)} = {number(norm)} < {threshold(p, (nu - 1) * level)}"
+    statement = f"{scaled(numbers, nu)} contracts, as {condition}, so φ is C^{nu - 1}"
     witness: dict[str, Data] = {"nu": nu, "norm_of": k, "level": level, "norm": scaled_norm, "condition": condition}
     return RULE.proved(statement, witness, interval(norm))

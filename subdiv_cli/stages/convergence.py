@@ -29,13 +29,13 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         later = (contraction(numbers, nu) for nu in range(2, numbers.order + 1))
         proof = next((finding for finding in later if finding.verdict is Verdict.PROVED), None)
     if against is not None and proof is not None:
-        raise ContradictionError(f"S converges by {proof.code} and diverges by {against.code}")
+        raise ContradictionError(f"S converges by {proof.code} and does not by {against.code}")
     if proof is not None:
         condition = text(proof, "condition")
         return (RULE.proved(f"S converges uniformly: the residue sums are 1 and {condition}", _witness(proof)),)
     if against is not None:
-        what = "S does not converge to a non-zero limit" if against.code == "SD101" else "S diverges"
-        return (RULE.refuted(f"{what}: {against.statement}", _witness(against)),)
+        limit = " to a non-zero limit" if against.code == "SD101" else ""
+        return (RULE.refuted(f"S does not converge uniformly{limit}: {against.statement}", _witness(against)),)
     return (RULE.undecided("does S converge uniformly?", first[0].reason or ""),)
 
 

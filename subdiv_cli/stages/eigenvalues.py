@@ -49,8 +49,9 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 
 def listed(spectrum: Spectrum) -> tuple[str, ...]:
-    """Eigenvalues as text, by falling modulus; a multiple one as `1/4 (2)`."""
-    return tuple(eigenvalue(x) + (f" ({multiplicity})" if multiplicity > 1 else "") for x, multiplicity in spectrum)
+    """Eigenvalues as text, by falling modulus; a multiple one as `1/4 (2)`, conjugate ones as one pair."""
+    upper = [(x, multiplicity) for x, multiplicity in spectrum if not x.region.imag < 0]
+    return tuple(eigenvalue(x) + (f" ({multiplicity})" if multiplicity > 1 else "") for x, multiplicity in upper)
 
 
 def _size(entry: tuple[AlgebraicNumber, int]) -> float:

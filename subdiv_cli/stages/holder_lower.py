@@ -21,7 +21,7 @@ from subdiv_cli.exact.text import is_short, number, rounded_down
 from subdiv_cli.model import Data, Finding, Interval, logarithm
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_text, product_witness
-from subdiv_cli.stages.stage import Facts, Rule, power
+from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference, power
 
 RULE = Rule("SD311", "holder-lower", "Dyn 1992, section 3; Rioul 1992")
 
@@ -32,16 +32,20 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
     k, p = numbers.order, numbers.p
     if k == 0:
-        return (RULE.skipped(_QUESTION, "no sum rule holds"),)
+        return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
     scaled_norms = numbers.norms(k)
     if not scaled_norms:
-        return (RULE.undecided(_QUESTION, "the effort does not reach the first norm"),)
+        return (
+            RULE.undecided(
+                _QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before the first norm"
+            ),
+        )
     norms = [norm / p ** ((k - 1) * level) for level, norm in enumerate(scaled_norms, 1)]
     with ctx.workprec(128):
         values = [interval(-ball(norm).log() / ball(p).log() / level) for level, norm in enumerate(norms, 1)]
     best = max(range(len(norms)), key=lambda i: (_lower(values[i]), -i))
     level, norm, product = best + 1, norms[best], numbers.best_product
-    proof = f"{power(f'S_(Δ^{k})', level)} = {number(norm)}"
+    proof = f"{power(last_difference(numbers), level)} = {number(norm)}"
     witness: dict[str, Data] = {"difference_order": k, "level": level, "norm": norm}
     if product is not None and numbers.closes(k, level, scaled_norms[best]):
         exact = logarithm(p, 1 / norm, level)

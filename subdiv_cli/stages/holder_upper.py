@@ -19,7 +19,7 @@ from subdiv_cli.model import Data, Finding, Interval
 from subdiv_cli.quantities.products import exponent_bound, radius_bound
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_text, product_witness
-from subdiv_cli.stages.stage import Facts, Rule
+from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference
 
 RULE = Rule("SD312", "holder-upper", "Cavaretta, Dahmen & Micchelli 1991; Rioul 1992")
 
@@ -30,7 +30,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
     k, product = numbers.order, numbers.best_product
     if k == 0:
-        return (RULE.skipped(_QUESTION, "no sum rule holds"),)
+        return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
     witness: dict[str, Data] = {"difference_order": k}
     bound = None if product is None else exponent_bound(product, numbers.p)
     if product is None or bound is None or bound.upper is None or bound.upper > k:
@@ -39,7 +39,9 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     exact = bound.exact if product.eigenvalue.rational is not None else None
     shown = exact or rounded_up(bound.upper)
     size = modulus(product.eigenvalue)
-    statement = f"α ≤ {shown}: {product_text(product)} of S_(Δ^{k}) has an eigenvalue of modulus {size}"
+    statement = (
+        f"α ≤ {shown}: {product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
+    )
     return (
         RULE.proved(
             statement,

@@ -34,7 +34,7 @@ def _decide(numbers: ScalarNumbers) -> Finding:
         statement = f"{dependent}: {laurent(g)} divides all polyphase components"
         return RULE.refuted(statement, {"gcd": g.coefficients()})
     if (n := numbers.cycle) is not None:
-        statement = f"{dependent}: Φ_{n}(z^{p})/Φ_{n}(z) divides a(z), a cycle of {n}-th roots of unity"
+        statement = f"{dependent}: Φ_{n}(z^{p})/Φ_{n}(z) divides a(z), a cycle of roots of unity of order {n}"
         return RULE.refuted(statement, {"cycle": n})
     largest = 10 * (numbers.scheme.degree // (p - 1))
     statement = "the translates of φ are linearly independent: the polyphase components are coprime and a(z) has no "

@@ -29,6 +29,6 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if obstacle is None:
         reason = "no norm proves it and no short product of transition matrices excludes it; a higher effort may decide"
         return (RULE.undecided(f"is φ C^{proved + 1}?", reason),)
-    stable = "φ is stable" if reduced is numbers else "φ0 of the reduced mask is stable"
+    stable = "φ is stable" if reduced is numbers else "φ0 of the reduced scheme is stable"
     statement = f"φ is not C^{proved + 1}: {stable}, and {obstacle[0]}"
     return (RULE.refuted(statement, {"order": proved + 1, **obstacle[1]}),)

@@ -8,7 +8,7 @@ from subdiv_cli.exact.text import modulus, number
 from subdiv_cli.model import Data
 from subdiv_cli.quantities.products import Product
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.stage import product_name
+from subdiv_cli.stages.stage import last_difference, product_name
 
 Obstacle = tuple[str, dict[str, Data]]
 
@@ -21,7 +21,7 @@ def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
         return None
     total = m * len(product.word)
     size = number(Fraction(1, p**total)) if product.compare(bound) == 0 else modulus(product.eigenvalue)
-    matrices = f"{product_text(product)} of S_(Δ^{numbers.order})"
+    matrices = f"{product_text(product)} of {last_difference(numbers)}"
     return f"{matrices} has an eigenvalue of modulus {size} ≥ {threshold(p, total)}", product_witness(product)
 
 

@@ -15,6 +15,8 @@ in SD402.
 
 from __future__ import annotations
 
+from itertools import groupby
+
 from subdiv_cli.exact.text import laurent
 from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.reduction import Step
@@ -30,8 +32,11 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if not steps:
         return ()
     reduced = steps[-1].symbol
-    how = " then ".join(_text(step, numbers.p) for step in steps)
-    statement = f"φ is as smooth as the stable φ0 of the reduced mask a0(z) = {laurent(reduced)}, {how}"
+    runs = [(text, len(list(run))) for text, run in groupby(_text(step, numbers.p) for step in steps)]
+    how = ", then ".join(text + (f", {count} times" if count > 1 else "") for text, count in runs)
+    statement = (
+        f"φ is as smooth as the stable φ0 of the reduced scheme S0 with symbol a0(z) = {laurent(reduced)}, {how}"
+    )
     order, cofactor = numbers.reduced.sum_rules[:2]
     witness: dict[str, Data] = {
         "factors": tuple(step.factor.coefficients() for step in steps),

@@ -40,8 +40,8 @@ SCALAR: tuple[Stage, ...] = (
     stability.run,
     reduction.run,
     eigenvalues.run,
-    contractivity.run,
     convergence.run,
+    contractivity.run,
     smoothness.run,
     next_smoothness.run,
     smoothness_spectrum.run,
@@ -56,7 +56,7 @@ class Analysis(NamedTuple):
     facts: Mapping[str, Data]
     hints: tuple[str, ...]
     findings: tuple[Finding, ...]
-    """By rising code."""
+    """In the order of the stages: each speaks of what earlier ones introduced."""
 
 
 def analyse(scheme: ScalarScheme, effort: Effort) -> Analysis:
@@ -66,5 +66,5 @@ def analyse(scheme: ScalarScheme, effort: Effort) -> Analysis:
     for stage in SCALAR:
         for finding in stage(numbers, found):
             found[finding.code] = (*found.get(finding.code, ()), finding)
-    findings = tuple(finding for code in sorted(found) for finding in found[code])
+    findings = tuple(finding for several in found.values() for finding in several)
     return Analysis(mask_facts(scheme), mask_hints(scheme), findings)

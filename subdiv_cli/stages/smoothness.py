@@ -35,14 +35,15 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if proved:
         order = integer(proved[-1], "nu") - 1
         scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
-        mask = " for the reduced mask" if reduced is not numbers else ""
+        mask = " for the reduced scheme" if reduced is not numbers else ""
         statement = f"{scope} C^{order}: {text(proved[-1], 'condition')}{mask}"
         if converges is Verdict.REFUTED:
-            statement += ", but S diverges"
+            statement += ", but S does not converge"
             if reduced is numbers:
-                raise ContradictionError("a stable φ is continuous and S diverges")
+                raise ContradictionError("a stable φ is continuous and S does not converge")
         return (RULE.proved(statement, {"order": order, "by": "SD301"}),)
     obstacle = sum_rule_obstacle(reduced, 0) or product_obstacle(reduced, 0)
     if obstacle is not None:
-        return (RULE.refuted(f"φ is not continuous: {obstacle[0]}", obstacle[1]),)
+        stable = "φ is stable" if reduced is numbers else "φ0 of the reduced scheme is stable"
+        return (RULE.refuted(f"φ is not continuous: {stable}, and {obstacle[0]}", obstacle[1]),)
     return (RULE.undecided(_QUESTION, "the norms do not prove that φ is continuous"),)

@@ -14,7 +14,10 @@ lowest coefficient first, or `cycle`.
 
 from __future__ import annotations
 
-from subdiv_cli.exact.text import laurent, polynomial
+from flint import fmpq_poly
+
+from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.exact.text import laurent
 from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.stage import Facts, Rule, Witness, verdict
@@ -35,10 +38,11 @@ def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
     g = numbers.polyphase_gcd
     if numbers.circle_factors:
         factor = numbers.circle_factors[0]
-        statement = f"φ is not stable: the polyphase components share the zeros of {polynomial(factor, 'z')} on |z| = 1"
+        shown = laurent(Laurent(0, fmpq_poly(factor)))
+        statement = f"φ is not stable: the polyphase components share zeros of {shown} on |z| = 1"
         return RULE.refuted(statement, {"circle_factor": tuple(int(c) for c in factor)})
     if (n := numbers.cycle) is not None:
-        return RULE.refuted(f"φ is not stable: a(z) has a cycle of {n}-th roots of unity", {"cycle": n})
+        return RULE.refuted(f"φ is not stable: a(z) has a cycle of roots of unity of order {n}", {"cycle": n})
     statement = f"φ is stable: the common factor {laurent(g)} of the polyphase components has no zero on |z| = 1"
     return RULE.proved(f"{statement}, and a(z) has no cycle", stability_witness(numbers))
 

@@ -68,9 +68,14 @@ def verdict(facts: Facts, code: str) -> Verdict:
     return found[0].verdict if found else Verdict.UNDECIDED
 
 
-def scaled(p: int, nu: int) -> str:
-    """(1/p) S_ν as text: `½S_1`, `(1/7)S_1`."""
-    return {2: "½", 3: "⅓", 4: "¼", 5: "⅕"}.get(p, f"(1/{p})") + f"S_{nu}"
+def scaled(numbers: ScalarNumbers, nu: int) -> str:
+    """(1/p) S_ν as text: `½S_1`, `(1/7)S_1`, `½S0_1` for a reduced scheme."""
+    return {2: "½", 3: "⅓", 4: "¼", 5: "⅕"}.get(numbers.p, f"(1/{numbers.p})") + f"{numbers.name}_{nu}"
+
+
+def last_difference(numbers: ScalarNumbers) -> str:
+    """D = S_(Δ^k) as text."""
+    return f"{numbers.name}_(Δ^{numbers.order})"
 
 
 def power(operator: str, level: int) -> str:

@@ -29,7 +29,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         "cofactor": cofactor.coefficients(),
         "remainder": remainder.coefficients(),
     }
-    factor = "1+z" if p == 2 else "1+z+z²" if p == 3 else f"1+…+z^{p - 1}"
+    factor = "1+z" if p == 2 else "1+z+z^2" if p == 3 else f"1+…+z^{p - 1}"
     if k == 0:
         return (RULE.refuted(f"no sum rule holds: {factor} does not divide a(z)", witness),)
     short = len(cofactor.coefficients()) <= _LONGEST_COFACTOR

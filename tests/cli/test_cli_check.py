@@ -75,13 +75,22 @@ def test_errors_of_invalid_masks_are_on_stderr_in_the_text_format(run, catalog):
         (["a", "--start", "-3"], "--start belongs to --mask"),
         (["a", "--arity", "3"], "--arity belongs to --mask"),
         (["a", "-q", "-v"], "contradict"),
-        (["a", "--effort", "0"], "--effort"),
+        (["a", "--effort", "0"], "'0' is not a positive whole number"),
+        (["a", "--effort", "-3"], "'-3' is not a positive whole number"),
+        (["a", "--effort", "abc"], "'abc' is not a positive whole number"),
+        (["a", "--effort", "1.5"], "'1.5' is not a positive whole number"),
+        (["a", "--budget", "abc"], "'abc' is not a positive number of seconds"),
         (["a", "--budget", "0"], "positive"),
         (["a", "--budget", "-1"], "positive"),
         (["a", "--budget", "nan"], "positive"),
         (["a", "--budget", "inf"], "positive"),
         (["a", "--format", "xml"], "xml"),
         (["a", "-o", "json:"], "names no file"),
+        (["a", "-o", "foo:r.q"], "no format 'foo'; there are text, concise, json"),
+        (["a", "-o", "JSON:r.json"], "no format 'JSON'; there are text, concise, json"),
+        (["a", "-o", "r.yaml"], "no format .yaml; there are text, concise, json"),
+        (["a", "-o", "r.HTML"], "no format .html; there are text, concise, json"),
+        (["a", "-o", "r.csv"], "-o text:r.csv"),
         (["a", "-o", "-"], "names no file"),
         (["a", "-o", "/no/such/place/x.json"], "no directory"),
         (["a", "-o", "/"], "is a directory"),
@@ -100,6 +109,15 @@ def test_an_unknown_command_has_a_near_name(run):
     shown = run("chek")
     assert shown.exit_code == 2
     assert "did you mean 'check'?" in shown.stderr
+
+
+def test_a_file_without_a_command(run, catalog, tmp_path):
+    for name in ("four-point.toml", "no such file.toml", str(tmp_path)):
+        shown = run(name)
+        assert shown.exit_code == 2
+        quoted = f"'{name}'" if " " in name else name
+        assert f"did you mean `subdiv check {quoted}`?" in shown.stderr
+    assert catalog.asked is None
 
 
 def test_parameters(run, catalog):
@@ -126,6 +144,14 @@ def test_mask_from_the_command_line(run, catalog):
     assert mask.scheme() == ScalarScheme(arity=2, start=0, coefficients=(Fraction(1), Fraction(1)))
 
 
+def test_a_mask_from_the_command_line_may_use_the_names_of_p(run, catalog):
+    assert run("check", "--mask", "[-w,0,1/2+w,1,1/2+w,0,-w]", "-p", "w=1/16").exit_code == 0
+    (mask,), overrides = catalog.asked[0], catalog.asked[1]["overrides"]
+    assert overrides == {"w": Fraction(1, 16)}
+    assert mask.scheme(overrides).coefficients[0] == Fraction(-1, 16)
+    assert run("check", "--mask", "[w]", "-p", "v=1/16").exit_code == 2
+
+
 def test_a_bad_mask_is_an_invalid_result(run, catalog):
     shown = run("check", "--mask", "[1, sqrt(3)]", "--format", "json")
     assert shown.exit_code == 2
@@ -143,16 +169,24 @@ def test_verbosity(run, catalog):
 
 def test_outputs(run, catalog, tmp_path):
     catalog.results = [result("failed")]
-    one, two, three, four = (tmp_path / name for name in ("a.json", "b.json", "c.txt", "d.log"))
+    names = ("a.json", "b.json", "c.txt", "d.log", "e", "f.yaml")
+    one, two, three, four, five, six = (tmp_path / name for name in names)
     shown = run(
         *("check", "x", "--format", "concise"),
-        *("-o", str(one), "-o", f"concise:{two}", "-o", str(three), "-o", str(four)),
+        *("-o", str(one), "-o", f"concise:{two}", "-o", str(three), "-o", str(four), "-o", str(five)),
+        *("-o", f"text:{six}"),
     )
     assert shown.exit_code == 1
     assert json.loads(one.read_text("utf-8"))["format"] == "subdiv-report"
-    assert two.read_text("utf-8") == four.read_text("utf-8") == shown.stdout
-    assert "✗ the failed mask" in three.read_text("utf-8")
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.json", "b.json", "c.txt", "d.log"]
+    assert {path.read_text("utf-8") for path in (two, three, four, five)} == {shown.stdout}
+    assert "✗ the failed mask" in six.read_text("utf-8")
+    assert sorted(path.name for path in tmp_path.iterdir()) == list(names)
+
+
+def test_a_file_may_have_a_colon_in_its_name(run, catalog, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run("check", "x", "-o", "./foo:r", "-o", "c:r").exit_code == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["c:r", "foo:r"]
 
 
 def test_a_text_file_has_the_errors_of_invalid_masks(run, catalog, tmp_path):

@@ -45,7 +45,18 @@ def test_command(run):
 
 
 def test_command_without_a_code(run):
-    assert run("explain").stdout == "SD101  residue-sums\nSD201  convergence\n"
+    assert run("explain").stdout == "SD101  residue-sums  Σ of each class is 1 ≥ ½.\nSD201  convergence   Text.\n"
+
+
+@pytest.mark.parametrize(("unicode", "dots"), [(True, " …"), (False, " ...")])
+def test_a_long_summary_is_shortened_to_its_line(run, tmp_path, monkeypatch, unicode, dots):
+    text = "The first paragraph,\ngoing on for several words which are too many.\n\nThe second."
+    (tmp_path / "SD201.md").write_text(f"# SD201 convergence\n\n{text}\n", encoding="utf-8")
+    monkeypatch.setenv("COLUMNS", "60")
+    monkeypatch.setattr("subdiv_cli.cli.explain.speaks_mathematics", lambda stream: unicode)
+    line = run("explain").stdout.splitlines()[1]
+    assert line == "SD201  convergence   The first paragraph, going on for" + dots
+    assert len(line) <= 60
 
 
 def test_command_in_ascii(run, monkeypatch):

@@ -102,6 +102,31 @@ def test_a_pipe_that_closes_early_is_silent_and_keeps_the_verdict():
     assert (process.wait(60), error) == (0, b"")
 
 
+FULL = "/dev/full"
+
+
+@pytest.mark.skipif(not os.path.exists(FULL), reason="no device that is always full")  # noqa: PTH110
+@pytest.mark.parametrize(
+    "args", [["check", "x"], ["check", "x", "--format", "json"], ["--help"], ["explain"], ["explain", "SD201"]]
+)
+def test_a_full_disk_is_not_an_internal_error(args):
+    with open(FULL, "wb") as full:  # noqa: PTH123
+        command = [sys.executable, "-c", FAKE + f"main({args!r})"]
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, timeout=60)
+    assert done.returncode == 2
+    assert done.stderr == b"error: the report cannot be written: No space left on device\n"
+
+
+@pytest.mark.skipif(not os.path.exists(FULL), reason="no device that is always full")  # noqa: PTH110
+def test_a_full_disk_keeps_the_other_reports_and_a_full_stderr_the_exit_code(tmp_path):
+    with open(FULL, "wb") as full:  # noqa: PTH123
+        code = FAKE + f"main(['check', 'x', '-o', {str(tmp_path / 'r.json')!r}])"
+        assert subprocess.run([sys.executable, "-c", code], stdout=full, stderr=full, timeout=60).returncode == 2
+        assert (tmp_path / "r.json").read_bytes().startswith(b"{")
+        code = FAKE + "main(['check', 'x', '--nonsense'])"
+        assert subprocess.run([sys.executable, "-c", code], stderr=full, timeout=60).returncode == 2
+
+
 def test_ctrl_c():
     handle = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
     done = python(handle + FAKE + "main(['check', 'x', 'interrupt', 'y'])")

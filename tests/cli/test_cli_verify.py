@@ -95,6 +95,11 @@ def test_a_directory_that_cannot_be_made(tmp_path):
 def test_the_report_names_the_proof(tmp_path):
     run = subdiv("check", SCALAR / "bspline_degree_2.toml", "--certificate", "proofs", cwd=tmp_path)
     assert run.returncode == 0
-    assert run.stdout.endswith(
-        "proof: proofs/bspline_degree_2.json, to be checked by: subdiv verify proofs/bspline_degree_2.json\n"
-    )
+    assert run.stdout.endswith("\nproof: proofs/bspline_degree_2.json\n")
+
+
+def test_the_proof_is_named_in_one_piece(tmp_path):
+    deep = Path("a directory with a long name " * 3, "and another one " * 5)
+    run = subdiv("check", SCALAR / "bspline_degree_2.toml", "--certificate", deep, cwd=tmp_path)
+    assert run.returncode == 0
+    assert run.stdout.splitlines()[-1] == f"proof: {deep / 'bspline_degree_2.json'}"

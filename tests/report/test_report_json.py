@@ -32,7 +32,7 @@ KEYS = {
     "sobolev": ["lower", "upper", "exact"],
     "stable": ["verdict"],
     "linearly_independent": ["verdict"],
-    "expectations": ["key", "expected", "verdict"],
+    "expectations": ["key", "expected", "verdict", "found"],
     "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "witness", "claims"],
     "value": ["exact", "lower", "upper"],
 }
@@ -87,6 +87,14 @@ def test_an_empty_result_has_every_key():
     assert bare["smoothness"] == {"order": None, "sharp": False}
     assert bare["certificate"] is None
     assert list(bare) == KEYS["results"]
+
+
+def test_what_was_found_of_an_expectation():
+    shown = [(e["key"], e["found"]) for r in report(*samples.ALL)["results"] for e in r["expectations"]]
+    assert shown == [
+        ("convergent", "converges"), ("smoothness", "C^1, not C^2"), ("convergent", "not convergent"), ("holder", None),
+        ("smoothness", "C^2 at least"),
+    ]  # fmt: skip
 
 
 def test_summary():

@@ -44,6 +44,24 @@ def test_bounds_are_rounded_outward(bound, places):
     assert 0 <= Fraction(at_most(bound, places)[2:]) - Fraction(bound) < Fraction(1, 10**places)
 
 
+@given(st.floats(-8, 8), st.integers(0, 10))
+@example(1.9999999999999998, 3)
+@example(2.0000000000000004, 3)
+@example(-1e-300, 3)
+def test_no_bound_is_rounded_onto_an_integer(bound, places):
+    for text in (at_least(bound, places), at_most(bound, places)):
+        value = Fraction(text[2:])
+        assert value.denominator > 1 or value == Fraction(bound)
+
+
+@given(st.integers(-4, 4), st.floats(1e-15, 0.5), st.floats(1e-15, 0.5))
+def test_no_end_of_an_interval_is_rounded_onto_an_integer(whole, below, above):
+    assume(whole - below < whole < whole + above)
+    for lower, upper in ((whole - 0.7, whole - below), (whole + above, whole + 0.7)):
+        low, high = printed(digits(lower, upper))
+        assert high < whole if upper < whole else low > whole
+
+
 @pytest.mark.parametrize(
     ("lower", "upper", "shown"),
     [
@@ -58,6 +76,10 @@ def test_bounds_are_rounded_outward(bound, places):
         (2.8300749985575996, 2.8300749985576, "2.8300749985…"),
         (1.99, 2.0, "1.9899 .. 2"),
         (1.9999999, 2.0000001, "1.999999899 .. 2.0000001"),
+        (1.654, 1.999871, "1.653 .. 1.9999"),
+        (1.00004, 1.5, "1.00004 .. 1.5"),
+        (2.00000000000001, 2.00000000000002, "2.00000000000001 .. 2.0000000001"),
+        (2.0, 2.00000000000002, "2.0000000000…"),
         (1.75, 1.8125, "1.75 .. 1.8125"),
         (-0.25, 0.5, "-0.25 .. 0.5"),
         (9.5, 10.5, "9.5 .. 10.5"),

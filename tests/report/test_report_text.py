@@ -14,7 +14,7 @@ import report_samples as samples
 from hypothesis import given
 from hypothesis import strategies as st
 
-from subdiv_cli.model import Exponent, Finding, Problem, Result, Verdict
+from subdiv_cli.model import UNKNOWN, Exponent, Finding, Problem, Result, Verdict
 from subdiv_cli.report import FORMATS, renderer
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
@@ -110,15 +110,124 @@ def test_headlines():
 
 
 def test_a_headline_does_not_stammer():
-    said = replace(samples.DIVERGENT.findings[0], code="SD201", statement="S diverges: a(1) = 3")
+    said = replace(samples.DIVERGENT.findings[0], code="SD201", statement="S does not converge uniformly: a(1) = 3")
     text = render([replace(samples.DIVERGENT, findings=(said,))], Look())
-    assert text.splitlines()[0] == "✗ halved Chaikin: diverges: a(1) = 3"
+    assert text.splitlines()[0] == "✗ halved Chaikin: does not converge: a(1) = 3"
 
 
-@pytest.mark.parametrize(("upper", "labelled"), [(0.5, False), (0.0, True), (-1.0, True)])
-def test_an_exponent_that_is_not_positive_is_labelled(upper, labelled):
-    text = render([replace(samples.DIVERGENT, holder=Exponent(lower=-2.0, upper=upper))] * 2, Look())
-    assert ("distributional" in text.splitlines()[2]) is labelled
+@pytest.mark.parametrize(
+    ("exponent", "shown"),
+    [
+        (Exponent(lower=-2.0, upper=0.5), "-2 .. 0.5"),
+        (Exponent(lower=-2.0, upper=0.0), "-2 .. 0 (φ is not continuous)"),
+        (Exponent(lower=0.0, upper=0.0, exact=Fraction(0)), "0 (φ is not continuous)"),
+        (Exponent(lower=-2.0, upper=-1.0), "-2 .. -1, distributional"),
+    ],
+)
+def test_an_exponent_that_is_not_positive_says_what_that_means(exponent, shown):
+    line = render([replace(samples.DIVERGENT, holder=exponent)] * 2, Look(width=120)).splitlines()[2]
+    assert line.endswith(f"  {shown}")
+
+
+def test_the_bound_of_an_exponent_is_below_two_where_it_is():
+    below = replace(samples.FOUR_POINT, holder=Exponent(lower=1.654, upper=1.999871))
+    lines = render([below], Look(width=200)).splitlines()
+    assert lines[0].endswith("Hölder exponent 1.653 .. 1.9999")
+    assert next(line for line in lines if "Hölder, upper" in line).split()[-2:] == ["1.9999", "SD312"]
+
+
+def test_smoothness_of_phi_where_the_scheme_diverges():
+    phi = replace(samples.FOUR_POINT, convergent=Verdict.REFUTED, smoothness=UNKNOWN)
+    row = next(line for line in render([phi], Look()).splitlines() if line.startswith("  smoothness"))
+    assert "φ: C^1, not C^2" in row
+
+
+def test_a_scheme_without_limits_has_no_smoothness_to_find():
+    wrong = samples.judged("smoothness", "2", 2, Verdict.REFUTED, 2)
+    text = render([replace(samples.DIVERGENT, expectations=(wrong,))], Look(verbosity=-1))
+    assert "expected smoothness = 2: ✗ refuted, found not convergent\n" in text
+
+
+def test_undecided_is_not_found_undecided():
+    asked = samples.judged("convergent", "true", True, Verdict.UNDECIDED)
+    unknown = replace(samples.UNDECIDED, convergent=Verdict.UNDECIDED, expectations=(asked,))
+    assert "  expected convergent = true: ? undecided\n" in render([unknown], Look(verbosity=-1))
+    assert "found" not in render([unknown], Look())
+
+
+def test_the_table_has_codes_and_the_findings_their_sources():
+    table, findings = render([samples.FOUR_POINT], Look()).split("\n  expected")
+    assert "SD302, SD303\n" in table
+    assert "Theorem" not in table
+    assert "Dyn 1992, Theorem 3.4" in findings
+
+
+def skipped(code, reason):
+    return replace(samples.DIVERGENT.findings[1], code=code, reason=reason)
+
+
+def test_what_is_skipped_for_one_reason_is_one_block():
+    no_sums = "S_1 does not exist"
+    first, *_ = samples.DIVERGENT.findings
+    findings = (first, skipped("SD102", no_sums), skipped("SD202", "of that"), skipped("SD302", no_sums))
+    result = replace(samples.DIVERGENT, findings=findings, stable=Verdict.SKIPPED)
+    text = render([result], Look())
+    assert f"\n  – skipped    SD102, SD302: {no_sums}\n\n  – skipped    SD202 contractivity\n" in text
+    assert text.count(no_sums) == 2, "in the table and below it"
+    in_full = render([result], Look(verbosity=1))
+    assert in_full.count(f"because {no_sums}") == 2
+    for columns in (30, 59, 60):
+        lines = render([result], Look(width=columns)).splitlines()
+        assert max(map(width, lines)) <= columns
+
+
+def test_a_reason_is_said_once_in_the_table():
+    findings = tuple(skipped(code, "no φ") for code in ("SD102", "SD302", "SD402"))
+    table = render([replace(samples.DIVERGENT, findings=findings)], Look()).split("\n  expected")[0]
+    assert table.count("no φ") == 1
+    assert table.count("– skipped") == 3
+
+
+def series(*verdicts):
+    return tuple(
+        replace(samples.FOUR_POINT.findings[2], code="SD301", verdict=verdict, statement=f"statement {i}.")
+        for i, verdict in enumerate(verdicts)
+    )
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "shown", "hidden"),
+    [
+        ([Verdict.PROVED] * 6, range(6), []),
+        ([Verdict.PROVED] * 7, [0, 1, 5, 6], [3]),
+        ([Verdict.PROVED] * 5 + [Verdict.REFUTED] * 6, [0, 1, 2, 3, 4, 5, 6, 9, 10], [2]),
+        ([Verdict.PROVED] * 6 + [Verdict.REFUTED] * 20, [0, 1, 4, 5, 6, 7, 24, 25], [2, 16]),
+    ],
+)
+def test_a_long_series_shows_its_ends(verdicts, shown, hidden):
+    first, *_, last = samples.FOUR_POINT.findings
+    result = replace(samples.FOUR_POINT, findings=(first, *series(*verdicts), last))
+    text = render([result], Look())
+    assert [int(i) for i in re.findall(r"statement (\d+)\.", text)] == list(shown)
+    assert [int(n) for n in re.findall(r"… (\d+) more; -v shows them", text)] == hidden
+    assert first.statement in text
+    assert last.statement in text
+    assert len(re.findall(r"statement \d+\.", render([result], Look(verbosity=1)))) == len(verdicts)
+    in_json = renderer("json")([result], Look())
+    assert len(re.findall(r"statement \d+\.", in_json)) == len(verdicts)
+
+
+def test_quiet_says_what_a_reader_of_the_verdict_must_know():
+    hinted = replace(samples.UNDECIDED, hints=("multiply the mask by 2",))
+    text = render([hinted, replace(hinted, status="passed")], Look(verbosity=-1))
+    assert text.count("  stopped by the budget: another run may find more or less\n") == 1
+    assert text.count("  hint: multiply the mask by 2\n") == 1
+
+
+def test_the_proof_is_named_in_one_piece():
+    path = "proofs of mine/" * 20 + "a.json"
+    lines = render([replace(samples.FOUR_POINT, certificate=path)], Look(width=40)).splitlines()
+    assert lines[-1] == f"proof: {path}"
 
 
 def test_refuted_beside_proved_smoothness_is_not_said_to_be_proved_alone():

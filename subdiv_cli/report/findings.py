@@ -1,0 +1,118 @@
+"""The findings of the text report: each with its why and source; what says the same again is said once.
+
+Findings skipped for the same reason are one block, and of a long series of contractivities only its ends are shown.
+`-v` shows every one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.report import words
+from subdiv_cli.report.layout import led, stacked
+from subdiv_cli.report.numbers import data, interval
+from subdiv_cli.report.page import INDENT, Page
+
+NARROW = 60
+"""Below so many columns findings are indented less."""
+SERIES = "SD301"
+"""The code that comes once for each derived scheme."""
+LONG = 6
+"""A series longer than this is shortened."""
+ENDS = 2
+"""So many are shown at either end of a run of equal verdicts."""
+
+Block = Finding | list[Finding] | int
+"""One finding, several skipped for one reason, or how many are left out."""
+
+
+def show(page: Page, findings: Sequence[Finding]) -> None:
+    """All findings, in their order."""
+    for block in findings if page.look.verbosity > 0 else blocks(findings):
+        page.blank()
+        if isinstance(block, int):
+            page.put(f"… {block} more; -v shows them", "quiet", indent=_indent(page))
+        elif isinstance(block, list):
+            _skipped(page, block)
+        else:
+            _finding(page, block)
+
+
+def blocks(findings: Sequence[Finding]) -> Iterator[Block]:
+    """The findings, without repetition; a block of skipped ones stands where the first of them stands."""
+    told: set[str] = set()
+    for of_series, run in groupby(findings, lambda found: found.code == SERIES):
+        members = list(run)
+        if of_series and len(members) > LONG:
+            for _, equal in groupby(members, lambda found: found.verdict):
+                yield from _ends(list(equal))
+            continue
+        for found in members:
+            alike = _alike(found, findings)
+            if len(alike) < 2:
+                yield found
+            elif found.reason and found.reason not in told:
+                told.add(found.reason)
+                yield alike
+
+
+def _ends(run: list[Finding]) -> Iterator[Block]:
+    hidden = len(run) - 2 * ENDS
+    if hidden < 2:
+        yield from run
+        return
+    yield from run[:ENDS]
+    yield hidden
+    yield from run[-ENDS:]
+
+
+def _alike(found: Finding, findings: Sequence[Finding]) -> list[Finding]:
+    """All that were skipped for the reason of this one; empty where it was not skipped, or nobody knows why."""
+    if found.verdict is not Verdict.SKIPPED or not found.reason:
+        return []
+    return [other for other in findings if other.verdict is Verdict.SKIPPED and other.reason == found.reason]
+
+
+def _indent(page: Page) -> int:
+    return INDENT + (2 if page.look.width < NARROW else 13)
+
+
+def _skipped(page: Page, findings: Sequence[Finding]) -> None:
+    """Several findings skipped for the same reason: their codes and the reason."""
+    indent = _indent(page)
+    codes = dict.fromkeys(found.code for found in findings)
+    verdict = page.say(words.mark(Verdict.SKIPPED))
+    lead = [(" " * INDENT, ""), (verdict.ljust(indent - INDENT - 1), words.ROLES[Verdict.SKIPPED]), (" ", "")]
+    text = page.say(f"{', '.join(codes)}: {findings[0].reason}")
+    page.lines += led(lead, text, page.look.width, hanging=indent)
+
+
+def _finding(page: Page, found: Finding) -> None:
+    indent = _indent(page)
+    verdict = page.say(words.mark(found.verdict)).ljust(indent - INDENT)
+    title = f"{found.code} {page.say(found.name)}"
+    role = words.ROLES[found.verdict]
+    if page.look.width >= NARROW:
+        page.lines.append([(" " * INDENT, ""), (verdict, role), (title, "code")])
+    else:
+        page.lines += stacked([[(verdict, role), (title, "code")]], page.look.width - INDENT, INDENT)
+    page.put(found.statement, indent=indent, hanging=2)
+    if (shown := _unsaid(found)) is not None:
+        page.put(f"value: {shown}", indent=indent, hanging=2)
+    if found.reason:
+        page.put(f"because {found.reason}", indent=indent, hanging=2)
+    if page.look.verbosity > 1:
+        for key, value in found.witness.items():
+            page.put(f"{key}: {data(value)}", indent=indent, hanging=2)
+    page.put(found.source, "quiet", indent=indent, hanging=2)
+
+
+def _unsaid(found: Finding) -> str | None:
+    """The value of a finding whose statement does not have it already."""
+    said = found.statement.startswith("α")  # the statement is the value
+    if found.value is None or said or (found.value.exact is not None and found.value.exact in found.statement):
+        return None
+    shown = interval(found.value)
+    return None if shown is None or shown.lstrip("≥≤ ").rstrip("…") in found.statement else shown
