@@ -25,7 +25,7 @@ class Discovery(NamedTuple):
 def discover(paths: Iterable[str | Path]) -> Discovery:
     """Looks every argument up.
 
-    A directory is searched recursively for `*.toml` with `kind`, `mask` or `matrices` at the top, sorted by path;
+    A directory is searched recursively for `*.toml` that are meant as masks (`is_mask`), sorted by path;
     hidden files and directories are left out, links are followed once. A file named explicitly is always an entry:
     whether it is a mask, the reader says (SD016). Problems: SD002 for what is missing or unreadable, SD014 for a
     directory without masks. Never raises for what is on disk.

@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Mapping
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
+from subdiv_cli.maskfile.characters import mended
 from subdiv_cli.maskfile.evaluate import evaluate, names_in
 from subdiv_cli.maskfile.grammar import Number, parse
 from subdiv_cli.maskfile.laurent import Work
@@ -15,6 +16,8 @@ from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.maskfile.values import Decimal, described
 
 _VARIABLE = re.compile(r"z[0-9]*")
+_INTEGER = re.compile(r"[+-]?(0|[1-9][0-9]{0,9})")
+_WHOLE = re.compile(r"([+-]?[0-9]{1,10})\.0+")
 
 
 class Table:
@@ -73,8 +76,10 @@ class Table:
         value = self.data.get(key, default)
         if isinstance(value, bool) or not isinstance(value, int):
             said = f'the string "{shown(value)}"' if isinstance(value, str) else described(value)
-            quoted = isinstance(value, str) and re.fullmatch(r"[+-]?(0|[1-9][0-9]{0,9})", value)
-            mend = f"write it without quotes: {key} = {value}" if quoted else mend
+            if isinstance(value, str) and _INTEGER.fullmatch(plain := mended(value.strip())):
+                mend = f"write it without quotes: {key} = {plain}"
+            elif isinstance(value, Decimal) and (whole := _WHOLE.fullmatch(value.text)):
+                mend = f"write it without a point: {key} = {whole[1]}"
             self.problems.add(Fault("SD006", f"{key} must be an integer, not {said}", mend), (*self.path, key))
             return None
         if not lowest <= value <= highest:
@@ -110,7 +115,7 @@ def read_expression(value: object, path: KeyPath, names: Collection[str]) -> Exp
     else:
         mend = 'write an integer, a decimal or a string such as "-1/16"'
         if isinstance(value, list):
-            mend = 'lists inside the list belong to kind = "multivariate" or "vector"; a scalar mask is one flat list'
+            mend = "a scalar mask is one flat list: [1, 2, 1]; masks with lists inside the list cannot be checked yet"
         raise Fault("SD006", f"a number was expected, not {described(value)}", mend)
     return Expression(text=text, node=parse(text, names), path=path)
 
@@ -126,26 +131,34 @@ def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expre
     found: dict[str, Expression | None] = {}
     for name, value in table.data.items() if table else ():
         path = ("parameters", name)
-        if not is_name(name) or _VARIABLE.fullmatch(name):
-            if _VARIABLE.fullmatch(name):
-                message, mend = f"{name} is the variable of symbols and cannot be a parameter", "call it w"
-            else:
-                message, mend = f'"{shown(name)}" cannot be a parameter\'s name', "use letters, digits and _: w, w_1"
-            problems.add(Fault("SD011", message, mend), path, of_key=True)
+        if fault := fault_of_name(name):
+            problems.add(fault, path, of_key=True)
             continue
         expression = None
         try:
             expression = read_expression(value, path, found) if value != "" else None
-        except Fault as fault:
-            if fault.code == "SD008" and fault.message.endswith("is not declared") and table:
-                _explain_order(fault, name, table.data)
-            problems.add(fault, path)
+        except Fault as wrong:
+            if wrong.code == "SD008" and wrong.message.endswith("is not declared") and table:
+                _explain_order(wrong, name, table.data)
+            problems.add(wrong, path)
         found[name] = expression
     return found
 
 
+def fault_of_name(name: str) -> Fault | None:
+    """SD011 for what cannot be a parameter's name."""
+    if _VARIABLE.fullmatch(name):
+        return Fault("SD011", f"{name} is the variable of symbols and cannot be a parameter", "call it w")
+    if not is_name(name):
+        message = f'"{shown(name)}" cannot be a parameter\'s name'
+        return Fault("SD011", message, "use letters, digits and _: w, w_1")
+    return None
+
+
 def _explain_order(fault: Fault, name: str, declared: Mapping[str, object]) -> None:
     used = fault.message.split('"')[1]
+    if used == name or used in declared:
+        fault.about = None
     if used == name:
         fault.message, fault.help = f"the default of {shown(name)} uses itself", "write a number"
     elif used in declared:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from subdiv_cli.maskfile import laurent
-from subdiv_cli.maskfile.grammar import Factor, Name, Node, Number, Power, Product, Sum
+from subdiv_cli.maskfile.grammar import Name, Node, Number, Power, Product, Sum
 from subdiv_cli.maskfile.laurent import Laurent, TooLargeError, Work
 from subdiv_cli.maskfile.problems import Fault, shown, shown_number
 
@@ -29,8 +29,8 @@ def names_in(node: Node) -> frozenset[str]:
 def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
     """The Laurent polynomial of an expression; `values` has every name in it but z.
 
-    Raises Fault at the offending subexpression: SD007 or SD011 for a zero divisor, SD008 for a quotient that is no
-    Laurent polynomial, SD010 for sizes. Raises KeyError for a name without a value.
+    Raises Fault at the offending subexpression: SD007 or SD011 for a zero divisor, SD008 for a division that is not
+    exact, SD010 for sizes. Raises KeyError for a name without a value.
     """
     try:
         if isinstance(node, Number):
@@ -51,30 +51,52 @@ def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
 
 
 def _product(node: Product, values: Mapping[str, Fraction], work: Work) -> Laurent:
-    result = evaluate(node.factors[0].node, values, work)
-    for factor in node.factors[1:]:
-        value = evaluate(factor.node, values, work)
-        result = laurent.times(result, _inverse(value, factor, values) if factor.divides else value, work)
+    """Everything that multiplies first, and then what divides: (1+z)^2/(1-z) (1-z) has a value."""
+    result = laurent.constant(Fraction(1))
+    divisors = []
+    for factor in node.factors:
+        divides, base = factor.divides, factor.node
+        if isinstance(base, Power) and base.exponent < 0:
+            divides = not divides
+            value = laurent.power(_nonzero(base.base, factor.at, values, work), -base.exponent, work)
+        else:
+            value = _nonzero(base, factor.at, values, work) if divides else evaluate(base, values, work)
+        if not divides:
+            result = laurent.times(result, value, work)
+        elif (inverse := laurent.inverse(value)) is not None:
+            result = laurent.times(result, inverse, work)
+        else:
+            divisors.append((value, factor.at))
+    for divisor, at in divisors:
+        result = _quotient(result, divisor, at, work)
     return result
 
 
 def _power(node: Power, values: Mapping[str, Fraction], work: Work) -> Laurent:
-    base = evaluate(node.base, values, work)
-    if node.exponent < 0:
-        base = _inverse(base, Factor(node.base, True, node.at), values)
-    return laurent.power(base, abs(node.exponent), work)
+    if node.exponent >= 0:
+        return laurent.power(evaluate(node.base, values, work), node.exponent, work)
+    base = _nonzero(node.base, node.at, values, work)
+    if (inverse := laurent.inverse(base)) is None:
+        return _quotient(laurent.constant(Fraction(1)), base, node.at, work)
+    return laurent.power(inverse, -node.exponent, work)
 
 
-def _inverse(divisor: Laurent, factor: Factor, values: Mapping[str, Fraction]) -> Laurent:
-    if (result := laurent.inverse(divisor)) is not None:
+def _quotient(a: Laurent, divisor: Laurent, at: int, work: Work) -> Laurent:
+    if (result := laurent.quotient(a, divisor, work)) is not None:
         return result
+    small, large = laurent.spelled(divisor) or "this divisor", laurent.spelled(a) or "what stands before it"
+    mend = "divide by numbers, parameters, powers of z and polynomials that leave no remainder"
+    raise Fault("SD008", f"{small} does not divide {large} exactly", mend, at)
+
+
+def _nonzero(node: Node, at: int, values: Mapping[str, Fraction], work: Work) -> Laurent:
+    """A divisor. Raises Fault for zero."""
+    divisor = evaluate(node, values, work)
     if divisor.numerators:
-        mend = "divide by numbers, parameters and powers of z only"
-        raise Fault("SD008", "this divisor makes it no Laurent polynomial", mend, factor.at)
-    names = sorted(names_in(factor.node) & values.keys())
+        return divisor
+    names = sorted(names_in(node) & values.keys())
     if not names:
-        raise Fault("SD007", "division by zero", "write a divisor that is not zero", factor.at)
+        raise Fault("SD007", "division by zero", "write a divisor that is not zero", at)
     given = ", ".join(f"{shown(name)} = {shown_number(values[name])}" for name in names)
-    raise Fault(
-        "SD011", f"division by zero where {given}", f"give it another value: -p {shown(names[0])}=1/16", factor.at
-    )
+    mend = f"give it another value: -p {shown(names[0])}=1/16"
+    raise Fault("SD011", f"division by zero where {given}", mend, at)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from heapq import heappop, heappush
 from math import gcd, lcm
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH, MAX_WORK
@@ -107,6 +108,53 @@ def inverse(a: Laurent) -> Laurent | None:
         return None
     ((k, n),) = a.numerators.items()
     return Laurent({-k: a.denominator if n > 0 else -a.denominator}, abs(n))
+
+
+def quotient(a: Laurent, b: Laurent, work: Work) -> Laurent | None:
+    """a / b for b ≠ 0, where that is a Laurent polynomial; None where it is not. Raises TooLargeError.
+
+    Long division from the lowest exponent, in integers: a polynomial with integer coefficients that a primitive one
+    divides has an integer quotient (Gauss).
+    """
+    content = gcd(*b.numerators.values())
+    divisor = {k: n // content for k, n in b.numerators.items()}
+    lowest, span = min(divisor), max(divisor) - min(divisor)
+    rest = dict(a.numerators)
+    waiting = sorted(rest)  # a heap of the exponents in `rest`
+    last = max(rest, default=0) - span
+    found: dict[int, int] = {}
+    while waiting:
+        k = heappop(waiting)
+        if not (n := rest.pop(k)):
+            continue
+        factor, remainder = divmod(n, divisor[lowest])
+        if k > last or remainder:
+            return None
+        if len(found) >= MAX_MASK_LENGTH:
+            raise TooLargeError(f"a Laurent polynomial of more than {MAX_MASK_LENGTH} terms")
+        if factor.bit_length() > MAX_BITS:
+            raise TooLargeError(f"numbers of more than {MAX_DIGITS} digits come up")
+        work.charge(30 + len(divisor), factor.bit_length(), b.bits)
+        found[k - lowest] = factor
+        for j, m in divisor.items():
+            if j != lowest:
+                if (at := k - lowest + j) not in rest:
+                    heappush(waiting, at)
+                rest[at] = rest.get(at, 0) - factor * m
+    return Laurent({k: n * b.denominator for k, n in found.items()}, a.denominator * content)
+
+
+def spelled(a: Laurent, limit: int = 5) -> str | None:
+    """A Laurent polynomial as a message may quote it, "1 - 2 z"; None for a long one."""
+    if len(a.numerators) > limit or a.bits > 30:
+        return None
+    out = ""
+    for k, c in sorted(a.coefficients.items()):
+        size = "" if abs(c) == 1 and k else f"({abs(c)})" if k and abs(c).denominator > 1 else str(abs(c))
+        variable = "" if k == 0 else "z" if k == 1 else f"z^{k}"
+        sign = (" - " if c < 0 else " + ") if out else "-" if c < 0 else ""
+        out += sign + f"{size} {variable}".strip()
+    return out or "0"
 
 
 def power(a: Laurent, n: int, work: Work) -> Laurent:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from subdiv_cli.maskfile.characters import RATIONAL_ONLY
 from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.tokens import Token
 
@@ -13,23 +14,31 @@ _IRRATIONAL = ("sqrt", "cbrt", "root", "exp", "log", "ln", "sin", "cos", "tan", 
 
 def unknown_name(token: Token, names: Collection[str], *, called: bool = False, logarithms: bool = False) -> Fault:
     """SD008 (SD007 for nan and inf) with the likeliest mend. `called`: a parenthesis follows."""
+    fault = _unknown_name(token, names, called, logarithms)
+    fault.about = token.text
+    return fault
+
+
+def _unknown_name(token: Token, names: Collection[str], called: bool, logarithms: bool) -> Fault:
     name, at = token.text, token.at
     if name.lower() in _NOT_FINITE:
         return Fault("SD007", f"{name} is not a rational number", "write a finite number", at)
     if logarithms and name.lower().startswith(("log", "ln")):
         return Fault("SD008", f'"{shown(name)}" needs its base and an argument', "write log2(64/9) or log3(11)/2", at)
     if called and (name.lower() in _IRRATIONAL or len(name) > 1) and not _split(name, names):
-        mend = "rational masks only: write the rational value, or a parameter"
+        mend = RATIONAL_ONLY if name.lower() in _IRRATIONAL else "write the value itself, or * to multiply"
         return Fault("SD008", f'"{shown(name)}(…)" is a function call, and there are none', mend, at)
     message = f'the name "{shown(name)}" is not declared'
     if parts := _split(name, names):
         return Fault("SD008", message, f"to multiply, write {'*'.join(parts)}", at)
+    if name in ("x", "Z") and "z" in names:
+        return Fault("SD008", message, "the variable of a symbol is z: (1+z)^4", at)
     if guess := near(name, names):
         return Fault("SD008", message, f"did you mean {shown(guess)}?", at)
     if name == "z":
         return Fault("SD008", "z cannot stand in a single number", "give the whole mask as a symbol to use z", at)
     if name.lower() in _IRRATIONAL:
-        return Fault("SD008", message, "rational masks only: write a rational number", at)
+        return Fault("SD008", message, RATIONAL_ONLY, at)
     if names and names != {"z"}:
         known = ", ".join(sorted(shown(n, 20) for n in names)[:8])
         return Fault("SD008", message, f"known here: {known}; declare it in [parameters]: {shown(name)} = 1", at)

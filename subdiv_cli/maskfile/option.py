@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from fractions import Fraction
 from typing import cast
 
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH
-from subdiv_cli.maskfile.evaluate import evaluate
+from subdiv_cli.maskfile.entries import fault_of_name
+from subdiv_cli.maskfile.evaluate import evaluate, names_in
 from subdiv_cli.maskfile.grammar import Factor, Node, Parser, Product, Sum, parse
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import Coefficients, Expression, MaskFile, Symbol, expand
+from subdiv_cli.maskfile.mask import Coefficients, Expression, MaskFile, Symbol, check_zero
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
-from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
+from subdiv_cli.maskfile.properties import KEYS, PLANNED, TRUTHS, comparison, expectation, not_decided
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.model import Expectation, ExpectationKey, Problem
 
@@ -20,10 +22,11 @@ _ORDER = re.compile(r"C\^?([0-9]+)")
 _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
 
 
-def from_option(text: str, *, start: int = 0, arity: int = 2) -> MaskFile:
+def from_option(text: str, *, start: int = 0, arity: int = 2, names: Collection[str] = ()) -> MaskFile:
     """The mask of `--mask`: "[-1,0,9,16,9,0,-1]/16", its first index `start`, or a symbol, "(1+z)^2/2".
 
-    Raises MaskFileError; positions count in the text.
+    `names`: parameters that -p gives. Those that stand in the mask are declared, without a default; `MaskFile.values`
+    refuses a value for another. Raises MaskFileError; positions count in the text.
     """
     source = Source("--mask", text, toml=False)
     problems = Collector(source)
@@ -34,23 +37,44 @@ def from_option(text: str, *, start: int = 0, arity: int = 2) -> MaskFile:
             raise Fault("SD010", f"the arity must be between 2 and {MAX_ARITY}, not {shown(str(arity))}", "--arity 2")
         if not -MAX_EXPONENT <= start <= MAX_EXPONENT:
             raise Fault("SD010", f"start must be between -{MAX_EXPONENT} and {MAX_EXPONENT}", "--start 0")
+        for name in names:
+            if fault_there := fault_of_name(name):
+                raise fault_there
         body: Coefficients | Symbol
         if text.lstrip().startswith("["):
-            body = Coefficients(arity=arity, start=start, entries=_list(text))
+            body = Coefficients(arity=arity, start=start, entries=_list(text, names))
         elif start:
             raise Fault("SD015", "--start and a symbol both say where the mask begins", "leave --start out")
         else:
-            body = Symbol(arity=arity, expression=Expression(text=text.strip(), node=parse(text, ("z",))))
-        expand(body, {}, problems, Work())
+            body = Symbol(arity=arity, expression=Expression(text=text.strip(), node=parse(text, ("z", *names))))
+        check_zero(body, problems)
     except Fault as fault:
+        _explain(fault, text, names)
         problems.add(fault)
     problems.raise_any()
-    return MaskFile(file="--mask", body=body, source=source)
+    entries = body.entries if isinstance(body, Coefficients) else (body.expression,)
+    used = frozenset().union(*(names_in(entry.node) for entry in entries))
+    parameters = {name: None for name in names if name in used}
+    return MaskFile(file="--mask", body=body, parameters=parameters, source=source)
 
 
-def _list(text: str) -> tuple[Expression, ...]:
+def _explain(fault: Fault, text: str, names: Collection[str]) -> None:
+    """Mends of files, in the words of the command line."""
+    if fault.message.endswith("is not declared") and fault.help and "[parameters]" in fault.help:
+        name = shown(fault.about or "w")
+        fault.help = f"give it a value: -p {name}=1/16"
+    elif fault.message.startswith('","') and not text.lstrip().startswith("["):
+        try:
+            _list(f"[{text}]", names)
+            mend = f"[{shown(text.strip(), 100)}]"
+        except Fault:
+            mend = "[1, 2, 1]/2"
+        fault.message, fault.help = "a list of coefficients stands in brackets", f"put the list in brackets: {mend}"
+
+
+def _list(text: str, names: Collection[str]) -> tuple[Expression, ...]:
     """list = "[" sum { "," sum } "]" { ("*" | "/") factor }; the factors go into every coefficient"""
-    parser = Parser(text, ())
+    parser = Parser(text, names)
     opening = parser.advance()
     spans: list[tuple[Node, str]] = []
     while True:
@@ -139,6 +163,8 @@ def _property(text: str) -> Expectation:
     if parts is None:
         raise Fault("SD012", f'"{shown(text)}" is no property', "write for instance C1, holder>=1.5 or convergent", at)
     key, rest = parts[1], parts[2]
+    if key in PLANNED:
+        raise not_decided(key, at)
     if key not in KEYS:
         guess = near(key, KEYS)
         mend = f"did you mean {guess}?" if guess else "properties: C1, " + ", ".join(KEYS)

@@ -34,6 +34,8 @@ class Fault(Exception):  # noqa: N818 (most are recorded, not handled)
         self.message = message
         self.help = help
         self.at = at
+        self.about: str | None = None
+        """What the fault is about, where telling it once in a file is enough: an undeclared name."""
 
 
 class Source:
@@ -66,6 +68,7 @@ class Collector:
         self._source = source
         self._faults: list[tuple[Fault, KeyPath, bool]] = []
         self._left_out = 0
+        self._again: dict[tuple[str, str], int] = {}
 
     def __bool__(self) -> bool:
         return bool(self._faults)
@@ -76,7 +79,13 @@ class Collector:
         return len(self._faults) >= MAX_PROBLEMS
 
     def add(self, fault: Fault, path: KeyPath = (), *, of_key: bool = False) -> None:
-        """Records a fault in the value at `path`, or (of_key) in the key itself."""
+        """Records a fault in the value at `path`, or (of_key) in the key itself; one that is only `about` once."""
+        if fault.about is not None:
+            same = (fault.message, fault.about)
+            if same in self._again:
+                self._again[same] += 1
+                return
+            self._again[same] = 0
         if not self.full:
             self._faults.append((fault, path, of_key))
         else:
@@ -88,6 +97,9 @@ class Collector:
             return
         from subdiv_cli.maskfile.positions import Positions
 
+        for fault, _, _ in self._faults:
+            if fault.about is not None and (more := self._again[fault.message, fault.about]):
+                fault.message += f" (and in {more} more place{'s' if more > 1 else ''})"
         positions = Positions(self._source)
         problems = [positions.problem(*entry) for entry in self._faults]
         problems.sort(key=lambda p: (p.line is None, p.line or 0, p.column or 0))

@@ -10,7 +10,7 @@ from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
 from subdiv_cli.maskfile.mask import Coefficients, MaskFile, Symbol, check_zero
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
-from subdiv_cli.maskfile.properties import contradictions, expectation
+from subdiv_cli.maskfile.properties import KEYS, PLANNED, contradictions, expectation
 from subdiv_cli.maskfile.recognise import MARKS
 from subdiv_cli.maskfile.scalar import read_scalar
 from subdiv_cli.maskfile.toml import load
@@ -111,10 +111,11 @@ def read_text(text: str, *, file: str) -> MaskFile:
 
 _BELONGS = dict.fromkeys(
     ("arity", "start", "coefficients", "symbol"), ("it belongs below [mask]", "mask")
-) | dict.fromkeys(
-    ("convergent", "smoothness", "holder", "sobolev", "generation", "reproduction", "stable"),
-    ("it belongs below [expect]", "expect"),
+) | dict.fromkeys(KEYS, ("it belongs below [expect]", "expect"))
+_BELONGS |= dict.fromkeys(
+    ("coef", "coefs", "coeff", "coeffs", "coefficient"), ("did you mean coefficients? they belong below [mask]", "mask")
 )
+_BELONGS |= dict.fromkeys(PLANNED, ("it is not decided yet: leave it out", ""))
 
 
 def _kind(document: Mapping[str, object], problems: Collector) -> str:
@@ -133,8 +134,9 @@ def _kind(document: Mapping[str, object], problems: Collector) -> str:
         where = "kind" if "kind" in document else kind
         problems.add(Fault("SD013", message, "this version reads: " + ", ".join(BODIES)), (where,))
     else:
-        guess = near(kind, (*BODIES, *_PLANNED))
-        mend = f'did you mean "{guess}"?' if guess else "this version reads: " + ", ".join(BODIES)
+        mend = f"this version reads: {', '.join(BODIES)}; planned: {', '.join(_PLANNED)}"
+        if guess := near(kind, BODIES):
+            mend = f'did you mean "{guess}"?'
         problems.add(Fault("SD013", f'there is no kind "{shown(kind)}"', mend), ("kind",))
     problems.raise_any()
     raise AssertionError("unreachable: there is a problem")
@@ -145,7 +147,8 @@ def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
     if not document:
         problems.add(Fault("SD016", "the file is empty", "write a mask: [mask] with start and coefficients"))
     elif not any(
-        key in _TOP or key in _BELONGS or near(key, ("mask", "kind", "matrices")) for key in list(document)[:50]
+        key.lower() in _TOP or key.lower() in _BELONGS or near(key, ("mask", "kind", "matrices"))
+        for key in list(document)[:50]
     ):
         mend = "a mask file has [mask] with start and coefficients, or symbol"
         problems.add(Fault("SD016", "this is TOML, but no mask file: it has no kind, mask or matrices", mend))
@@ -168,7 +171,7 @@ def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation
         try:
             found.append(expectation(key, value))
         except Fault as fault:
-            problems.add(fault, ("expect", key), of_key=fault.code == "SD004")
+            problems.add(fault, ("expect", key), of_key=fault.code in ("SD004", "SD013"))
     for later, contradiction in contradictions(found):
         problems.add(contradiction, ("expect", later))
     return tuple(found)

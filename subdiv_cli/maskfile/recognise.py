@@ -4,20 +4,54 @@ from __future__ import annotations
 
 import re
 
+from subdiv_cli.maskfile.problems import near
+
 MARKS = ("kind", "mask", "matrices")
 """A mask file has one of these at its top level."""
 
-_HEADER = re.compile(rb"\s*\[")
-_MASK_HEADER = re.compile(rb"""\s*\[\s*["']?mask["']?\s*[\].]""")
-_MARK = re.compile(rb"""\s*["']?(?:kind|mask|matrices)["']?\s*[.=]""")
+_OWN = re.compile(r"masks?|matrices|coef[a-z]*|symbol|expect")
+"""Whatever has one of these at its top level is meant as a mask, key or table, `kind` as a key too: it may lack the
+marks by mistake."""
+_SHARED = {"parameters", "start", "arity"}
+"""Other programs' files have these as well: they count where nothing foreign stands beside them."""
+_BESIDE = {"format", "name", "reference", "convergent", "smoothness", "holder", "generation", "reproduction", "stable"}
+_INSIDE = re.compile(r"arity|coef[a-z]*|symbol")
+"""In a table whose name resembles mask."""
+
+_NAME = rb"""["']?([A-Za-z_][A-Za-z0-9_-]*)["']?[ \t]*"""
+_HEADER = re.compile(rb"\s*\[\[?[ \t]*" + _NAME + rb"([\].]|\s*\Z)")
+_KEY = re.compile(rb"\s*" + _NAME + rb"[.=]")
 
 
 def is_mask(data: bytes) -> bool:
-    """Whether the bytes look like a mask file, broken ones included; decided line by line, never by parsing."""
-    top = True
+    """Whether the bytes look like a mask file, broken ones included; decided line by line, never by parsing.
+
+    An empty file does, comments or not, since a gate would pass over a mask that was lost. Case does not count.
+    """
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):  # the reader says that it is not UTF-8
+        data = data.decode("utf-16", "replace").encode()
+    table: str | None = None
+    top: set[str] = set()
+    empty = True
     for line in data.removeprefix(b"\xef\xbb\xbf").split(b"\n"):
-        if _MASK_HEADER.match(line) or (top and _MARK.match(line)):
+        code = line.split(b"#")[0].strip()
+        empty &= not code
+        header = _HEADER.match(line)
+        if header and _OWN.fullmatch(_lower(header)):
             return True
-        if _HEADER.match(line) and b"=" not in line and line.split(b"#")[0].rstrip().endswith(b"]"):
-            top = False
-    return False
+        if code.startswith(b"[") and code.endswith(b"]") and b"=" not in code:
+            table = _lower(header) if header else ""
+            top.add(table)
+        elif found := _KEY.match(line):
+            name = _lower(found)
+            if table is None:
+                if name == "kind" or _OWN.fullmatch(name):
+                    return True
+                top.add(name)
+            elif _INSIDE.fullmatch(name) and near(table, ("mask",)):
+                return True
+    return empty or (bool(top & _SHARED) and top <= _SHARED | _BESIDE)
+
+
+def _lower(found: re.Match[bytes]) -> str:
+    return found[1].decode("ascii").lower()

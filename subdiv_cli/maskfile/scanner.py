@@ -201,7 +201,7 @@ class _Scanner:
         long = self.text.startswith(quote * 3, start)
         pattern = _STRINGS[quote * 3 if long else quote]
         if not self._skip(pattern):
-            raise stuck.string(start, quote * 3 if long else quote)
+            raise stuck.string(self.text, start, quote * 3 if long else quote)
         if quote == '"' and (found := _BAD_ESCAPE.match(self.text, start, self.i)):
             raise stuck.escape(self.text, found.end() - 2)
 

@@ -5,9 +5,17 @@ from __future__ import annotations
 import re
 
 from subdiv_cli.maskfile.bounds import MAX_NESTING
+from subdiv_cli.maskfile.characters import MENDS, QUOTES, RATIONAL_ONLY, instead, mended, named
 from subdiv_cli.maskfile.problems import Fault, shown
+from subdiv_cli.maskfile.tokens import is_name
 
 _ELEMENT = re.compile(r"[^,\[\]{}#\r\n\"']*")
+_TOML_NUMBER = re.compile(r"[+-]?(0|[1-9][0-9]*)(\.[0-9]+)?")
+_KEY_LINE = re.compile(r"([^=#\"'\r\n]*)=[ \t]*([^\r\n]*)")
+_SAFE_VALUE = re.compile(r"(\"[^\"\\]{0,40}\"|[+-]?(?:0|[1-9][0-9]{0,9})(?:\.[0-9]{1,20})?)[ \t]*(?:#.*)?")
+_WHOLE_PART = re.compile(r"(?<![0-9.])([+-]?[0-9]+),\Z")
+_BESIDE_VALUES = ("//", "/*", ";")
+_COMMENTS = (*_BESIDE_VALUES, "--", "%")
 
 
 def _element(text: str, start: int) -> str:
@@ -22,7 +30,40 @@ def _here(text: str, at: int) -> str:
         return "the end of the file"
     if text[at] in "\"'":
         return "a quotation mark"
-    return "the end of the line" if text[at] in "\r\n" else f'"{shown(text[at])}"'
+    return "the end of the line" if text[at] in "\r\n" else named(text[at])
+
+
+def _as_string(element: str) -> str:
+    """How to write an unquoted expression, in characters that can then be read."""
+    if "√" in element or "sqrt" in element:
+        return RATIONAL_ONLY
+    return f'write it as a string: "{mended(element)}"'
+
+
+def _comment(text: str, at: int, marks: tuple[str, ...] = _COMMENTS) -> Fault | None:
+    """A comment as other languages write it."""
+    if not text.startswith(marks, at):
+        return None
+    message = f"a comment in TOML does not begin with {_here(text, at)}"
+    return Fault("SD001", message, "comments begin with #", at)
+
+
+def _typography(element: str, start: int) -> Fault | None:
+    """A value with typographic quotation marks, or one that begins with a character that is no plain one."""
+    plain = mended(element)
+    for i, c in enumerate(element):
+        if c in QUOTES:
+            whole = element[0] in QUOTES and element[-1] in QUOTES and len(element) > 1
+            mend = f'write straight quotes: "{plain}"' if whole else 'write straight quotes: "1/8"'
+            if whole and _TOML_NUMBER.fullmatch(plain):
+                mend = f"write it without quotes: {plain}"
+            return Fault("SD001", f"the character {named(c)} is no quotation mark in TOML", mend, start + i)
+    first = element.lstrip("+-.")[:1]
+    if first not in MENDS or first == "√":
+        return None
+    mend = plain if _TOML_NUMBER.fullmatch(plain) else f'"{plain}"'
+    message = f"the character {named(first)} cannot stand in a TOML value"
+    return Fault("SD001", message, f"write {instead(first)} instead: {mend}", start + element.index(first))
 
 
 def nesting(what: str, at: int) -> Fault:
@@ -32,11 +73,15 @@ def nesting(what: str, at: int) -> Fault:
 
 def value(text: str, start: int) -> Fault:
     """No value begins here."""
+    if fault := _comment(text, start, _BESIDE_VALUES):
+        return fault
     element = _element(text, start)
     if not element:
         return Fault(
             "SD001", f"a value was expected, not {_here(text, start)}", 'write a value, for instance "1/16"', start
         )
+    if fault := _typography(element, start):
+        return fault
     if element.lower() in ("true", "false"):
         return Fault("SD001", f"{element} is not a TOML value", f"write {element.lower()} in lower case", start)
     if re.match(r"[+-]?\.[0-9]", element):
@@ -44,29 +89,38 @@ def value(text: str, start: int) -> Fault:
         return Fault("SD001", "a decimal in TOML has a digit before its point", mend, start)
     at = start + (element[0] in "+-")
     message = "text and expressions must be quoted: no TOML value begins like this"
-    return Fault("SD001", message, f'write it as a string: "{element}"', at)
+    return Fault("SD001", message, _as_string(element), at)
 
 
 def after_value(text: str, start: int, at: int) -> Fault:
     """Something directly after a value, or on the same line, that does not belong there. `start`: of the value."""
+    if fault := _comment(text, at, _BESIDE_VALUES):
+        return fault
     c = text[at : at + 1]
+    if c and MENDS.get(c) == "a space":
+        return Fault("SD001", f"the character {named(c)} is no space in TOML", "write a plain space instead", at)
     element = _element(text, start)
     if not element:  # a header, a string, an array or a table: there is nothing to quote
         return Fault("SD001", f"the line should end here, not continue with {_here(text, at)}", "start a new line", at)
     if c == "/":
         return Fault(
-            "SD003", "fraction not quoted: TOML has no fractions", f'write exact numbers as strings: "{element}"', at
+            "SD003",
+            "fraction not quoted: TOML has no fractions",
+            f'write exact numbers as strings: "{mended(element)}"',
+            at,
         )
     if c == ".":
         mend = f'write 1.0 for 1., or a string: "{element}"'
         return Fault("SD001", "a decimal in TOML has a digit after its point", mend, at)
+    if c.isdigit() and text[start:at] == "0" and (whole := _WHOLE_PART.search(text, max(0, start - 20), start)):
+        mend = f"decimals need a point: {whole[1]}.{element}"
+        return Fault("SD001", "a number in TOML does not begin with 0; is the comma a decimal comma?", mend, at)
     if c.isdigit() and text[start:at] in ("0", "-0", "+0"):
         return Fault(
             "SD001", "a number in TOML does not begin with 0", f"write {element.lstrip('+-0') or '0'} instead", at
         )
-    if c and (c in "*^+-(−·×√" or c.isidentifier() or c.isdigit()):
-        mend = f'write it as a string: "{element}"'
-        return Fault("SD001", "expression not quoted: TOML has single numbers only", mend, at)
+    if c and (c in "*^+-(" or c in MENDS or c.isidentifier() or c.isdigit()):
+        return Fault("SD001", "expression not quoted: TOML has single numbers only", _as_string(element), at)
     return Fault("SD001", f"the value should end here, not continue with {_here(text, at)}", "start a new line", at)
 
 
@@ -88,8 +142,14 @@ def unclosed(opening: int, bracket: str, closing: str) -> Fault:
     return Fault("SD001", f'this "{bracket}" is never closed', f'add the missing "{closing}"', opening)
 
 
-def string(start: int, quote: str) -> Fault:
+def string(text: str, start: int, quote: str) -> Fault:
     """A string without end."""
+    for at in range(start + 1, min(len(text), start + 1000)):
+        if text[at] in "\r\n" or len(quote) == 3:
+            break
+        if text[at] in QUOTES:
+            mend = f"write a straight quote instead: {quote}"
+            return Fault("SD001", f"the character {named(text[at])} is no quotation mark in TOML", mend, at)
     where = "" if len(quote) == 3 else " on its line"
     return Fault("SD001", f"this string is not closed{where}", f"add the missing {quote}", start)
 
@@ -108,13 +168,29 @@ def header(text: str, at: int, closing: str) -> Fault:
 
 def key(text: str, at: int) -> Fault:
     """No key begins here."""
-    if text[at : at + 1].isidentifier():
-        return Fault("SD001", f"{_here(text, at)} cannot stand in a bare key", 'quote the key: "ω" = "1/16"', at)
+    if fault := _comment(text, at) or _beyond_ascii(text, at, at):
+        return fault
     return Fault("SD001", f"a key was expected, not {_here(text, at)}", "write one key = value on each line", at)
+
+
+def _beyond_ascii(text: str, start: int, at: int) -> Fault | None:
+    """A bare key with a letter that needs quotes at `at`, or quotation marks that are none."""
+    c = text[at : at + 1]
+    if c and c in QUOTES:
+        return Fault("SD001", f"the character {named(c)} is no quotation mark in TOML", 'write straight quotes: "', at)
+    if c.isascii() or not ("a" + c).isidentifier():
+        return None
+    mend = 'quote the key: "ω" = "1/16"'
+    if (line := _KEY_LINE.match(text, start)) and is_name(name := line[1].strip()):
+        value = _SAFE_VALUE.fullmatch(line[2])
+        mend = f'quote the key: "{shown(name)}" = ' + (value[1] if value else '"1/16"')
+    return Fault("SD001", f"{_here(text, at)} cannot stand in a bare key", mend, at)
 
 
 def equals(text: str, start: int, at: int) -> Fault:
     """A key without its "="."""
+    if fault := _beyond_ascii(text, start, at):
+        return fault
     name = shown(text[start:at].strip())
     message = f'"=" was expected after the key {name}, not {_here(text, at)}'
     return Fault("SD001", message, f"write {name} = value", at)

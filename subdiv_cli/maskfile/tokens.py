@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
+from subdiv_cli.maskfile.characters import MENDS, stray
 from subdiv_cli.maskfile.problems import Fault, shown
 
 
@@ -22,10 +23,6 @@ _SPACE = re.compile(r"[ \t\r\n]*")
 _NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _ASCII_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _OPERATORS = frozenset("+-*/^()[],")
-
-_MENDS = dict.fromkeys("−–—‐‑‒﹣－", "-") | dict.fromkeys("×·⋅∙•∗✕", "*") | dict.fromkeys("÷⁄∕／", "/")
-_MENDS |= {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)", "⅛": "(1/8)", "⁻": "^-", "＋": "+"}
-_MENDS |= {power: f"^{i}" for i, power in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"√": "", "\u00a0": "a space", "\u2009": "a space"}
 
 
 def tokens(text: str, at: int = 0) -> Iterator[Token]:
@@ -45,7 +42,7 @@ def tokens(text: str, at: int = 0) -> Iterator[Token]:
         elif end := _name_end(text, position):
             kind = "name"
         else:
-            raise _stray(c, at + position)
+            raise stray(text, position, at + position)
         yield Token(kind, text[position:end], at + position)
         position = end
     while True:
@@ -54,7 +51,7 @@ def tokens(text: str, at: int = 0) -> Iterator[Token]:
 
 def is_name(text: str) -> bool:
     """Whether a parameter may be called so: a letter or _, then letters, digits and _."""
-    return bool(text) and text[0] not in _MENDS and _name_end(text, 0) == len(text)
+    return bool(text) and text[0] not in MENDS and _name_end(text, 0) == len(text)
 
 
 def _name_end(text: str, start: int) -> int:
@@ -65,18 +62,9 @@ def _name_end(text: str, start: int) -> int:
         end = start + 1
     else:
         return 0
-    while end < len(text) and text[end] not in _MENDS and ("a" + text[end]).isidentifier():
+    while end < len(text) and text[end] not in MENDS and ("a" + text[end]).isidentifier():
         end += 1
     return end
-
-
-def _stray(c: str, at: int) -> Fault:
-    if c == "√":
-        return Fault("SD008", "a square root is not rational", "rational masks only: write a rational number", at)
-    if c in _MENDS:
-        return Fault("SD008", f'the character "{shown(c)}" is not understood here', f"write {_MENDS[c]} instead", at)
-    mend = 'an expression has numbers, names, + - * / ^ and parentheses: "1/2 + w"'
-    return Fault("SD008", f'the character "{shown(c)}" cannot stand in an expression', mend, at)
 
 
 def number(token: Token) -> Fraction:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from subdiv_cli.catalog.discovery import Discovery, discover
+from subdiv_cli.maskfile import MaskFileError, read_path
 from subdiv_cli.model import Problem
 
 MASK = "[mask]\nstart = 0\ncoefficients = [1, 1]\n"
@@ -116,3 +117,29 @@ def test_broken_text_and_big_files_are_recognised(tree: Path) -> None:
     (tree / "latin.toml").write_bytes(b"name = '\xe9'\n[mask]\n")
     (tree / "big.toml").write_text("[mask]\n" + "#" * 2_000_000)
     assert {"latin.toml", "big.toml"} <= set(names(discover([tree]), tree))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "# nothing yet\n",
+        MASK.replace("mask", "masks"),
+        "start = 0\ncoefficients = [1, 1]\n",
+        "symbol = '1 + z'\n",
+        "[expect]\nconvergent = true\n",
+        "[parameters]\nw = 1\n",
+        "arity = 2\n",
+        "[msk]\nstart = 0\ncoefs = [1, 1]\n",
+    ],
+)
+def test_misspelt_masks_are_not_passed_over(tmp_path: Path, text: str) -> None:
+    (tmp_path / "misspelt.toml").write_text(text)
+    (tmp_path / "good.toml").write_text(MASK)
+    (tmp_path / "pyproject.toml").write_text("[project]\nname = 'x'\n[tool.ruff]\nline-length = 100\n")
+    (tmp_path / "ruff.toml").write_text("line-length = 100\n[lint]\nselect = ['E']\n")
+    found = discover([tmp_path])
+    assert names(found, tmp_path) == ["good.toml", "misspelt.toml"]
+    assert found.skipped == 2
+    with pytest.raises(MaskFileError):
+        read_path(tmp_path / "misspelt.toml")

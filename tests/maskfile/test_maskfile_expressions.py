@@ -57,6 +57,14 @@ def value(text: str) -> dict[int, Q]:
         ("z/(2 v)", {1: Q(-1, 6)}),
         ("(1+z)/z", {-1: Q(1), 0: Q(1)}),
         ("(1+z)/(1+z-1)", {-1: Q(1), 0: Q(1)}),
+        ("((1-z^2)/(1-z))^2/8", {0: Q(1, 8), 1: Q(1, 4), 2: Q(1, 8)}),
+        ("1/(1-z) * (1-z^2)", {0: Q(1), 1: Q(1)}),
+        ("(1-z^2)^2 (1-z)^-2", {0: Q(1), 1: Q(2), 2: Q(1)}),
+        ("(1-z^2)/(w - w z)", {0: Q(16), 1: Q(16)}),
+        ("z/(2z-4)^-1", {2: Q(2), 1: Q(-4)}),
+        ("(1-z)^3/(1-z)/(z-1)", {0: Q(-1), 1: Q(1)}),
+        ("(z-z)/(1+z)", {}),
+        ("(1-z^1500)/(1-z)", dict.fromkeys(range(1500), Q(1))),
         ("1/2*3 z", {1: Q(3, 2)}),
         ("1/(1-16w+1)", {0: Q(1)}),
         ("\t1\n+ 1 ", {0: Q(2)}),
@@ -101,6 +109,28 @@ def test_long_sums_and_products_are_no_deep_trees() -> None:
     assert value("+".join(["z"] * 5000)) == {1: Q(5000)}
     assert value("-" * 5000 + "1") == {0: Q(1)}
     assert value("z*" * 5000 + "1") == {5000: Q(1)}
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("1/(1+z)", r"1 \+ z does not divide 1 exactly"),
+        ("(1+z)^2/(1-z)", r"1 - z does not divide 1 \+ 2 z \+ z\^2 exactly"),
+        ("(1+z)^2/(2+z)", r"2 \+ z does not divide"),
+        ("(1+z)^9/(1-z)^8", "this divisor does not divide what stands before it exactly"),
+        ("1/(1-z) - z/(1-z)", r"1 - z does not divide 1 exactly"),
+    ],
+)
+def test_divisions_with_a_remainder(text: str, message: str) -> None:
+    with pytest.raises(Fault, match=message):
+        value(text)
+
+
+@pytest.mark.parametrize("text", ["(1-z^1000000)/(1-z)", "(1+z^5000)/(3+z-z^2)", "(1-z)^1900/(1-2z+7z^2)^3"])
+def test_divisions_are_bounded(text: str) -> None:
+    with pytest.raises(Fault) as caught:
+        value(text)
+    assert caught.value.code in ("SD008", "SD010")
 
 
 Poly = dict[int, Q]
@@ -152,6 +182,24 @@ def compound(children: st.SearchStrategy[Printed]) -> st.SearchStrategy[Printed]
 
 
 expressions = st.recursive(st.one_of(numbers, names, monomials), compound, max_leaves=12)
+
+
+polynomials = st.dictionaries(st.integers(-6, 6), st.fractions(-9, 9, max_denominator=9), max_size=6).map(trim)
+
+
+def written(p: Poly) -> str:
+    return " + ".join(f"({c}) z^{k}" for k, c in p.items()) or "0"
+
+
+@settings(max_examples=300, deadline=None)
+@given(polynomials, polynomials.filter(bool), st.booleans())
+def test_exact_divisions(a: Poly, b: Poly, spoil: bool) -> None:
+    """a b / b = a; and (a b + z^40) / b is no Laurent polynomial, unless b is a monomial."""
+    if not spoil or len(b) == 1:
+        assert value(f"({written(mul(a, b))})/({written(b)})") == a
+        return
+    with pytest.raises(Fault, match="exactly"):
+        value(f"({written(mul(a, b))} + z^40)/({written(b)})")
 
 
 @settings(max_examples=300, deadline=None)

@@ -36,7 +36,6 @@ coefficients = ["-w", 0, "1/2 + w", 1, "1/2 + w", 0, "-w"]
 convergent = true
 smoothness = 1
 holder = "2"
-sobolev = ">= 2.44"
 generation = 3
 reproduction = 3
 stable = true
@@ -58,7 +57,6 @@ def test_the_file_of_the_design() -> None:
         Expectation(key="convergent", text="true", lower=True, upper=True),
         Expectation(key="smoothness", text="1", lower=1, upper=1),
         Expectation(key="holder", text="2", lower=Q(2), upper=Q(2)),
-        Expectation(key="sobolev", text=">= 2.44", lower=Q(61, 25)),
         Expectation(key="generation", text="3", lower=3, upper=3),
         Expectation(key="reproduction", text="3", lower=3, upper=3),
         Expectation(key="stable", text="true", lower=True, upper=True),
@@ -140,71 +138,6 @@ def test_files_and_standard_input(tmp_path, monkeypatch):
     assert (mask.file, mask.scheme()) == ("-", four_point(Q(1, 16)))
 
 
-@pytest.mark.parametrize(
-    ("text", "start", "coefficients"),
-    [
-        ("[-1,0,9,16,9,0,-1]/16", -3, four_point(Q(1, 16)).coefficients),
-        (" [ -1 , 0, 9, 16, 9, 0, -1 ] / 16 ", -3, four_point(Q(1, 16)).coefficients),
-        ("[1/2, 1, 0.5]", 0, (Q(1, 2), Q(1), Q(1, 2))),
-        ("[1, 1+1, -(-1)] * 3 / 2", 5, (Q(3, 2), Q(3), Q(3, 2))),
-        ("[1]/(1/2)^2", 0, (Q(4),)),
-        ("(1+z)^2/2", 0, (Q(1, 2), Q(1), Q(1, 2))),
-        ("1", 0, (Q(1),)),
-    ],
-)
-def test_masks_from_the_command_line(text: str, start: int, coefficients: tuple[Q, ...]) -> None:
-    mask = from_option(text, start=start, arity=3)
-    assert mask.scheme() == ScalarScheme(arity=3, start=start, coefficients=coefficients)
-    assert read_text(write(mask), file="--mask") == mask
-
-
-@pytest.mark.parametrize(
-    ("text", "code", "message", "column"),
-    [
-        ("[1,2", "SD008", "never closed", 1),
-        ("[]", "SD009", "the mask is empty", 2),
-        ("[0, 0]/2", "SD009", "all coefficients", 1),
-        ("[1 2]", "SD008", "the number 2 stands directly after", 4),
-        ("[1,]", "SD008", '"]" stands where', 4),
-        ("[1,2]/0", "SD007", "division by zero", 7),
-        ("[1,z]", "SD008", "z cannot stand", 4),
-        ("[1,2] 3", "SD008", "* or / or the end", 7),
-        ("[1,w]/2", "SD008", '"w" is not declared', 4),
-        ("1/(1+z)", "SD008", "no Laurent polynomial", 3),
-        ("", "SD008", "empty", 1),
-    ],
-)
-def test_bad_masks_from_the_command_line(text: str, code: str, message: str, column: int) -> None:
-    with pytest.raises(MaskFileError) as caught:
-        from_option(text)
-    (problem, *_) = caught.value.problems
-    assert problem.code == code
-    assert message in problem.message
-    assert problem.file == "--mask"
-    assert text == "" or problem.column == column
-
-
-def test_options_out_of_bounds() -> None:
-    for options, code in (({"arity": 1}, "SD010"), ({"start": 10**7}, "SD010")):
-        with pytest.raises(MaskFileError) as caught:
-            from_option("[1]", **options)
-        assert caught.value.problems[0].code == code
-    with pytest.raises(MaskFileError, match="--start and a symbol"):
-        from_option("1+z", start=1)
-
-
-def test_overrides_from_the_command_line() -> None:
-    assert parse_override("w=1/20") == ("w", Q(1, 20))
-    assert parse_override(" ω = -0.05 ") == ("ω", Q(-1, 20))
-    assert parse_override("w=(1+1)^-2") == ("w", Q(1, 4))
-    cases = {"w": "gives no value", "=1": "cannot be a parameter", "w=": "no value for w", "w=1/0": "division by zero"}
-    cases |= {"w=v": "not declared", "w=z": "z cannot stand", "1w=2": "cannot be a parameter", "w=1e9999": "too large"}
-    for text, message in cases.items():
-        with pytest.raises(MaskFileError, match=message) as caught:
-            parse_override(text)
-        assert caught.value.problems[0].help
-
-
 def test_is_mask() -> None:
     yes = [
         FOUR_POINT,
@@ -218,8 +151,35 @@ def test_is_mask() -> None:
         "matrices = [",
     ]
     yes += ["[parameters]\nw = 1/16\n[mask]\n", "name = broken\n[[parameters]]\n[mask]"]
-    no = ["", "[tool]\nkind = 1", "[project]\nmask = 2\n", "masks = 1", "# mask = 1", "[masks]", "name = 'x'"]
+    yes += [
+        "",
+        "# mask = 1",
+        "masks = 1",
+        "[masks]",
+        "[[masks]]",
+        "[Mask]",
+        "[expect]\nconvergent = true",
+        "symbol = '1'",
+    ]
+    yes += [
+        "coefficients = [1]",
+        "[coefficients]",
+        "coefs = [1]",
+        "start = 0\n",
+        "[parameters]\nw = 1",
+        "arity = 2 # p",
+    ]
+    yes += ["name = 'x'\n[msk]\nstart = 0\ncoefs = [1]\n", "[maks]\nsymbol = '1'"]
+    no = ["[tool]\nkind = 1", "[project]\nmask = 2\n", "name = 'x'", "[tool.mask]\nx = 1", "[kind]\nx = 1"]
+    no += ["start = 1\nend = 2\n", "[parameters]\nlr = 0.1\n[training]\n", "[task]\nstart = 1\n[parameters]"]
+    no += [
+        "[project]\ncoefficients = [1]",
+        "[tool.ruff]\nline-length = 120\n",
+        "line-length = 100",
+        "[rules]\nsymbol = 1",
+    ]
     assert [is_mask(text.encode()) for text in yes if text != "[mask"] == [True] * (len(yes) - 1)
+    assert all(is_mask(text.encode("utf-16")) for text in yes if text)
     assert [is_mask(text.encode()) for text in no] == [False] * len(no)
 
 

@@ -1,0 +1,60 @@
+"""Characters that typography puts where a mask file wants plain ones, and what to write instead."""
+
+from __future__ import annotations
+
+import re
+
+from subdiv_cli.maskfile.problems import Fault, shown
+
+MENDS = dict.fromkeys("−–—‐‑‒﹣－", "-") | dict.fromkeys("×·⋅∙•∗✕", "*") | dict.fromkeys("÷⁄∕／", "/")
+MENDS |= {"½": "(1/2)", "¼": "(1/4)", "¾": "(3/4)", "⅓": "(1/3)", "⅔": "(2/3)", "⅛": "(1/8)", "⁻": "^-", "＋": "+"}
+MENDS |= {power: f"^{i}" for i, power in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {"√": "", "\u00a0": "a space", "\u2009": "a space"}
+
+QUOTES = frozenset("“”„‟‘’‚‛«»‹›″′")
+RATIONAL_ONLY = "rational masks only: an irrational coefficient cannot be checked, and a parameter does not help"
+_POWER = re.compile("([⁺⁻]?)([⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
+_BRACED = re.compile(r"\{\s*([+-]?[0-9]{1,10})\s*\}")
+_BASE = re.compile(r"[^\W\d]\w*\^\Z")
+
+
+def named(c: str) -> str:
+    """A character as a message quotes it, with its code point where a terminal may show another in its place."""
+    return f'"{c}" (U+{ord(c):04X})' if c > "~" and (c.isprintable() or c in MENDS) else f'"{shown(c)}"'
+
+
+def instead(c: str) -> str:
+    """What to write in place of a character in MENDS."""
+    return 'the ASCII minus "-"' if MENDS[c] == "-" else MENDS[c]
+
+
+def mended(text: str) -> str:
+    """The text in plain characters, typographic quotation marks dropped."""
+    text = _POWER.sub(_power, text)
+    plain = ((" " if MENDS[c] == "a space" else MENDS[c]) if c in MENDS and c != "√" else c for c in text)
+    return "".join(c for c in plain if c not in QUOTES)
+
+
+def _power(found: re.Match[str]) -> str:
+    return "^" + ("-" if found[1] == "⁻" else "") + "".join(MENDS[c][1] for c in found[2])
+
+
+def stray(text: str, i: int, at: int) -> Fault:
+    """The character at `i` of an expression that begins no token; `at` is its offset for the fault."""
+    c = text[i]
+    if c == "√":
+        return Fault("SD008", "a square root is not rational", RATIONAL_ONLY, at)
+    if power := _POWER.match(text, i):
+        return Fault("SD008", f"the character {named(c)} is not understood here", f"write {_power(power)} instead", at)
+    if c in MENDS:
+        return Fault("SD008", f"the character {named(c)} is not understood here", f"write {instead(c)} instead", at)
+    if c in QUOTES:
+        mend = "leave it out: straight quotes are round the whole expression already"
+        return Fault("SD008", f"the character {named(c)} is not understood here", mend, at)
+    mend = 'an expression has numbers, names, + - * / ^ and parentheses: "1/2 + w"'
+    if c in "{}":
+        mend = "write parentheses in place of braces"
+        if text[i - 1 : i] == "^" and (found := _BRACED.match(text, i)):
+            base = _BASE.search(text[max(0, i - 30) : i])
+            power_of = shown(base[0]) if base else "^"
+            mend = f"write {power_of}{found[1]} or {power_of}({found[1]})"
+    return Fault("SD008", f"the character {named(c)} cannot stand in an expression", mend, at)
