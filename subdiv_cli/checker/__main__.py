@@ -19,10 +19,11 @@ def main(names: list[str]) -> int:
         try:
             outcome, _ = check_file(name)
         except (OSError, ValueError) as error:
-            print(f"{name}: {error}", file=sys.stderr)
+            print(f"{name!a}: {error}", file=sys.stderr)
             code = 2
             continue
-        print((f"{name}: " if len(names) > 1 else "") + outcome.line)
+        shown = name if name.isprintable() else ascii(name)
+        print((f"{shown}: " if len(names) > 1 else "") + outcome.line)
         code = max(code, 0 if outcome.verified else 1)
     return code
 

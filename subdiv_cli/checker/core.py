@@ -154,10 +154,10 @@ class _Checker:
             self.place = f"claim {self.number}"
             self.proved.append(self.check(claim, kind, arity))
         self.place, self.number = "goal", None
-        statements = [proved.statement for proved in self.proved]
+        statements = {tuple(proved.statement.items()) for proved in self.proved}
         words = [kind.words(statement, arity) for statement in goal]
         for statement, phrase in zip(goal, words, strict=True):
-            require(statement in statements, f"no claim proves: {phrase}")
+            require(tuple(statement.items()) in statements, f"no claim proves: {phrase}")
         return Outcome(True, "VERIFIED " + "; ".join(words), tuple(map(dict, parts["goal"])))
 
     def read_mask(self, value: object, kinds: Mapping[str, Kind]) -> tuple[Kind, int]:

@@ -31,6 +31,8 @@ from subdiv_cli.checker.polynomials import (
 )
 from subdiv_cli.checker.reading import Rejected, require
 
+MAX_LEVEL = 64
+"""Of a norm: a longer iterated symbol is too long anyway, unless the symbol is constant."""
 MAX_PRODUCT = 5_000_000
 """Coefficients of an iterated symbol."""
 MAX_PACKED = 1 << 30
@@ -92,7 +94,7 @@ def norm(c: Claim) -> None:
     """‖((1/p)S_ν)^L‖∞ = x, the largest absolute class sum mod p^L of Π_(j<L) c(z^(p^j)), c = p^(ν-1) a/σ^ν."""
     nu, level, p = c.statement["nu"], c.statement["level"], c.p
     q, k = _order_at_least(c, nu)
-    require(level >= 1, "the level is 0")
+    require(1 <= level <= MAX_LEVEL, f"the level is not one of 1, …, {MAX_LEVEL}")
     degree = q.length - 1 + (k - nu) * (p - 1)
     length = degree * (p**level - 1) // (p - 1) + 1
     c.count((degree + 1) * length)

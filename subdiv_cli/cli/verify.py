@@ -69,7 +69,8 @@ def _verify(name: str, mask: str | None, scheme: ScalarScheme | None, several: b
         verified = _mask_of(text) == scheme
         other = f"NOT VERIFIED mask: the certificate is about another mask than {mask}"
         line = f"{line} (the mask of {mask}, as subdiv reads it)" if verified else other
-    emit((f"{name}: " if several else "") + line + "\n", sys.stdout)
+    shown = name if name.isprintable() else ascii(name)
+    emit((f"{shown}: " if several else "") + line + "\n", sys.stdout)
     return ExitCode.PASSED if verified else ExitCode.FAILED
 
 
