@@ -30,13 +30,13 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     spectra = numbers.spectra
     if spectra is None:
         return (RULE.undecided(_QUESTION, "the refinement matrices are too large for this effort"),)
-    witness: dict[str, Data] = {"eigenvalues": tuple(listed(spectrum) for spectrum in spectra)}
+    eigenvalues = tuple(_listed(spectrum) for spectrum in spectra)
+    witness: dict[str, Data] = {"eigenvalues": eigenvalues}
     failing = [epsilon for epsilon, spectrum in enumerate(spectra) if not eigen_condition(spectrum, numbers.p, 0)]
     if failing:
         culprit = failing[0]
-        statement = f"A_{culprit} has another eigenvalue on or outside the unit circle: " + ", ".join(
-            listed(spectra[culprit])[:4]
-        )
+        shown = ", ".join(eigenvalues[culprit][:4])
+        statement = f"A_{culprit} has another eigenvalue on or outside the unit circle: {shown}"
         return (RULE.refuted(statement, {**witness, "matrix": culprit}),)
     if (stencil := limit_stencil(numbers.refinement_matrices[0])) is not None:
         witness |= {"stencil_start": refinement_window(numbers.scheme)[0], "stencil": stencil}
@@ -48,7 +48,7 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (RULE.proved(statement, witness),)
 
 
-def listed(spectrum: Spectrum) -> tuple[str, ...]:
+def _listed(spectrum: Spectrum) -> tuple[str, ...]:
     """Eigenvalues as text, by falling modulus; a multiple one as `1/4 (2)`, conjugate ones as one pair."""
     upper = [(x, multiplicity) for x, multiplicity in spectrum if not x.region.imag < 0]
     return tuple(eigenvalue(x) + (f" ({multiplicity})" if multiplicity > 1 else "") for x, multiplicity in upper)

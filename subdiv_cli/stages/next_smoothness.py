@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.obstacles import product_obstacle, sum_rule_obstacle
+from subdiv_cli.stages.obstacles import obstacle_to, who_is_stable
 from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, integer, verdict
 
 RULE = Rule("SD303", "next-smoothness", "Cavaretta, Dahmen & Micchelli 1991; Dyn 1992, Theorem 5.3")
@@ -23,12 +23,11 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if verdict(facts, "SD302") is not Verdict.PROVED:
         return (RULE.skipped("is φ smoother than proved?", "no smoothness of φ is proved"),)
     reduced, proved = numbers.reduced, integer(facts["SD302"][0], "order")
-    if sum_rule_obstacle(reduced, proved) or product_obstacle(reduced, proved):
+    if obstacle_to(reduced, proved) is not None:
         raise ContradictionError(f"C^{proved} is proved by SD302 and refuted by SD303")
-    obstacle = sum_rule_obstacle(reduced, proved + 1) or product_obstacle(reduced, proved + 1)
+    obstacle = obstacle_to(reduced, proved + 1)
     if obstacle is None:
         reason = "no norm proves it and no short product of transition matrices excludes it; a higher effort may decide"
         return (RULE.undecided(f"is φ C^{proved + 1}?", reason),)
-    stable = "φ is stable" if reduced is numbers else "φ0 of the reduced scheme is stable"
-    statement = f"φ is not C^{proved + 1}: {stable}, and {obstacle[0]}"
+    statement = f"φ is not C^{proved + 1}: {who_is_stable(numbers)}, and {obstacle[0]}"
     return (RULE.refuted(statement, {"order": proved + 1, **obstacle[1]}),)

@@ -13,6 +13,16 @@ from subdiv_cli.stages.stage import last_difference, product_name
 Obstacle = tuple[str, dict[str, Data]]
 
 
+def obstacle_to(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+    """What keeps a stable φ of these numbers from being C^m; None where nothing is known against it."""
+    return sum_rule_obstacle(numbers, m) or product_obstacle(numbers, m)
+
+
+def who_is_stable(numbers: ScalarNumbers) -> str:
+    """The hypothesis of an obstacle, for the scheme of these numbers: on φ itself, or on φ0 after a reduction."""
+    return "φ is stable" if numbers.reduced is numbers else "φ0 of the reduced scheme is stable"
+
+
 def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
     """A product of ℓ matrices of D = S_(Δ^k) with an eigenvalue |λ| >= p^(-mℓ), compared exactly: then α <= m."""
     product, p = numbers.best_product, numbers.p

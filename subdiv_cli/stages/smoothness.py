@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.stages.obstacles import product_obstacle, sum_rule_obstacle
+from subdiv_cli.stages.obstacles import obstacle_to, who_is_stable
 from subdiv_cli.stages.stage import NOT_NORMALISED, ContradictionError, Facts, Rule, integer, text, verdict
 
 RULE = Rule("SD302", "smoothness", "Dyn 1992, Theorem 3.4")
@@ -42,8 +42,6 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
             if reduced is numbers:
                 raise ContradictionError("a stable φ is continuous and S does not converge")
         return (RULE.proved(statement, {"order": order, "by": "SD301"}),)
-    obstacle = sum_rule_obstacle(reduced, 0) or product_obstacle(reduced, 0)
-    if obstacle is not None:
-        stable = "φ is stable" if reduced is numbers else "φ0 of the reduced scheme is stable"
-        return (RULE.refuted(f"φ is not continuous: {stable}, and {obstacle[0]}", obstacle[1]),)
+    if (obstacle := obstacle_to(reduced, 0)) is not None:
+        return (RULE.refuted(f"φ is not continuous: {who_is_stable(numbers)}, and {obstacle[0]}", obstacle[1]),)
     return (RULE.undecided(_QUESTION, "the norms do not prove that φ is continuous"),)

@@ -12,10 +12,11 @@ Witness: `nu`, the largest one; `eigenvalues` of each A_ε as text.
 
 from __future__ import annotations
 
+from typing import cast
+
 from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.spectra import Spectrum, eigen_condition
-from subdiv_cli.stages.eigenvalues import listed
 from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, derived_names, integer, verdict
 
 RULE = Rule("SD304", "smoothness-spectrum", "Dyn 1992, Theorem 4.2 and (4.12)")
@@ -32,7 +33,8 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     stable = verdict(facts, "SD402") is Verdict.PROVED
     if stable and verdict(facts, "SD302") is Verdict.PROVED and integer(facts["SD302"][0], "order") > largest:
         raise ContradictionError("a derived scheme converges by SD302 and fails its eigen-condition")
-    shown = ", ".join(listed(spectra[0])[:_MOST_LISTED]) + (", …" if len(spectra[0]) > _MOST_LISTED else "")
+    eigenvalues = cast("tuple[tuple[str, ...], ...]", facts["SD202"][0].witness["eigenvalues"])
+    shown = ", ".join(eigenvalues[0][:_MOST_LISTED]) + (", …" if len(spectra[0]) > _MOST_LISTED else "")
     if numbers.order < 2:
         statement = "there is no eigen-condition to meet: sum rules of order 1 only, S_1 cannot converge"
     elif largest == 0:
@@ -41,7 +43,7 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         statement = f"{derived_names(largest)} {'meet their' if largest > 1 else 'meets its'} eigen-condition"
         statement += f", S_{largest + 1} does not" if largest + 1 < numbers.order else ""
         statement += f"; A_0 has the eigenvalues {shown}"
-    witness: dict[str, Data] = {"nu": largest, "eigenvalues": tuple(listed(spectrum) for spectrum in spectra)}
+    witness: dict[str, Data] = {"nu": largest, "eigenvalues": eigenvalues}
     return (RULE.proved(statement, witness) if largest else RULE.refuted(statement, witness),)
 
 
