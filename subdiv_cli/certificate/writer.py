@@ -108,16 +108,10 @@ class _Writer:
     def _derived(self, finding: Finding) -> list[int]:
         if not self.orders[0]:
             return [self._sum_rules(0)]
-        symbols = zip(_tuple(finding.witness["starts"]), _tuple(finding.witness["masks"]), strict=True)
-        return [
-            self._add(
-                "derived",
-                {"mask": 0, "nu": nu, "symbol": _polynomial(start, mask)},
-                uses=[self._sum_rules(0)],
-                work=(self.degrees[0] + 1) * (nu + 1) * self.p,
-            )
-            for nu, (start, mask) in enumerate(symbols, 1)
-        ]
+        start, mask = (_tuple(finding.witness[key])[-1] for key in ("starts", "masks"))
+        statement = {"mask": 0, "nu": self.orders[0], "symbol": _polynomial(start, mask)}
+        work = (self.degrees[0] + 1) * (self.orders[0] + 1) * self.p
+        return [self._sum_rules(0), self._add("derived", statement, uses=[self._sum_rules(0)], work=work)]
 
     # norms, products and spectra
 

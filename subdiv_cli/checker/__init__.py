@@ -35,7 +35,7 @@ def check_file(name: str) -> tuple[Outcome, str]:
     try:
         text = content.decode("utf-8")
     except UnicodeDecodeError:
-        return Outcome(False, "NOT VERIFIED document: not UTF-8"), ""
+        return core.not_verified("document", "not UTF-8"), ""
     if len(content) > MAX_BYTES:
-        return Outcome(False, "NOT VERIFIED document: the file is too large"), ""
+        return core.not_verified("document", "the file is too large"), ""
     return check_text(text), text

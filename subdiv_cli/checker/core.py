@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import marshal
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -14,6 +15,7 @@ MAX_CLAIMS = 10_000
 MAX_WORK = 50_000_000
 MAX_SIZE = 1 << 28
 """Work times the squares of the lengths of its numbers in pieces of 512 bits, over all claims."""
+_CLAIM = {"rule": "any", "statement": "any", "witness": "any", "uses": "natural[]", "work": "work"}
 Statement = dict[str, Any]
 
 
@@ -21,12 +23,22 @@ class Outcome(NamedTuple):
     """What the checker has to say of a certificate."""
 
     verified: bool
-    line: str
-    """`VERIFIED` and the goal in words, or `NOT VERIFIED` and why."""
+    spell: Callable[[], str]
+    """The line, spelled only when it is wanted."""
     statements: tuple[dict[str, object], ...] = ()
     """The statements of the goal as the document has them; none unless verified."""
     claim: int | None = None
     """The number of the claim that fails, where it is one that does."""
+
+    @property
+    def line(self) -> str:
+        """`VERIFIED` and the goal in words, or `NOT VERIFIED` and why."""
+        return self.spell()
+
+
+def not_verified(place: str, why: object, claim: int | None = None) -> Outcome:
+    line = f"NOT VERIFIED {place}: {why}"
+    return Outcome(False, lambda: line, claim=claim)
 
 
 class Proved(NamedTuple):
@@ -110,7 +122,7 @@ def check_text(text: str, kinds: Mapping[str, Kind]) -> Outcome:
     try:
         document = parse(text)
     except Rejected as why:
-        return Outcome(False, f"NOT VERIFIED document: {why}")
+        return not_verified("document", why)
     return check_document(document, kinds)
 
 
@@ -120,10 +132,9 @@ def check_document(document: object, kinds: Mapping[str, Kind]) -> Outcome:
     try:
         return checker.run(document, kinds)
     except Rejected as why:
-        return Outcome(False, f"NOT VERIFIED {checker.place}: {why}", claim=checker.number)
+        return not_verified(checker.place, why, checker.number)
     except (Exception, RecursionError, MemoryError) as error:
-        line = f"NOT VERIFIED {checker.place}: the checker fails on it ({type(error).__name__})"
-        return Outcome(False, line, claim=checker.number)
+        return not_verified(checker.place, f"the checker fails on it ({type(error).__name__})", checker.number)
 
 
 class _Checker:
@@ -134,6 +145,7 @@ class _Checker:
         self.number: int | None = None
         self.masks: list[Polynomial] = []
         self.proved: list[Proved] = []
+        self.read: dict[bytes, Statement] = {}
         self.work = 0
         self.budget = Budget()
 
@@ -144,7 +156,7 @@ class _Checker:
         require(parts["version"] == VERSION, f"the version is not {VERSION}")
         kind, arity = self.read_mask(parts["mask"], kinds)
         self.place = "goal"
-        goal = [read_statement(statement, kind) for statement in parts["goal"]]
+        goal = [self.statement(statement, kind) for statement in parts["goal"]]
         require(bool(goal), "there is none")
         claims = parts["claims"]
         if type(claims) is not list:
@@ -155,10 +167,24 @@ class _Checker:
             self.proved.append(self.check(claim, kind, arity))
         self.place, self.number = "goal", None
         statements = {tuple(proved.statement.items()) for proved in self.proved}
-        words = [kind.words(statement, arity) for statement in goal]
-        for statement, phrase in zip(goal, words, strict=True):
-            require(tuple(statement.items()) in statements, f"no claim proves: {phrase}")
-        return Outcome(True, "VERIFIED " + "; ".join(words), tuple(map(dict, parts["goal"])))
+        for statement in goal:
+            if tuple(statement.items()) not in statements:
+                raise Rejected(f"no claim proves: {kind.words(statement, arity)}")
+
+        def spell() -> str:
+            return "VERIFIED " + "; ".join(kind.words(statement, arity) for statement in goal)
+
+        return Outcome(True, spell, tuple(map(dict, parts["goal"])))
+
+    def statement(self, value: object, kind: Kind) -> Statement:
+        """Read strictly, and each spelling once: claims and goal have the same statements."""
+        try:
+            spelling = marshal.dumps(value, 2)  # type: ignore[arg-type]  # exact types only; version 2 has no references
+        except ValueError:
+            return read_statement(value, kind)
+        if spelling not in self.read:
+            self.read[spelling] = read_statement(value, kind)
+        return self.read[spelling]
 
     def read_mask(self, value: object, kinds: Mapping[str, Kind]) -> tuple[Kind, int]:
         name = value.get("kind") if type(value) is dict else None
@@ -178,12 +204,11 @@ class _Checker:
             raise Rejected(f"unknown rule {shown(name)}")
         self.place += f" ({name})"
         rule = kind.rules[name]
-        fields = {"rule": "any", "statement": "any", "witness": "any", "uses": "natural[]", "work": "work"}
-        parts = read_object(value, fields, "the claim")
-        statement = read_statement(parts["statement"], kind)
-        fixed = {"property": rule.property, **rule.fixed}
-        require(all(statement.get(key) == fixed[key] for key in fixed), "the rule does not prove such statements")
-        require(all(i < len(self.proved) for i in parts["uses"]), "it uses a claim that does not come before it")
+        parts = read_object(value, _CLAIM, "the claim")
+        statement = self.statement(parts["statement"], kind)
+        fits = statement["property"] == rule.property and rule.fixed.items() <= statement.items()
+        require(fits, "the rule does not prove such statements")
+        require(max(parts["uses"], default=-1) < len(self.proved), "it uses a claim that does not come before it")
         self.work += parts["work"]
         require(self.work <= MAX_WORK, f"the claims up to this one take more than {MAX_WORK} of work")
         uses = [self.proved[i] for i in parts["uses"]]

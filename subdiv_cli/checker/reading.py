@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import gcd
 from typing import Any
@@ -21,6 +21,7 @@ MAX_INTEGER = 1_000_000
 MAX_NATURAL = 10_000
 """An order, a level, a letter, the number of a mask or of a claim."""
 
+_RANGES = {"natural": (0, MAX_NATURAL), "integer": (-MAX_INTEGER, MAX_INTEGER), "work": (0, 10**9)}
 _RATIONAL = re.compile(r"-?([0-9]+)(?:/([0-9]+))?")
 
 Fields = Mapping[str, str]
@@ -62,34 +63,40 @@ def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
         for key in value:
             require(key in fields, f"{what} has the unknown key {shown(key)}")
         raise Rejected(f"{what} has no key '{min(fields.keys() - value.keys())}'")
-    return {key: read(kind, value[key], f"'{key}' of {what}") for key, kind in fields.items()}
+    return {
+        key: value[key] if kind == "any" else read(kind, value[key], f"'{key}' of {what}")
+        for key, kind in fields.items()
+    }
 
 
 def read(kind: str, value: object, what: str) -> Any:
     """A value of one of the kinds below; a kind that ends in [] is a list."""
-    if kind == "any":
-        return value
-    if kind.endswith("[]"):
-        if type(value) is not list:
-            raise Rejected(f"{what} is not a list")
-        require(len(value) <= MAX_LENGTH, f"{what} is too long")
-        return tuple(read(kind[:-2], member, f"a member of {what}") for member in value)
-    if kind == "boolean":
-        require(type(value) is bool, f"{what} is not a boolean")
-        return value
-    if kind == "rational":
-        return Fraction(*_rational(value, what))
-    if kind == "polynomial":
-        return _polynomial(value, what)
-    return _integer(kind, value, what)
+    if (reader := _READERS.get(kind)) is not None:
+        return reader(value, what)
+    if kind in _RANGES:
+        return _integer(*_RANGES[kind], value, what)
+    if type(value) is not list:
+        raise Rejected(f"{what} is not a list")
+    require(len(value) <= MAX_LENGTH, f"{what} is too long")
+    member, what = kind.removesuffix("[]"), f"a member of {what}"
+    return tuple(read(member, x, what) for x in value)
 
 
-def _integer(kind: str, value: object, what: str) -> int:
-    least, greatest = {"natural": (0, MAX_NATURAL), "integer": (-MAX_INTEGER, MAX_INTEGER), "work": (0, 10**9)}[kind]
+def _integer(least: int, greatest: int, value: object, what: str) -> int:
     if type(value) is not int:
         raise Rejected(f"{what} is not an integer")
     require(least <= value <= greatest, f"{what} is out of range")
     return value
+
+
+def _boolean(value: object, what: str) -> bool:
+    if type(value) is not bool:
+        raise Rejected(f"{what} is not a boolean")
+    return value
+
+
+def _fraction(value: object, what: str) -> Fraction:
+    return Fraction(*_rational(value, what))
 
 
 def _polynomial(value: object, what: str) -> Polynomial:
@@ -98,7 +105,8 @@ def _polynomial(value: object, what: str) -> Polynomial:
     if type(coefficients) is not list:
         raise Rejected(f"the coefficients of {what} are not a list")
     require(len(coefficients) <= MAX_LENGTH, f"{what} is too long")
-    pairs = [_rational(c, f"a coefficient of {what}") for c in coefficients]
+    coefficient = f"a coefficient of {what}"
+    pairs = [_rational(c, coefficient) for c in coefficients]
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
         raise Rejected(f"the common denominator of {what} is too large")
@@ -128,6 +136,14 @@ def _decimal(digits: str) -> int:
         piece = digits[i : i + 600]
         value = value * 10 ** len(piece) + int(piece)
     return value
+
+
+_READERS: Mapping[str, Callable[[object, str], Any]] = {
+    "any": lambda value, _: value,
+    "boolean": _boolean,
+    "rational": _fraction,
+    "polynomial": _polynomial,
+}
 
 
 def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
@@ -13,7 +13,7 @@ from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.streams import emit
 
 if TYPE_CHECKING:
-    from subdiv_cli.schemes.scalar import ScalarScheme
+    from subdiv_cli.checker.plain import Mask
 
 _EPILOG = """\b
 Examples:
@@ -42,9 +42,9 @@ def command(certificates: tuple[str, ...], mask: str | None, parameters: tuple[s
     """
     if not certificates:
         raise click.UsageError("nothing to verify: name a certificate, as in `subdiv verify four_point.json`")
-    scheme = None if mask is None else _scheme(mask, parameters)
+    asked = None if mask is None else _asked(mask, parameters)
     names = [name for target in certificates for name in _files(target)]
-    codes = [_verify(name, mask, scheme, len(names) > 1) for name in names]
+    codes = [_verify(name, mask, asked, len(names) > 1) for name in names]
     if not names:
         emit("error: no *.json files there\n", sys.stderr)
         return ExitCode.ERROR
@@ -56,8 +56,9 @@ def _files(target: str) -> Iterator[str]:
     yield from (str(file) for file in sorted(path.rglob("*.json"))) if path.is_dir() else (target,)
 
 
-def _verify(name: str, mask: str | None, scheme: ScalarScheme | None, several: bool) -> ExitCode:
+def _verify(name: str, mask: str | None, asked: _Asked | None, several: bool) -> ExitCode:
     from subdiv_cli.checker import check_file
+    from subdiv_cli.checker.plain import certified_mask
 
     try:
         outcome, text = check_file(name)
@@ -65,36 +66,39 @@ def _verify(name: str, mask: str | None, scheme: ScalarScheme | None, several: b
         emit(f"error: {name} cannot be read: {error.strerror or error}\n", sys.stderr)
         return ExitCode.ERROR
     line, verified = outcome.line, outcome.verified
-    if verified and scheme is not None:
-        verified = _mask_of(text) == scheme
+    if verified and asked is not None:
+        verified = certified_mask(text) == asked.mask
         other = f"NOT VERIFIED mask: the certificate is about another mask than {mask}"
-        line = f"{line} (the mask of {mask}, as subdiv reads it)" if verified else other
+        line = f"{line} ({asked.how})" if verified else other
     shown = name if name.isprintable() else ascii(name)
     emit((f"{shown}: " if several else "") + line + "\n", sys.stdout)
     return ExitCode.PASSED if verified else ExitCode.FAILED
 
 
-def _mask_of(text: str) -> ScalarScheme:
-    """The mask in the text of a verified certificate; zeros at its ends are left out as everywhere."""
-    import json
-    from fractions import Fraction
+class _Asked(NamedTuple):
+    """The mask that certificates are to be about, and how it was read."""
 
-    from subdiv_cli.schemes.scalar import ScalarScheme
-
-    mask = json.loads(text)["mask"]
-    coefficients = tuple(Fraction(c) for c in mask["coefficients"])
-    return ScalarScheme(arity=mask["arity"], start=mask["start"], coefficients=coefficients)
+    mask: Mask
+    how: str
 
 
-def _scheme(file: str, parameters: Sequence[str]) -> ScalarScheme:
+def _asked(file: str, parameters: Sequence[str]) -> _Asked:
+    """A plain file is read by the checker's own reader; parameters and symbols are expanded by subdiv's first."""
+    from subdiv_cli.checker.plain import mask, plain_mask
     from subdiv_cli.maskfile import MaskFileError, read_path
     from subdiv_cli.maskfile.option import parse_override
     from subdiv_cli.report.problems import render
 
     try:
-        return read_path(file).scheme(dict(parse_override(text) for text in parameters))
+        overrides = dict(parse_override(text) for text in parameters)
+        read = read_path(file)
+        scheme = read.scheme(overrides)
     except MaskFileError as error:
         from subdiv_cli.cli.streams import look_of
 
         emit(render(error.problems, look_of(sys.stderr)) + "\n", sys.stderr)
         raise click.exceptions.Exit(ExitCode.ERROR) from None
+    if (plain := plain_mask(read.source.text)) is not None:
+        return _Asked(plain, f"the mask of {file}")
+    expanded = mask(scheme.arity, scheme.start, list(scheme.coefficients))
+    return _Asked(expanded, f"the mask of {file}, its parameters and symbol expanded by subdiv")

@@ -56,6 +56,16 @@ def test_the_mask_is_compared(proofs):
     assert subdiv("verify", proof, "--mask", proofs / "none.toml").returncode == 2
 
 
+def test_a_plain_mask_file_is_read_by_the_checker_itself(proofs, tmp_path):
+    proof, plain, long = proofs / "bspline_degree_2.json", tmp_path / "plain.toml", tmp_path / "long.toml"
+    plain.write_text('[mask]\nstart = -2\ncoefficients = [0, "1/4", 0.75, "3/4", "0.25", 0]\n', encoding="utf-8")
+    long.write_text('[mask]\nsymbol = "z^-1 (1+z)^3/4"\n', encoding="utf-8")
+    for mask, how in ((plain, f"(the mask of {plain})"), (long, "its parameters and symbol expanded by subdiv)")):
+        run = subdiv("verify", proof, "--mask", mask)
+        assert run.returncode == 0
+        assert run.stdout.rstrip().endswith(how)
+
+
 def test_a_forged_number_is_found(proofs, tmp_path):
     document = json.loads((proofs / "four_point.json").read_text(encoding="utf-8"))
     (claim,) = (c for c in document["claims"] if c["rule"] == "norm" and c["statement"]["nu"] == 2)
