@@ -1,0 +1,106 @@
+"""A certificate under construction: its masks, and the claims that several findings share.
+
+Sum rules, norms, products of transition matrices, stability, reduction steps. Mask 0 is the mask of the document;
+`last` is the one that decides smoothness: 0, or the last reduced one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import cast
+
+from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.witness import as_cofactors, as_integer, as_polynomial, as_rational, as_tuple, as_word
+from subdiv_cli.model import Data, Finding, Verdict
+
+
+class Proof:
+    """Each method returns the number of a claim, which it makes where there is none yet; a list is empty where a
+
+    witness was too costly to compute.
+    """
+
+    def __init__(self, p: int, degree: int, findings: Sequence[Finding]) -> None:
+        self.p = p
+        self.claims = Claims()
+        self.found = {finding.code: finding for finding in findings}
+        self.contractions = [f for f in findings if f.code == "SD301" and f.verdict is Verdict.PROVED]
+        self.degrees = [degree]
+        self.reductions: list[int] = []
+        self.orders = {0: as_integer(self.found["SD102"].witness.get("order", 0))}
+        if (reduction := self.found.get("SD403")) is not None:
+            self._reduce(reduction.witness)
+        self.last = len(self.degrees) - 1
+
+    def add(
+        self,
+        rule: str,
+        statement: Json,
+        witness: Json | None = None,
+        uses: Sequence[int] = (),
+        work: int = 1,
+        name: str | None = None,
+    ) -> int:
+        """A claim by a rule; its property has the rule's name unless another is given."""
+        return self.claims.add(rule, {"property": name or rule, **statement}, witness or {}, uses, work)
+
+    def sum_rules(self, mask: int) -> int:
+        witness = self.found["SD102" if mask == 0 else "SD403"].witness
+        quotient = as_polynomial(witness["cofactor_start"], witness["cofactor"])
+        order = self.orders[mask]
+        work = (self.degrees[mask] + 1) * (order + 1) * self.p
+        return self.add("sum-rules", {"mask": mask, "order": order}, {"quotient": quotient}, work=work)
+
+    def norm(self, mask: int, nu: int, level: int, norm: Fraction) -> int:
+        p, degree = self.p, self.degrees[mask] - nu * (self.p - 1)
+        size = degree * (p**level - 1) // (p - 1) + 1
+        statement = {"mask": mask, "nu": nu, "level": level, "norm": rational(norm)}
+        return self.add("norm", statement, uses=[self.sum_rules(mask)], work=(degree + 1) * size)
+
+    def product(self, mask: int, word: Sequence[int], radius: Fraction) -> int:
+        degree = self.degrees[mask] - self.orders[mask] * (self.p - 1)
+        order = max(1, -(-degree // (self.p - 1)))
+        statement = {"mask": mask, "word": list(word), "radius": rational(radius)}
+        work = len(word) * order**3 + order**4
+        return self.add("product", statement, uses=[self.sum_rules(mask)], work=work)
+
+    def contraction(self, mask: int, witness: Mapping[str, Data]) -> int:
+        mu, level = as_integer(witness["norm_of"]), as_integer(witness["level"])
+        return self.norm(mask, mu, level, as_rational(witness["norm"]))
+
+    def obstacle(self, mask: int, order: int, witness: Mapping[str, Data]) -> int:
+        """What keeps a stable φ of this mask from being C^order."""
+        if "word" not in witness:
+            return self.sum_rules(mask)
+        word = as_word(witness)
+        return self.product(mask, word, Fraction(1, self.p ** (order * len(word))))
+
+    def independent(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
+        if "cofactors" not in witness or len(as_tuple(witness["gcd"])) > 1:
+            return []
+        work = 20 * (self.degrees[mask] + 1) ** 2
+        return [self.add("independent", {"mask": mask, "holds": True}, {"cofactors": as_cofactors(witness)}, work=work)]
+
+    def stable(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
+        if "cofactors" not in witness:
+            return []
+        statement, n = {"mask": mask, "holds": True}, self.degrees[mask] + 1
+        if independent := self.independent(mask, witness):
+            return [self.add("stable", statement, uses=independent)]
+        hints = {"gcd": as_polynomial(0, witness["gcd"]), "cofactors": as_cofactors(witness)}
+        return [self.add("stable", statement, hints, work=20 * n**2 + n**3)]
+
+    def last_stable(self) -> list[int]:
+        if not self.last:
+            return self.stable(0, self.found["SD402"].witness)
+        return self.stable(self.last, cast(Mapping[str, Data], self.found["SD403"].witness["stable"]))
+
+    def _reduce(self, witness: Mapping[str, Data]) -> None:
+        steps = zip(*(as_tuple(witness[key]) for key in ("factors", "starts", "masks")), strict=True)
+        for number, (factor, start, mask) in enumerate(steps):
+            statement = {"from": number, "to": number + 1}
+            hints = {"factor": as_polynomial(0, factor), "mask": as_polynomial(start, mask)}
+            self.reductions.append(self.add("reduction", statement, hints, work=(self.degrees[number] + 1) ** 2))
+            self.degrees.append(len(as_tuple(mask)) - 1)
+        self.orders[len(self.degrees) - 1] = as_integer(witness["order"])
