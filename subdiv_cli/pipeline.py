@@ -69,6 +69,7 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
         smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
         refinable=refinable,
         holder=_holder(found, scheme.arity),
+        sobolev=_sobolev(found, scheme.arity),
         stable=found["SD402"].verdict,
         linearly_independent=found["SD401"].verdict,
         generation=_integer(found, "SD103", "degree"),
@@ -106,3 +107,13 @@ def _holder(found: dict[str, Finding], p: int) -> Exponent | None:
         return Exponent(lower=lower, upper=upper)
     upper = below.value.upper if below.value else upper
     return Exponent(lower=lower, upper=upper, exact=logarithm(p, 1 / norm, level))
+
+
+def _sobolev(found: dict[str, Finding], p: int) -> Exponent | None:
+    """None without sum rules, or where the effort ended."""
+    finding = found["SD321"]
+    if finding.value is None:
+        return None
+    radius = finding.witness.get("radius")
+    exact = logarithm(p, 1 / radius, 2) if isinstance(radius, Fraction) else None
+    return Exponent(lower=finding.value.lower, upper=finding.value.upper, exact=exact)

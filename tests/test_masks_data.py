@@ -14,7 +14,7 @@ FILES = sorted(MASKS.rglob("*.toml"))
 ROWS = json.loads((HERE / "data" / "reference_scalar.json").read_text(encoding="utf-8"))
 
 KEYS = {"format", "name", "reference", "kind", "parameters", "mask", "expect"}
-EXPECTED = {"convergent", "smoothness", "holder", "generation", "reproduction", "stable"}
+EXPECTED = {"convergent", "smoothness", "holder", "sobolev", "generation", "reproduction", "stable"}
 
 
 def load(path):

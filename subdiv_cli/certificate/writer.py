@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from subdiv_cli.certificate import smoothness, structure
+from subdiv_cli.certificate import smoothness, sobolev, structure
 from subdiv_cli.certificate.claims import Json, mask_document
 from subdiv_cli.certificate.proof import Proof
 from subdiv_cli.model import Finding, Verdict
@@ -28,6 +28,7 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
     "SD304": structure.smoothness_spectrum,
     "SD311": smoothness.holder_lower,
     "SD312": smoothness.holder_upper,
+    "SD321": sobolev.sobolev,
     "SD401": structure.independence,
     "SD402": structure.stability,
     "SD403": lambda proof, _: list(proof.reductions),

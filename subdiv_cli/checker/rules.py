@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from subdiv_cli.checker import conclusions, scalar
+from subdiv_cli.checker import conclusions, scalar, sobolev
 from subdiv_cli.checker.core import Kind, Rule
 from subdiv_cli.checker.words import in_words
 
@@ -25,6 +25,7 @@ PROPERTIES = {
     "holder-lower": {"level": "natural", "norm": "rational"},
     "holder-upper": {"length": "natural", "radius": "rational"},
     "holder": {"level": "natural", "norm": "rational"},
+    "sobolev": {"polynomial": "polynomial", "low": "rational", "high": "rational"},
 }
 _NONE: tuple[dict[str, str], ...] = ({},)
 _BEZOUT = {"cofactors": "polynomial[]"}
@@ -50,5 +51,6 @@ RULES = {
     "holder-lower": Rule("holder-lower", {}, _NONE, conclusions.holder_lower),
     "holder-upper": Rule("holder-upper", {}, _NONE, conclusions.holder_upper),
     "holder-exact": Rule("holder", {}, _NONE, conclusions.holder_exact),
+    "sobolev": Rule("sobolev", {}, ({"cofactor": "polynomial"},), sobolev.sobolev),
 }
 SCALAR = Kind(PROPERTIES, RULES, in_words)

@@ -28,10 +28,13 @@ def in_words(statement: Mapping[str, Any], p: int) -> str:
         "holder-lower": "α >= {exponent}",
         "holder-upper": "α <= {exponent}",
         "holder": "α = {exponent}",
+        "sobolev": "s = {sobolev}",
     }[statement["property"]]
     phrase += " (mask {mask})" if statement.get("mask") else ""
     converges = "diverges" if holds else "converges"
-    return phrase.format(**{**s, "p": p, "holds": holds, "converges": converges, "exponent": _exponent(statement, p)})
+    s |= {"p": str(p), "holds": holds, "converges": converges, "exponent": _exponent(statement, p)}
+    s["sobolev"] = _sobolev(statement, p)
+    return phrase.format(**s)
 
 
 def _exponent(s: Mapping[str, Any], p: int) -> str:
@@ -46,6 +49,20 @@ def _exponent(s: Mapping[str, Any], p: int) -> str:
     if rest == 1:
         return str(Fraction(-power if x > 1 else power, length))
     return f"log_{p}({_shown(1 / x)})" + (f"/{length}" if length > 1 else "")
+
+
+def _sobolev(s: Mapping[str, Any], p: int) -> str:
+    """-log_p(λ)/2 for λ in [low, high]."""
+    if s["property"] != "sobolev":
+        return ""
+    if s["low"] == s["high"]:
+        return _exponent({"radius": s["low"], "length": 2}, p)
+    zero = "the zero of a polynomial"
+    if max(s["low"].denominator, s["high"].numerator).bit_length() > 1000:
+        return f"-log_{p}(λ)/2, λ {zero}"
+    low, high = (f"{int(s[key] * 10**8):09}" for key in ("low", "high"))
+    about = f" near {low[:-8]}.{low[-8:]}" if low == high else ""
+    return f"-log_{p}(λ)/2, λ {zero}{about}"
 
 
 def _shown(value: object) -> str:

@@ -14,7 +14,7 @@ from subdiv_cli.maskfile.grammar import Factor, Node, Parser, Product, Sum, pars
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import Coefficients, Expression, MaskFile, Symbol, check_zero
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
-from subdiv_cli.maskfile.properties import KEYS, PLANNED, TRUTHS, comparison, expectation, not_decided
+from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.model import Expectation, ExpectationKey, Problem
 
@@ -163,8 +163,6 @@ def _property(text: str) -> Expectation:
     if parts is None:
         raise Fault("SD012", f'"{shown(text)}" is no property', "write for instance C1, holder>=1.5 or convergent", at)
     key, rest = parts[1], parts[2]
-    if key in PLANNED:
-        raise not_decided(key, at)
     if key not in KEYS:
         guess = near(key, KEYS)
         mend = f"did you mean {guess}?" if guess else "properties: C1, " + ", ".join(KEYS)

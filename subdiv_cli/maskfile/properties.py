@@ -16,9 +16,7 @@ from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.values import Decimal, described
 from subdiv_cli.model import ClosedForm, Expectation, ExpectationKey
 
-PLANNED = ("sobolev",)
-"""Properties of the format that no stage decides yet: refused, so that none passes unjudged."""
-KEYS: tuple[str, ...] = tuple(key for key in get_args(ExpectationKey) if key not in PLANNED)
+KEYS: tuple[str, ...] = get_args(ExpectationKey)
 TRUTHS = ("convergent", "stable")
 _ORDER = re.compile(r"[Cc]\s*\^?\s*\(?([0-9]{1,4})\)?")
 ORDERS = ("smoothness", "generation", "reproduction")
@@ -27,11 +25,9 @@ ORDERS = ("smoothness", "generation", "reproduction")
 def expectation(key: str, value: object) -> Expectation:
     """The expectation `key = value` of a file, value as TOML gives it (`Decimal` for a float).
 
-    Raises Fault: SD004 for an unknown key, SD006 for a type, SD010 for a size, SD013 for one that is not decided
-    yet, SD012 for the rest; its offset counts in the string that value is.
+    Raises Fault: SD004 for an unknown key, SD006 for a type, SD010 for a size, SD012 for the rest; its offset counts
+    in the string that value is.
     """
-    if key in PLANNED:
-        raise not_decided(key)
     if key not in KEYS:
         guess = near(key, KEYS)
         mend = f"did you mean {guess}?" if guess else "properties: " + ", ".join(KEYS)
@@ -53,11 +49,6 @@ def expectation(key: str, value: object) -> Expectation:
     elif isinstance(value, Decimal):
         value = value.text
     return comparison(known, value)
-
-
-def not_decided(key: str, at: int = 0) -> Fault:
-    """SD013 for a planned property."""
-    return Fault("SD013", f"{key} is not decided yet", "leave it out; properties: " + ", ".join(KEYS), at)
 
 
 def comparison(key: ExpectationKey, text: str, at: int = 0) -> Expectation:
@@ -155,6 +146,16 @@ def _convergent_holder(convergent: Expectation, holder: Expectation) -> str | No
     return _above(zero, holder, why) if convergent.lower else None
 
 
+def _holder_sobolev(holder: Expectation, sobolev: Expectation) -> str | None:
+    return _above(holder, sobolev, "the Hölder exponent is at most the Sobolev exponent")
+
+
+def _convergent_sobolev(convergent: Expectation, sobolev: Expectation) -> str | None:
+    zero = Expectation(key="holder", text="", lower=Fraction(0))
+    why = "the refinable function of a convergent scheme is in L2"
+    return _above(zero, sobolev, why) if convergent.lower else None
+
+
 def _reproduction_generation(reproduction: Expectation, generation: Expectation) -> str | None:
     return _above(reproduction, generation, "polynomials that are reproduced are generated")
 
@@ -173,4 +174,6 @@ _LAWS: tuple[tuple[ExpectationKey, ExpectationKey, Callable[[Expectation, Expect
     ("convergent", "holder", _convergent_holder),
     ("reproduction", "generation", _reproduction_generation),
     ("smoothness", "holder", _smoothness_holder),
+    ("holder", "sobolev", _holder_sobolev),
+    ("convergent", "sobolev", _convergent_sobolev),
 )

@@ -10,7 +10,7 @@ from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
 from subdiv_cli.maskfile.mask import Coefficients, MaskFile, Symbol, check_zero
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
-from subdiv_cli.maskfile.properties import KEYS, PLANNED, contradictions, expectation
+from subdiv_cli.maskfile.properties import KEYS, contradictions, expectation
 from subdiv_cli.maskfile.recognise import MARKS
 from subdiv_cli.maskfile.scalar import read_scalar
 from subdiv_cli.maskfile.toml import load
@@ -115,7 +115,6 @@ _BELONGS = dict.fromkeys(
 _BELONGS |= dict.fromkeys(
     ("coef", "coefs", "coeff", "coeffs", "coefficient"), ("did you mean coefficients? they belong below [mask]", "mask")
 )
-_BELONGS |= dict.fromkeys(PLANNED, ("it is not decided yet: leave it out", ""))
 
 
 def _kind(document: Mapping[str, object], problems: Collector) -> str:

@@ -140,7 +140,7 @@ class _Page(Page):
             self.property(result, "convergence", result.convergent, None, "SD201", "SD101"),
             self.smoothness(result),
             *self.holder(result),
-            self.property(result, "Sobolev (L2)", None, sobolev),
+            self.property(result, "Sobolev (L2)", None, sobolev, "SD321"),
             self.property(result, "stability", result.stable, None, "SD402"),
             self.property(result, "independence", result.linearly_independent, None, "SD401"),
             self.property(result, "sum rules", None, _degree("order", result.sum_rule_order), "SD102"),

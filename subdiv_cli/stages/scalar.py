@@ -25,6 +25,7 @@ from subdiv_cli.stages import (
     residue_sums,
     smoothness,
     smoothness_spectrum,
+    sobolev,
     stability,
     sum_rules,
 )
@@ -47,6 +48,7 @@ SCALAR: tuple[Stage, ...] = (
     smoothness_spectrum.run,
     holder_lower.run,
     holder_upper.run,
+    sobolev.run,
 )
 
 

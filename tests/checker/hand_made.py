@@ -23,6 +23,11 @@ def claim(rule, uses=(), witness=None, work=PLENTY, property=None, **fields):
     return {"rule": rule, "statement": statement, "witness": witness or {}, "uses": list(uses), "work": work}
 
 
+def sobolev(uses, polynomial, low, high=None, cofactor=None):
+    witness = {"cofactor": cofactor or poly(0, 1)}
+    return claim("sobolev", uses, witness, polynomial=polynomial, low=q(low), high=q(high or low))
+
+
 def document(arity, mask, claims):
     return {
         "format": "subdiv-certificate",
@@ -57,7 +62,7 @@ def naive_norm(c, p, level):
 def chaikin():
     """Claims: 0 residue-sums, 1 sum-rules, 2 derived, 3 generation, 4 reproduction, 5 norm ν=2, 6 norm ν=3, 7 product,
     8 eigen-condition, 9 independent, 10 stable, 11 converges, 12 smooth, 13 not-smooth, 14 not-smooth by the sum rules,
-    15 holder-lower, 16 holder-upper, 17 holder-upper by the sum rules, 18 holder-exact."""
+    15 holder-lower, 16 holder-upper, 17 holder-upper by the sum rules, 18 holder-exact, 19 sobolev."""
     return document(
         2,
         poly(-1, 1, 3, 3, 1, over=4),
@@ -81,6 +86,7 @@ def chaikin():
             claim("holder-upper", [10, 7], length=1, radius="1/4"),
             claim("holder-upper", [10, 1], length=1, radius="1/8"),
             claim("holder-exact", [15, 16], property="holder", level=2, norm="1/16"),
+            sobolev([10, 1], poly(0, "-1/32", 1), "1/32"),
         ],
     )
 
@@ -89,7 +95,7 @@ def four_point():
     """0 sum-rules, 1 independent, 2 stable, 3 norm ν=2, 4 norm ν=4, 5 product, 6 converges, 7 smooth, 8 not-smooth,
     9 holder-lower, 10 holder-upper, 11 product of two letters with a complex pair of
     modulus exactly 1/64, 12 eigen-condition, 13 its failure for ν=2,
-    14 reproduction."""
+    14 reproduction, 15 sobolev."""
     second = [Fraction(c, 8) for c in (-1, 2, 6, 2, -1)]
     fourth = [Fraction(c, 2) for c in (-1, 4, -1)]
     lowest = naive_norm(fourth, 2, 3)
@@ -112,6 +118,7 @@ def four_point():
             claim("eigen-condition", [0], nu=1, holds=True),
             claim("eigen-condition", [0], nu=2, holds=False),
             claim("reproduction", [0], degree=3),
+            sobolev([2, 0], poly(0, -1, -40, 2048), "339/10000", "34/1000", poly(0, "1/512", 1)),
         ],
     )
 
@@ -119,7 +126,7 @@ def four_point():
 def unstable():
     """(1, 1, 1, 1)/2: 0 sum-rules, 1 dependent, 2 unstable, 3 product, 4 norm, 5 eigen-condition, 6 converges,
     7 reduction to the hat function, 8 its sum-rules, 9 norm, 10 smooth, 11 independent, 12 stable, 13 product,
-    14 not-smooth, 15 norm, 16 holder-lower, 17 holder-upper, 18 holder-exact."""
+    14 not-smooth, 15 norm, 16 holder-lower, 17 holder-upper, 18 holder-exact, 19 sobolev."""
     return document(
         2,
         poly(0, 1, 1, 1, 1, over=2),
@@ -143,6 +150,7 @@ def unstable():
             claim("holder-lower", [15, 8, 7], level=1, norm="1/2"),
             claim("holder-upper", [12, 13, 7], length=1, radius="1/2"),
             claim("holder-exact", [16, 17], property="holder", level=1, norm="1/2"),
+            sobolev([12, 8, 7], poly(0, -1, 8), "1/8"),
         ],
     )
 
@@ -215,7 +223,7 @@ def overshooting():
 def ternary():
     """The quadratic ternary B-spline (1+z+z²)³/9: 0 sum-rules, 1 norm ν=2, 2 converges, 3 smooth, 4 independent,
     5 stable, 6 norm ν=3, 7 product, 8 not-smooth, 9 holder-lower, 10 holder-upper, 11 holder-exact, 12 converges and
-    13 smooth by the norm of ν=3, 14 eigen-condition."""
+    13 smooth by the norm of ν=3, 14 eigen-condition, 15 sobolev."""
     components = [poly(0), poly(1, -1), poly(1, 2)]
     return document(
         3,
@@ -236,6 +244,7 @@ def ternary():
             claim("converges", [6], property="convergent", holds=True),
             claim("smooth", [6], order=1),
             claim("eigen-condition", [0], nu=1, holds=True),
+            sobolev([5, 0], poly(0, -1, 243), "1/243"),
         ],
     )
 

@@ -30,19 +30,20 @@ class Facts(NamedTuple):
     stable: tuple[bool, ...]
     independent: tuple[bool, ...]
     reproduction: int
+    sobolev: float = math.nan
     extra: tuple[tuple[int, ...], ...] = ()
     """Masks 1, 2, … as (start, denominator, numerators…)."""
 
 
 FACTS = {
-    "chaikin": Facts(2, 1, True, 2, (True,), (True,), 1),
-    "four_point": Facts(2, 1, True, 1, (True,), (True,), 3),
-    "unstable": Facts(1, 0, True, 0, (False, True), (False, True), 0, ((0, 2, 1, 2, 1),)),
-    "cycle": Facts(0, -1, False, -1, (False, True), (False, True), 0, ((5, 1, 1, 1),)),
+    "chaikin": Facts(2, 1, True, 2, (True,), (True,), 1, 2.5),
+    "four_point": Facts(2, 1, True, 1, (True,), (True,), 3, 2.4407654450703506),
+    "unstable": Facts(1, 0, True, 0, (False, True), (False, True), 0, 1.5, ((0, 2, 1, 2, 1),)),
+    "cycle": Facts(0, -1, False, -1, (False, True), (False, True), 0, 0.5, ((5, 1, 1, 1),)),
     "off_circle": Facts(1, 0, True, 0, (True,), (False,), 1),
     "divergent": Facts(-9, -1, False, -1, (), (), -1),
     "overshooting": Facts(math.log2(2 / 3), -1, False, -1, (True,), (True,), 0),
-    "ternary": Facts(2, 1, True, 1, (True,), (True,), 1),
+    "ternary": Facts(2, 1, True, 1, (True,), (True,), 1, 2.5),
 }
 
 
@@ -105,7 +106,15 @@ def is_true(s, name):
     def sums():
         return [q(sum(c for i, c in enumerate(a, start) if i % p == r)) for r in range(p)]
 
+    def sobolev():
+        """Exactly one zero in the interval, and the exponent is that of it."""
+        f, (low, high) = s["polynomial"], (float(Fraction(s[key])) for key in ("low", "high"))
+        zeros = np.roots([float(Fraction(c)) for c in f["coefficients"][::-1]])
+        real = [z.real for z in zeros if abs(z.imag) < 1e-12 and low - 1e-12 <= z.real <= high + 1e-12]
+        return len(real) == 1 and abs(-math.log(real[0], p) / 2 - facts.sobolev) < 1e-9
+
     return {
+        "sobolev": sobolev,
         "residue-sums": lambda: s["sums"] == sums(),
         "sum-rules": lambda: s["order"] == order,
         "derived": derived,
@@ -207,7 +216,7 @@ def test_every_number_changed_a_little(name):
                 exact = Fraction(new) if isinstance(place, str) else int(new)
                 if true_or_rejected(name, path, exact):
                     accepted.append(path)
-    allowed = {"work", "uses", "radius", "order", "nu", "word", "level"}
+    allowed = {"work", "uses", "radius", "order", "nu", "word", "level", "low", "high", "cofactor"}
     others = {path for path in accepted if not allowed & set(path)}
     assert others == HARMLESS.get(name, set())
 

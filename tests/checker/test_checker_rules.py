@@ -148,6 +148,35 @@ FORGED = [
     forge("chaikin", 18, {"level": 1}),
     forge("chaikin", 18, uses=[15, 17]),
     forge("ternary", 11, {"norm": "1/27"}),
+    forge("chaikin", 19, {"low": "1/64"}, witness={"cofactor": poly(0, 0, 1)}),
+    forge("chaikin", 19, {"low": "1/64", "high": "1/64"}),
+    forge("chaikin", 19, {"polynomial": poly(0, "-1/64", 1), "low": "1/64", "high": "1/64"}),
+    forge("chaikin", 19, {"polynomial": poly(0, "-1/16", 1), "low": "1/16", "high": "1/16"}),
+    forge("chaikin", 19, {"polynomial": poly(0, "1/32", -1)}),
+    forge("chaikin", 19, {"polynomial": poly(0, 1)}),
+    forge("chaikin", 19, {"polynomial": poly(0)}),
+    forge("chaikin", 19, {"polynomial": poly(1, "-1/32", 1)}),
+    forge("chaikin", 19, {"low": "0", "high": "1"}),
+    forge("chaikin", 19, {"low": "-1/32"}),
+    forge("chaikin", 19, witness={"cofactor": poly(0)}),
+    forge("chaikin", 19, witness={"cofactor": poly(0, -1)}),
+    forge("chaikin", 19, uses=[10, 1, 1]),
+    forge("chaikin", 19, uses=[9, 1]),
+    forge("chaikin", 19, work=8),
+    # the smaller zero -1/512 of the characteristic polynomial, and the larger one as a zero of the cofactor
+    forge("four_point", 15, {"polynomial": poly(0, 1, 512), "low": "1/1024", "high": "1"}),
+    forge("four_point", 15, {"polynomial": poly(0, "1/512", 1)}, witness={"cofactor": poly(0, -1, -40, 2048)}),
+    forge("four_point", 15, {"low": "17/500"}),
+    forge("four_point", 15, {"high": "339/10000"}),
+    forge("four_point", 15, {"polynomial": poly(0, -1, -40, 2049)}),
+    forge("four_point", 15, witness={"cofactor": poly(0, "1/512", "513/512", 1)}),
+    # a zero that is none of the matrix: (z - 1)(z - 1/32) annihilates e_0, but 1 is no pole
+    forge(
+        "unstable", 19, {"polynomial": poly(0, -1, 1), "low": "1", "high": "1"}, witness={"cofactor": poly(0, -1, 8)}
+    ),
+    forge("unstable", 19, uses=[12, 8]),
+    forge("unstable", 19, uses=[12, 0, 7]),
+    forge("ternary", 15, {"polynomial": poly(0, -1, 81), "low": "1/81", "high": "1/81"}),
 ]
 
 
@@ -193,7 +222,7 @@ def test_a_claim_on_a_reduced_mask_says_nothing_of_convergence():
         c["uses"] = [i - (i > 6) for i in c["uses"]]
     certificate["claims"][-1]["uses"] = [8]
     outcome = check_text(text(certificate))
-    assert outcome.line == "NOT VERIFIED claim 18 (converges): it uses norm with another mask"
+    assert outcome.line == "NOT VERIFIED claim 19 (converges): it uses norm with another mask"
 
 
 def test_a_divergent_product_of_a_reduced_mask_says_nothing_of_mask_0():
