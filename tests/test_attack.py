@@ -120,6 +120,15 @@ def jsr_bounds(matrices, limit=3000):
     return low, high
 
 
+def mean_square_exponent(a, p):
+    """-log_p(ρ)/2 for the autocorrelation of S_(Δ^k): never above the Sobolev exponent, and equal for a stable mask."""
+    _, q = sum_rule_order(a, p)
+    d, n = np.array([float(c) for c in q]), len(q) - 1
+    b = {t - n: x for t, x in enumerate(np.convolve(d, d[::-1]))}
+    places = range(-n - 1, n + 2)
+    return exponent(max(abs(np.linalg.eigvals([[b.get(p * i - j, 0.0) / p for j in places] for i in places]))), p) / 2
+
+
 def subdivide_delta(a, p, levels):
     """Largest difference of neighbours of S^L δ, L = 0, 1, …: goes to 0 iff S converges, where residue sums are 1."""
     mask, data, sizes = np.array([float(c) for c in a]), np.array([1.0]), []
@@ -169,6 +178,12 @@ def attack(rng, mix):
         if result.holder is not None and family is matrices:
             assert result.holder.lower <= alpha_high + SLACK, note
             assert result.holder.upper >= alpha_low - SLACK, note
+    if result.sobolev is not None:
+        assert result.sobolev.upper >= mean_square_exponent(parent, p) - 1e-6, note
+        assert result.sobolev.lower >= result.holder.lower - SLACK, note
+        assert result.sobolev.lower - 0.5 <= result.holder.upper, note
+        if result.stable is Verdict.PROVED:
+            assert abs(result.sobolev.lower - mean_square_exponent(a, p)) < 1e-6, note
     mix[result.convergent.value] += 1
     mix["stable" if result.stable is Verdict.PROVED else "unstable"] += 1
     if result.refinable.order is not None:

@@ -27,6 +27,7 @@ def test_reference_row(row):
     assert result.reproduction == truth["reproduction"]
     assert_smoothness(row["id"], result, truth["smoothness"])
     assert_holder(result, truth["holder_of_limits"])
+    assert_sobolev(result, truth["sobolev_of_limits"])
 
 
 PROVED_BY_NORMS = {"fourpt_19/100": 0, "sixpt_1/64": 2}
@@ -51,3 +52,10 @@ def assert_holder(result, interval):
     assert result.holder.upper >= low - 1e-6
     if isinstance(result.holder.exact, Fraction):
         assert low - 1e-6 <= result.holder.exact <= high + 1e-6
+
+
+def assert_sobolev(result, value):
+    if value is None:
+        assert result.sobolev is None
+        return
+    assert result.sobolev.lower - 1e-6 <= value <= result.sobolev.upper + 1e-6

@@ -25,7 +25,6 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from subdiv_cli.exact.algebraic import AlgebraicNumber
 from subdiv_cli.exact.enclosures import ball, closed_interval, interval
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import certain, number, root
@@ -51,7 +50,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         return (RULE.undecided(_QUESTION, "the transfer matrix is too large for this effort"),)
     growth = mean_square_growth(d, p)
     exact = growth.radius.rational
-    value = _irrational(growth.radius, p) if exact is None else closed_interval(logarithm(p, 1 / exact, 2))
+    value = _irrational(growth, p) if exact is None else closed_interval(logarithm(p, 1 / exact, 2))
     witness: dict[str, Data] = {
         "difference_order": k,
         "polynomial": tuple(int(c) for c in growth.radius.minimal_polynomial),
@@ -60,11 +59,10 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         "cofactor": _coefficients(growth),
     }
     if exact is None:
-        shown = certain(lambda: _exponent(growth.radius, p))
-        size = certain(growth.radius.modulus)
+        shown, size = certain(lambda: _exponent(growth, p)), certain(lambda: _ball(growth))
     else:
+        shown, size = value.exact or certain(lambda: _exponent(growth, p)), number(exact)
         witness["radius"] = exact
-        shown, size = value.exact or certain(lambda: _exponent(growth.radius, p)), number(exact)
     statement = f"s = {shown}: the transfer matrix of {last_difference(numbers)} has the spectral radius {size}"
     return (RULE.proved(statement, witness, value),)
 
@@ -75,13 +73,18 @@ def _coefficients(growth: Growth) -> tuple[Fraction, ...]:
     return (Fraction(0),) * c.low + c.coefficients()
 
 
-def _exponent(radius: AlgebraicNumber, p: int) -> arb:
-    return -radius.modulus().log() / ball(p).log() / 2
+def _ball(growth: Growth) -> arb:
+    """Around λ."""
+    return ball(growth.low).union(ball(growth.high))
 
 
-def _irrational(radius: AlgebraicNumber, p: int) -> Interval:
+def _exponent(growth: Growth, p: int) -> arb:
+    return -_ball(growth).log() / ball(p).log() / 2
+
+
+def _irrational(growth: Growth, p: int) -> Interval:
     """Outward doubles around -log_p(λ)/2, and its closed form where the polynomial is short enough to be read."""
-    f = radius.minimal_polynomial
+    f = growth.radius.minimal_polynomial
     readable = f.height_bits() * f.degree() < _READABLE
     with ctx.workprec(128):
-        return interval(_exponent(radius, p), f"-log{p}({root(radius)})/2" if readable else None)
+        return interval(_exponent(growth, p), f"-log{p}({root(growth.radius)})/2" if readable else None)
