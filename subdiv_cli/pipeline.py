@@ -23,7 +23,8 @@ from subdiv_cli.model import (
 )
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages.judge import judge
-from subdiv_cli.stages.scalar import analyse
+from subdiv_cli.stages.picture import stages as picture_stages
+from subdiv_cli.stages.scalar import Analysis, analyse
 
 
 class DisagreementError(Exception):
@@ -46,7 +47,13 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
 
     The caller adds file, name and parameters to the result. Raises DisagreementError where the checker says no.
     """
-    facts, hints, findings = analyse(scheme, effort)
+    return _certified(scheme, analyse(scheme, effort), expectations, effort)
+
+
+def _certified(
+    scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort
+) -> Checked:
+    findings = analysis.findings
     written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
     if written is not None:
         outcome = check_document(written.document)
@@ -62,8 +69,8 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
         status="undecided",
         kind="scalar",
         stopped="budget" if effort.struck else None,
-        facts=facts,
-        hints=hints,
+        facts=analysis.facts,
+        hints=analysis.hints,
         sum_rule_order=_integer(found, "SD102", "order"),
         convergent=found["SD201"].verdict,
         smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
@@ -117,3 +124,11 @@ def _sobolev(found: dict[str, Finding], p: int) -> Exponent | None:
     radius = finding.witness.get("radius")
     exact = logarithm(p, 1 / radius, 2) if isinstance(radius, Fraction) else None
     return Exponent(lower=finding.value.lower, upper=finding.value.upper, exact=exact)
+
+
+def portrait(scheme: ScalarScheme, tolerance: Fraction, effort: Effort) -> Checked:
+    """What `check` finds and, certified and checked alike, values, stencils, Q and error bounds.
+
+    Raises DisagreementError where the checker says no.
+    """
+    return _certified(scheme, analyse(scheme, effort, picture_stages(tolerance)), (), effort)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from subdiv_cli.certificate import smoothness, sobolev, structure
+from subdiv_cli.certificate import smoothness, sobolev, structure, values
 from subdiv_cli.certificate.claims import Json, mask_document
 from subdiv_cli.certificate.proof import Proof
 from subdiv_cli.model import Finding, Verdict
@@ -32,6 +32,13 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
     "SD401": structure.independence,
     "SD402": structure.stability,
     "SD403": lambda proof, _: list(proof.reductions),
+    "SD501": values.integer_values,
+    "SD502": values.stencils,
+    "SD503": values.quasi_interpolation,
+    "SD504": values.approximation_order,
+    "SD505": values.interpolatory_order,
+    "SD511": values.error_bound,
+    "SD512": values.hermite_bound,
 }
 """The numbers of the claims that say what a decided finding says, by code; none where its witness is missing."""
 

@@ -14,7 +14,7 @@ from subdiv_cli.checker.reading import require
 def converges(c: Claim) -> None:
     """S converges: some ‖S_(Δ^ν)^L‖∞ < 1 (Dyn 1992, Theorem 3.2, for ν = 1; FORMAT.md for larger ν)."""
     c.count(1)
-    _contracts(c, c.use("norm", mask=0).statement, 1)
+    contracts(c, c.use("norm", mask=0).statement, 1)
 
 
 def diverges(c: Claim) -> None:
@@ -35,7 +35,7 @@ def smooth(c: Claim) -> None:
     """φ is C^n: some ‖S_(Δ^ν)^L‖∞ < p^(-nL), ν > n, for the mask itself or one that it reduces to (as above)."""
     c.count(1)
     used = c.use("norm").statement
-    _contracts(c, used, c.statement["order"] + 1)
+    contracts(c, used, c.statement["order"] + 1)
     c.use_reductions(used["mask"])
 
 
@@ -48,7 +48,7 @@ def not_smooth(c: Claim) -> None:
     if used["property"] == "sum-rules":
         require(used["order"] <= j, f"the sum rules are of order {used['order']}")
     else:
-        require(used["radius"] * _power(c, Fraction(c.p), j * len(used["word"])) >= 1, "the radius is too small")
+        require(used["radius"] * power(c, Fraction(c.p), j * len(used["word"])) >= 1, "the radius is too small")
     c.use_reductions(mask)
 
 
@@ -58,7 +58,7 @@ def holder_lower(c: Claim) -> None:
     c.count(1)
     used = c.use("norm", level=level).statement
     k = c.use("sum-rules", mask=used["mask"], order=used["nu"]).statement["order"]
-    scaled = used["norm"] / _power(c, Fraction(c.p), (k - 1) * level)
+    scaled = used["norm"] / power(c, Fraction(c.p), (k - 1) * level)
     require(c.statement["norm"] == scaled, "the norm of D^L is another")
     c.use_reductions(used["mask"])
 
@@ -71,7 +71,7 @@ def holder_upper(c: Claim) -> None:
     if used["property"] == "product":
         bound = (len(used["word"]), used["radius"])
     else:
-        bound = (1, 1 / _power(c, Fraction(c.p), used["order"]))
+        bound = (1, 1 / power(c, Fraction(c.p), used["order"]))
     require(bound == (c.statement["length"], c.statement["radius"]), "length or radius is another")
     c.use_reductions(mask)
 
@@ -82,20 +82,20 @@ def holder_exact(c: Claim) -> None:
     c.count(1)
     c.use("holder-lower", level=level, norm=x)
     upper = c.use("holder-upper").statement
-    fits = _power(c, upper["radius"], level) >= _power(c, x, upper["length"])
+    fits = power(c, upper["radius"], level) >= power(c, x, upper["length"])
     require(fits, "the bounds do not meet")
 
 
-def _contracts(c: Claim, norm: Statement, nu: int) -> None:
+def contracts(c: Claim, norm: Statement, nu: int) -> None:
     """That (1/p)S_ν contracts, from ‖S_(Δ^ν')^L‖ < p^(-(ν-1)L), ν' >= ν; the norm is that of p^((ν'-1)L) S_(Δ^ν')^L.
 
     The joint spectral radius of S_(Δ^ν) is the largest of p^-ν, …, p^(1-ν') and that of S_(Δ^ν').
     """
     require(norm["nu"] >= nu, f"the norm is not one of S_{nu} or a later one")
-    bound = _power(c, Fraction(c.p), (norm["nu"] - nu) * norm["level"])
+    bound = power(c, Fraction(c.p), (norm["nu"] - nu) * norm["level"])
     require(norm["norm"] < bound, "the norm is not small enough")
 
 
-def _power(c: Claim, x: Fraction, exponent: int) -> Fraction:
+def power(c: Claim, x: Fraction, exponent: int) -> Fraction:
     c.count(1, (x.numerator.bit_length() + x.denominator.bit_length()) * exponent)
     return Fraction(x**exponent)

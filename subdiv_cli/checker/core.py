@@ -42,7 +42,7 @@ def not_verified(place: str, why: object, claim: int | None = None) -> Outcome:
 
 
 class Proved(NamedTuple):
-    """A claim that holds, and what later claims need of it: the quotient of a sum-rules claim."""
+    """A claim that holds, and what later ones need of it: the quotient of a sum-rules claim, a reduction's factor."""
 
     statement: Statement
     result: Polynomial | None
@@ -109,10 +109,10 @@ class Claim:
             require(proved.statement.get(key) == value, f"it uses {asked} with another {key}")
         return proved
 
-    def use_reductions(self, mask: int) -> None:
-        """0 -> 1, …, mask-1 -> mask."""
-        for i in range(mask):
-            self.use("reduction", **{"from": i, "to": i + 1})
+    def use_reductions(self, mask: int) -> list[Polynomial]:
+        """0 -> 1, …, mask-1 -> mask, and their factors."""
+        used = [self.use("reduction", **{"from": i, "to": i + 1}) for i in range(mask)]
+        return [proved.result for proved in used if proved.result is not None]
 
     def use_nothing_else(self) -> None:
         require(not self._uses, "it uses claims that it does not need")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from subdiv_cli.checker import conclusions, scalar, sobolev
+from subdiv_cli.checker import bounds, conclusions, scalar, sobolev, values
 from subdiv_cli.checker.core import Kind, Rule
 from subdiv_cli.checker.words import in_words
 
@@ -26,6 +26,11 @@ PROPERTIES = {
     "holder-upper": {"length": "natural", "radius": "rational"},
     "holder": {"level": "natural", "norm": "rational"},
     "sobolev": {"polynomial": "polynomial", "low": "rational", "high": "rational"},
+    "values": {"order": "natural", "values": "polynomial"},
+    "quasi-interpolation": {"degree": "natural", "operator": "rational[]", "stencil": "polynomial"},
+    "error-bound": {"nu": "natural", "level": "natural", "norm": "rational", "constant": "rational"},
+    "levels": {"tolerance": "rational", "levels": "natural"},
+    "hermite-bound": {"order": "natural", "constant": "rational"},
 }
 _NONE: tuple[dict[str, str], ...] = ({},)
 _BEZOUT = {"cofactors": "polynomial[]"}
@@ -52,5 +57,10 @@ RULES = {
     "holder-upper": Rule("holder-upper", {}, _NONE, conclusions.holder_upper),
     "holder-exact": Rule("holder", {}, _NONE, conclusions.holder_exact),
     "sobolev": Rule("sobolev", {}, ({"cofactor": "polynomial"},), sobolev.sobolev),
+    "values": Rule("values", {}, ({}, {"values": "polynomial"}), values.values),
+    "quasi-interpolation": Rule("quasi-interpolation", {}, _NONE, values.quasi_interpolation),
+    "error-bound": Rule("error-bound", {}, _NONE, bounds.error_bound),
+    "levels": Rule("levels", {}, _NONE, bounds.levels),
+    "hermite-bound": Rule("hermite-bound", {}, _NONE, bounds.hermite_bound),
 }
 SCALAR = Kind(PROPERTIES, RULES, in_words)

@@ -193,7 +193,7 @@ def unstable(c: Claim) -> None:
         require(vanishes_on_circle(factor), "the factor vanishes nowhere on |z| = 1")
 
 
-def reduction(c: Claim) -> None:
+def reduction(c: Claim) -> Polynomial:
     """φ = Σ g_j φ'(·-j)/g(1), equally smooth, φ' that of a new mask a0 with a0(z) g(z^p) = a(z) g(z), g(1) ≠ 0."""
     a, g, a0 = c.mask(), c.witness["factor"], c.witness["mask"]
     c.count(a.length**2, a.bits + g.bits + a0.bits)
@@ -203,6 +203,7 @@ def reduction(c: Claim) -> None:
     require(a0.length > 0 and a0.length + (c.p - 1) * (g.length - 1) == a.length, "the degrees do not fit")
     require(multiply(a0, spread(g, c.p)) == multiply(a, g), "the factors do not divide out to the new mask")
     c.masks.append(a0)
+    return Polynomial(*g)
 
 
 def _order_at_least(c: Claim, order: int) -> tuple[Polynomial, int]:

@@ -29,6 +29,11 @@ def in_words(statement: Mapping[str, Any], p: int) -> str:
         "holder-upper": "α <= {exponent}",
         "holder": "α = {exponent}",
         "sobolev": "s = {sobolev}",
+        "values": "values of φ^({order}) at the integers",
+        "quasi-interpolation": "S^∞ Q = 1 on polynomials of degree {degree}",
+        "error-bound": "‖S_{nu}^∞ g - S_{nu}^k g‖ <= {constant} · ({norm})^⌊k/{level}⌋ ‖Δg‖",
+        "levels": "‖S^∞ f - S^k f‖ <= {tolerance} ‖Δf‖ at level k = {levels}",
+        "hermite-bound": "‖S^∞ f - Q^k‖ <= {constant} · {p}^(-{order}k) ‖Δ^{order} f‖",
     }[statement["property"]]
     phrase += " (mask {mask})" if statement.get("mask") else ""
     converges = "diverges" if holds else "converges"

@@ -48,3 +48,17 @@ def eigenvectors(a: fmpq_mat, eigenvalue: Fraction | int) -> tuple[Vector, ...]:
 def infinity_norm(a: fmpq_mat) -> Fraction:
     """The largest absolute row sum."""
     return max(sum((abs(x) for x in row), Fraction(0)) for row in rows_of(a))
+
+
+def solution(a: fmpq_mat, b: Sequence[Fraction]) -> Vector | None:
+    """An x with a x = b, its free entries 0; None where there is none."""
+    rows, columns = a.nrows(), a.ncols()
+    entries = [[*row, to_fmpq(right)] for row, right in zip(a.table(), b, strict=True)]
+    echelon, rank = fmpq_mat(entries).rref()
+    x = [Fraction(0)] * columns
+    for i in range(min(rank, rows)):
+        pivot = next(j for j in range(columns + 1) if echelon[i, j])
+        if pivot == columns:
+            return None
+        x[pivot] = to_fraction(echelon[i, columns])
+    return tuple(x)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from subdiv_cli.model import Data, Effort, Finding
@@ -59,14 +59,15 @@ class Analysis(NamedTuple):
     hints: tuple[str, ...]
     findings: tuple[Finding, ...]
     """In the order of the stages: each speaks of what earlier ones introduced."""
+    numbers: ScalarNumbers
 
 
-def analyse(scheme: ScalarScheme, effort: Effort) -> Analysis:
-    """All stages under the effort."""
+def analyse(scheme: ScalarScheme, effort: Effort, more: Sequence[Stage] = ()) -> Analysis:
+    """All stages under the effort, and after them some more."""
     numbers = ScalarNumbers(scheme, effort)
     found: dict[str, tuple[Finding, ...]] = {}
-    for stage in SCALAR:
+    for stage in (*SCALAR, *more):
         for finding in stage(numbers, found):
             found[finding.code] = (*found.get(finding.code, ()), finding)
     findings = tuple(finding for several in found.values() for finding in several)
-    return Analysis(mask_facts(scheme), mask_hints(scheme), findings)
+    return Analysis(mask_facts(scheme), mask_hints(scheme), findings, numbers)

@@ -126,7 +126,8 @@ def four_point():
 def unstable():
     """(1, 1, 1, 1)/2: 0 sum-rules, 1 dependent, 2 unstable, 3 product, 4 norm, 5 eigen-condition, 6 converges,
     7 reduction to the hat function, 8 its sum-rules, 9 norm, 10 smooth, 11 independent, 12 stable, 13 product,
-    14 not-smooth, 15 norm, 16 holder-lower, 17 holder-upper, 18 holder-exact, 19 sobolev."""
+    14 not-smooth, 15 norm, 16 holder-lower, 17 holder-upper, 18 holder-exact, 19 sobolev,
+    20 values through the reduction, 21 values by S's own convergence."""
     return document(
         2,
         poly(0, 1, 1, 1, 1, over=2),
@@ -151,6 +152,8 @@ def unstable():
             claim("holder-upper", [12, 13, 7], length=1, radius="1/2"),
             claim("holder-exact", [16, 17], property="holder", level=1, norm="1/2"),
             sobolev([12, 8, 7], poly(0, -1, 8), "1/8"),
+            claim("values", [9, 7], {"values": poly(1, 1)}, order=0, values=poly(1, 1, 1, over=2)),
+            claim("values", [4], order=0, values=poly(1, 1, 1, over=2)),
         ],
     )
 
@@ -249,6 +252,40 @@ def ternary():
     )
 
 
+def cubic():
+    """The cubic B-spline: 0 sum-rules, 1 norm ν=1, 2 norm ν=2, 3 norm ν=3, 4 converges, 5, 6, 7 values of φ, φ', φ'',
+    8 quasi-interpolation, 9 error-bound, 10 levels, 11 error-bound of S_2, 12 hermite-bound, 13 norm ν=1 at level 2,
+    14 error-bound at level 2."""
+    return document(
+        2,
+        poly(-2, 1, 4, 6, 4, 1, over=8),
+        [
+            claim("sum-rules", mask=0, order=4, witness={"quotient": poly(-2, "1/8")}),
+            claim("norm", [0], mask=0, nu=1, level=1, norm="1/2"),
+            claim("norm", [0], mask=0, nu=2, level=1, norm="1/2"),
+            claim("norm", [0], mask=0, nu=3, level=1, norm="1/2"),
+            claim("converges", [1], property="convergent", holds=True),
+            claim("values", [3], order=0, values=poly(-1, 1, 4, 1, over=6)),
+            claim("values", [3], order=1, values=poly(-1, 1, 0, -1, over=2)),
+            claim("values", [3], order=2, values=poly(-1, 1, -2, 1)),
+            claim(
+                "quasi-interpolation",
+                [4, 5, 0],
+                degree=3,
+                operator=["1", "0", "-1/6", "0"],
+                stencil=poly(-1, -1, 8, -1, over=6),
+            ),
+            claim("error-bound", [0, 1], nu=0, level=1, norm="1/2", constant="1/2"),
+            claim("levels", [9], tolerance="1/1000", levels=9),
+            claim("error-bound", [0, 3], nu=2, level=1, norm="1/2", constant="1"),
+            claim("hermite-bound", [11, 2], order=2, constant="1/4"),
+            claim("norm", [0], mask=0, nu=1, level=2, norm="1/4"),
+            claim("error-bound", [0, 1, 13], nu=0, level=2, norm="1/4", constant="2/3"),
+        ],
+    )
+
+
 ALL = {
-    make.__name__: make for make in (chaikin, four_point, unstable, cycle, off_circle, divergent, overshooting, ternary)
+    make.__name__: make
+    for make in (chaikin, four_point, unstable, cycle, off_circle, divergent, overshooting, ternary, cubic)
 }

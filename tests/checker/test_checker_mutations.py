@@ -43,8 +43,16 @@ FACTS = {
     "off_circle": Facts(1, 0, True, 0, (True,), (False,), 1),
     "divergent": Facts(-9, -1, False, -1, (), (), -1),
     "overshooting": Facts(math.log2(2 / 3), -1, False, -1, (True,), (True,), 0),
+    "cubic": Facts(3, 2, True, 3, (True,), (True,), 1, 3.5),
     "ternary": Facts(2, 1, True, 1, (True,), (True,), 1, 2.5),
 }
+
+
+VALUES = {
+    "unstable": [{1: "1/2", 2: "1/2"}],
+    "cubic": [{-1: "1/6", 0: "2/3", 1: "1/6"}, {-1: "1/2", 1: "-1/2"}, {-1: "1", 0: "-2", 1: "1"}],
+}
+"""φ, φ', φ'' at the integers."""
 
 
 def divide_by_sigma(a, p):
@@ -113,7 +121,34 @@ def is_true(s, name):
         real = [z.real for z in zeros if abs(z.imag) < 1e-12 and low - 1e-12 <= z.real <= high + 1e-12]
         return len(real) == 1 and abs(-math.log(real[0], p) / 2 - facts.sobolev) < 1e-9
 
+    def terms(polynomial):
+        pairs = ((i, Fraction(c)) for i, c in enumerate(polynomial["coefficients"], polynomial["start"]))
+        return {i: c for i, c in pairs if c}
+
+    def values():
+        known = VALUES[name]
+        asked = {i: Fraction(c) for i, c in known[s["order"]].items()} if s["order"] < len(known) else None
+        return terms(s["values"]) == asked
+
+    def quasi_interpolation():
+        operator = list(map(Fraction, s["operator"]))
+        if operator != [1, 0, Fraction(-1, 6), 0][: s["degree"] + 1]:
+            return False
+        moments = [sum(c * i**power for i, c in terms(s["stencil"]).items()) for power in range(len(operator))]
+        return moments == [math.factorial(power) * x for power, x in enumerate(operator)]
+
+    def error_bound():
+        """At least what the terms of the cubic B-spline's S and S_2 are seen to be, E = 1/4 and 1/2, norms 2^-i."""
+        e, mu, level = {0: Fraction(1, 4), 2: Fraction(1, 2)}.get(s["nu"], 99), Fraction(s["norm"]), s["level"]
+        sums = [sum(e / 2**i for i in range(k, 60)) for k in range(9)]
+        return all(Fraction(s["constant"]) * mu ** (k // level) >= sums[k] - Fraction(1, 10**9) for k in range(9))
+
     return {
+        "values": values,
+        "quasi-interpolation": quasi_interpolation,
+        "error-bound": error_bound,
+        "levels": lambda: Fraction(s["tolerance"]) >= Fraction(1, 2 ** (s["levels"] + 1)),
+        "hermite-bound": lambda: s["order"] == 2 and Fraction(s["constant"]) >= Fraction(1, 8),
         "sobolev": sobolev,
         "residue-sums": lambda: s["sums"] == sums(),
         "sum-rules": lambda: s["order"] == order,
@@ -216,7 +251,20 @@ def test_every_number_changed_a_little(name):
                 exact = Fraction(new) if isinstance(place, str) else int(new)
                 if true_or_rejected(name, path, exact):
                     accepted.append(path)
-    allowed = {"work", "uses", "radius", "order", "nu", "word", "level", "low", "high", "cofactor"}
+    allowed = {
+        "work",
+        "uses",
+        "radius",
+        "order",
+        "nu",
+        "word",
+        "level",
+        "low",
+        "high",
+        "cofactor",
+        "tolerance",
+        "levels",
+    }
     others = {path for path in accepted if not allowed & set(path)}
     assert others == HARMLESS.get(name, set())
 

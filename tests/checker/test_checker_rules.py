@@ -177,6 +177,58 @@ FORGED = [
     forge("unstable", 19, uses=[12, 8]),
     forge("unstable", 19, uses=[12, 0, 7]),
     forge("ternary", 15, {"polynomial": poly(0, -1, 81), "low": "1/81", "high": "1/81"}),
+    forge("cubic", 5, {"values": poly(0, 1, 4, 1, over=6)}),
+    forge("cubic", 5, {"values": poly(-1, 1, 4, 1, over=3)}),
+    forge("cubic", 5, {"values": poly(-1, 1, 1, 1, over=3)}),
+    forge("cubic", 5, {"values": poly(0)}),
+    forge("cubic", 5, {"order": 1}),
+    forge("cubic", 6, {"values": poly(-1, -1, 0, 1, over=2)}),
+    forge("cubic", 6, {"values": poly(-1, 1, 0, -1)}),
+    forge("cubic", 7, {"order": 3}),
+    forge("cubic", 7, {"order": 300}),
+    forge("cubic", 7, uses=[2]),
+    forge("cubic", 6, uses=[1]),
+    forge("cubic", 7, witness={"values": poly(-1, 2, -4, 2)}),
+    forge("unstable", 20, uses=[9]),
+    forge("unstable", 20, uses=[7, 9]),
+    forge("unstable", 20, {"values": poly(1, 1)}),
+    forge("unstable", 20, witness={"values": poly(2, 1)}),
+    forge("unstable", 20, witness={"values": poly(1, 1, 1, over=2)}),
+    forge("unstable", 20, witness={}),
+    forge("unstable", 20, {"values": poly(1, 1, 0, 1, over=2)}),
+    forge("unstable", 21, {"values": poly(0, 1, 1, over=2)}),
+    forge("cubic", 8, {"degree": 4}),
+    forge("cubic", 8, {"degree": 4, "operator": ["1", "0", "-1/6", "0", "0"]}),
+    forge("cubic", 8, {"degree": 2}),
+    forge("cubic", 8, {"operator": ["1", "0", "1/6", "0"]}),
+    forge("cubic", 8, {"operator": ["1", "0", "-1/6", "1"]}),
+    forge("cubic", 8, {"stencil": poly(0, 1)}),
+    forge("cubic", 8, {"stencil": poly(0, -1, 8, -1, over=6)}),
+    forge("cubic", 8, {"stencil": poly(-1, -1, 8, over=6)}),
+    forge("cubic", 8, uses=[4, 6, 0]),
+    forge("cubic", 8, uses=[5, 0]),
+    forge("cubic", 9, {"constant": "1/4"}),
+    forge("cubic", 9, {"norm": "1/4"}),
+    forge("cubic", 9, {"level": 2}),
+    forge("cubic", 9, {"level": 0}, uses=[0]),
+    forge("cubic", 9, {"nu": 1}),
+    forge("cubic", 9, {"nu": 4}),
+    forge("cubic", 9, uses=[1]),
+    forge("cubic", 14, {"constant": "1/2"}),
+    forge("cubic", 14, uses=[0, 13, 1]),
+    forge("cubic", 14, uses=[0, 13]),
+    forge("cubic", 11, {"nu": 0}),
+    forge("cubic", 11, {"constant": "1/2"}),
+    forge("cubic", 10, {"levels": 8}),
+    forge("cubic", 10, {"tolerance": "1/1025"}),
+    forge("cubic", 10, {"tolerance": "0"}),
+    forge("cubic", 10, uses=[11]),
+    forge("cubic", 12, {"constant": "1/8"}),
+    forge("cubic", 12, {"order": 4}),
+    forge("cubic", 12, {"order": 0}),
+    forge("cubic", 12, {"order": 1}),
+    forge("cubic", 12, uses=[9, 2]),
+    forge("cubic", 12, uses=[11, 3]),
 ]
 
 
@@ -222,7 +274,7 @@ def test_a_claim_on_a_reduced_mask_says_nothing_of_convergence():
         c["uses"] = [i - (i > 6) for i in c["uses"]]
     certificate["claims"][-1]["uses"] = [8]
     outcome = check_text(text(certificate))
-    assert outcome.line == "NOT VERIFIED claim 19 (converges): it uses norm with another mask"
+    assert outcome.line == "NOT VERIFIED claim 21 (converges): it uses norm with another mask"
 
 
 def test_a_divergent_product_of_a_reduced_mask_says_nothing_of_mask_0():
