@@ -21,8 +21,9 @@ ARROWS = {
     "pipeline": {"stages", "certificate", "checker", "schemes", "model"},
     "catalog": {"pipeline", "maskfile", "model"},
     "report": {"model"},
+    "plot": {"model"},
     "explain": {"model"},
-    "cli": {"catalog", "maskfile", "report", "explain", "model", "pipeline", "checker", "schemes"},
+    "cli": {"catalog", "maskfile", "report", "plot", "explain", "model", "pipeline", "checker", "schemes"},
     "__main__": {"cli"},
     "__init__": set(),
 }
@@ -38,8 +39,9 @@ NO_TERMINAL = {
     "maskfile",
     "catalog",
     "explain",
+    "plot",
 }
-NO_FLINT = {"certificate", "checker", "model", "maskfile", "report", "explain", "cli", "catalog", "pipeline"}
+NO_FLINT = {"certificate", "checker", "model", "maskfile", "report", "plot", "explain", "cli", "catalog", "pipeline"}
 
 FILES = sorted(ROOT.rglob("*.py"))
 
@@ -75,6 +77,7 @@ def test_arrows_run_one_way(file):
         if top == "flint":
             assert here not in NO_FLINT, f"{file}:{line}: {here} imports flint"
         assert top not in {"numpy", "mpmath"}, f"{file}:{line}: nothing needs {top} yet"
+        assert top != "matplotlib" or file.name == "figure.py", f"{file}:{line}: only plot/figure.py draws with it"
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda f: str(f.relative_to(ROOT)))
@@ -114,8 +117,8 @@ def loaded_by(*arguments):
 
 
 def test_help_loads_neither_numpy_nor_flint_nor_rich():
-    for arguments in (["--help"], ["check", "--help"], ["--version"]):
-        assert not {"numpy", "flint", "rich"} & loaded_by(*arguments)
+    for arguments in (["--help"], ["check", "--help"], ["show", "--help"], ["plot", "--help"], ["--version"]):
+        assert not {"numpy", "flint", "rich", "matplotlib"} & loaded_by(*arguments)
 
 
 def test_a_mask_decided_by_norms_loads_no_numpy():

@@ -7,12 +7,12 @@ from contextlib import suppress
 from pathlib import Path
 
 
-def write_whole(file: str | Path, text: str) -> None:
+def write_whole(file: str | Path, content: str | bytes) -> None:
     """Write a file so that it is the old one or the new one and never a part; after an OSError it is the old one.
 
     What is not a plain file (a pipe, /dev/stdout) is written to as it is.
     """
-    data = text.encode("utf-8", "backslashreplace")
+    data = content if isinstance(content, bytes) else content.encode("utf-8", "backslashreplace")
     path = Path(os.path.realpath(file))
     if path.exists() and not path.is_file():
         path.write_bytes(data)

@@ -26,7 +26,11 @@ def render(results: Sequence[Result], look: Look) -> str:
         "summary": summary(results),
         "results": [_result(result) for result in results],
     }
-    text = json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
+    return strictly_unicode(json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n")
+
+
+def strictly_unicode(text: str) -> str:
+    """The text without lone surrogates."""
     return text if text.isascii() else "".join(map(_scalar, text))
 
 
@@ -124,3 +128,8 @@ def plain(data: Data) -> Any:
     if isinstance(data, Fraction) or (isinstance(data, int) and abs(data) >= _LONG):
         return exact(data)
     return data
+
+
+def document(result: Result) -> dict[str, Any]:
+    """One result, as it stands in `results`."""
+    return _result(result)

@@ -14,6 +14,7 @@ from subdiv_cli.exact.text import number
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.polynomials import parameter_shift
 from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.integer_values import unusable
 from subdiv_cli.stages.stage import Facts, Rule, integer, verdict
 
 RULE = Rule("SD504", "approximation-order", "Levin 2003, Theorem 2.7")
@@ -21,7 +22,7 @@ RULE = Rule("SD504", "approximation-order", "Levin 2003, Theorem 2.7")
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if verdict(facts, "SD503") is not Verdict.PROVED:
-        return (RULE.skipped("to which order are functions approximated?", "S is not proved to converge"),)
+        return (RULE.skipped("to which order are functions approximated?", unusable(facts) or "Q is not known"),)
     with_q, without_q = numbers.order, integer(facts["SD104"][0], "degree") + 1
     shift = parameter_shift(numbers.symbol, numbers.p) / (numbers.p - 1)
     where = "the integers" if not shift else f"i {'+' if shift > 0 else '-'} {number(abs(shift))}"

@@ -23,12 +23,17 @@ from subdiv_cli.stages.stage import ContradictionError, Facts, Rule, integer, ve
 
 RULE = Rule("SD501", "integer-values", "Dyn 1992, Theorem 4.2 and Corollary 4.6")
 
+_QUESTION = "what are the values of φ at the integers?"
 _MOST_SHOWN = 9
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if verdict(facts, "SD302") is not Verdict.PROVED:
-        return (RULE.skipped("what are the values of φ at the integers?", "φ is not proved continuous"),)
+        return (RULE.skipped(_QUESTION, "φ is not proved continuous"),)
+    reduced = numbers.reduced
+    size = -(-reduced.scheme.degree // (numbers.p - 1)) + 2
+    if not numbers.effort.allows(size**3 * reduced.weight // 4):
+        return (RULE.undecided(_QUESTION, "the refinement matrix is too large for this effort"),)
     orders = range(integer(facts["SD302"][0], "order") + 1)
     values = [at_integers(numbers, order) for order in orders]
     own = [at_integers(numbers.reduced, order) for order in orders]
@@ -55,3 +60,10 @@ def _line(values: Laurent, order: int) -> str:
     if len(c) > _MOST_SHOWN:
         return f"{name} has the values {', '.join(map(number, c[:_MOST_SHOWN]))}, … at {places[0]}, …, {places[-1]}"
     return f"{name}({', '.join(places)}) = {', '.join(map(number, c))}"
+
+
+def unusable(facts: Facts) -> str | None:
+    """Why limits cannot be spoken of with the values of φ; None where they can."""
+    if verdict(facts, "SD201") is not Verdict.PROVED:
+        return "S is not proved to converge"
+    return None if verdict(facts, "SD501") is Verdict.PROVED else "the values of φ are not known"

@@ -11,10 +11,11 @@ from __future__ import annotations
 
 from subdiv_cli.exact.formulas import stencil
 from subdiv_cli.exact.laurent import Laurent
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.values import at_integers
-from subdiv_cli.stages.stage import Facts, Rule, verdict
+from subdiv_cli.stages.integer_values import unusable
+from subdiv_cli.stages.stage import Facts, Rule
 
 RULE = Rule("SD502", "limit-stencils", "Dyn 1992, Corollaries 4.3 and 4.6")
 
@@ -23,8 +24,8 @@ _MOST_WEIGHTS = 7
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if verdict(facts, "SD201") is not Verdict.PROVED or verdict(facts, "SD501") is not Verdict.PROVED:
-        return (RULE.skipped(_QUESTION, "S is not proved to converge"),)
+    if (why := unusable(facts)) is not None:
+        return (RULE.skipped(_QUESTION, why),)
     values = facts["SD501"][0].witness["values"]
     orders = len(values) if isinstance(values, tuple) else 0
     stencils = [at_integers(numbers, order).reversed() for order in range(orders)]

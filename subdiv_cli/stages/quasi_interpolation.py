@@ -14,11 +14,12 @@ from __future__ import annotations
 
 from subdiv_cli.exact.formulas import operator as formula
 from subdiv_cli.exact.formulas import stencil as combination
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.quasi_interpolation import eigen_sequence, moments, operator, stencil
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.values import at_integers
-from subdiv_cli.stages.stage import Facts, Rule, verdict
+from subdiv_cli.stages.integer_values import unusable
+from subdiv_cli.stages.stage import Facts, Rule
 
 RULE = Rule("SD503", "quasi-interpolation", "Levin 2003, Corollary 2.4 and section 2.5")
 
@@ -26,9 +27,8 @@ _MOST_WEIGHTS = 9
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if verdict(facts, "SD201") is not Verdict.PROVED or verdict(facts, "SD501") is not Verdict.PROVED:
-        question = "which data have a given polynomial as limit?"
-        return (RULE.skipped(question, "S is not proved to converge"),)
+    if (why := unusable(facts)) is not None:
+        return (RULE.skipped("which data have a given polynomial as limit?", why),)
     m, mask = numbers.order - 1, numbers.scheme.coefficients
     moment = moments(at_integers(numbers, 0), m + 1)
     q = operator(moment)

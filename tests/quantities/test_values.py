@@ -162,7 +162,7 @@ def test_random_masks_are_certified(p, k, cofactor, start, gapped):
     for _ in range(k):
         q = q * smoothing_factor(p)
     a = q.scale(F(p) / q(1))
-    checked = portrait(scheme(a.coefficients(), start=a.low, arity=p), F(1, 100), Effort(2000))
+    checked, _ = portrait(scheme(a.coefficients(), start=a.low, arity=p), F(1, 100), Effort(2000))
     assert checked.document is not None
     for found in checked.result.findings:
         assert bool(found.claims) is (found.verdict in (Verdict.PROVED, Verdict.REFUTED)), found.code

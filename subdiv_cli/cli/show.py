@@ -1,0 +1,138 @@
+"""`subdiv show`: one mask taken apart."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+import click
+
+from subdiv_cli.cli import single
+from subdiv_cli.cli.exits import ExitCode
+from subdiv_cli.cli.streams import UnwritableError, emit, look_of, why_not
+from subdiv_cli.cli.values import ToleranceType
+from subdiv_cli.report.look import Look
+from subdiv_cli.report.show import FORMATS, renderer
+
+if TYPE_CHECKING:
+    from subdiv_cli.model import Anatomy
+
+_EPILOG = """\b
+Examples:
+  subdiv show masks/scalar/four_point.toml
+  subdiv show masks/scalar/four_point.toml -p w=1/20
+  subdiv show --mask "[1, 4, 6, 4, 1]/8" --start -2 --tolerance 1e-6
+  subdiv show masks/scalar/four_point.toml --format latex -o four_point.tex
+
+\b
+Exit codes:
+  0    shown
+  2    not shown: usage, an unreadable or invalid mask, an internal error
+"""
+
+SUFFIXES = {".json": "json", ".md": "markdown", ".markdown": "markdown", ".tex": "latex", ".txt": "text"}
+_HEIGHT = 16
+_WIDEST = 90
+
+
+@click.command("show", epilog=_EPILOG, short_help="Take a mask apart: symbol, matrices, stencils, Q.")
+@click.argument("file", required=False, metavar="[FILE | -]")
+@single.options
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(FORMATS),
+    help="Format of the page.  [default: text, or what the suffix of -o says]",
+)
+@click.option("-o", "--output", metavar="FILE", type=click.Path(), help="Write the page to FILE, whole or not at all.")
+@click.option(
+    "--tolerance",
+    type=ToleranceType(),
+    default="1e-3",
+    show_default=True,
+    metavar="T",
+    help="How close to the limit the control polygon is to come, relative to the largest difference of the data.",
+)
+@click.option("--certificate", metavar="DIR", type=click.Path(file_okay=False), help="Write the proof into DIR.")
+@click.option("--debug", is_flag=True, help="Show the traceback of an internal error.")
+def command(
+    file: str | None,
+    parameters: tuple[str, ...],
+    mask: str | None,
+    start: int | None,
+    arity: int | None,
+    effort: int,
+    form: str | None,
+    output: str | None,
+    tolerance: Fraction,
+    certificate: str | None,
+    debug: bool,
+) -> ExitCode:
+    """Take one mask apart.
+
+    The symbol factored, polyphase components, derived schemes, refinement matrices and their spectra, the refinable
+    function and its values, limit stencils, polynomials and Q, error bounds. Every verdict is certified and checked,
+    as `check` does it.
+    """
+    if output is not None and (reason := why_not(output)) is not None:
+        raise click.BadParameter(f"{output!r} cannot be written: {reason}", param_hint="-o")
+    files = () if file is None else (file,)
+    one = single.read(single.Named("show", files, mask, start, arity, parameters))
+    from subdiv_cli.model import Effort
+    from subdiv_cli.pipeline import portrait
+
+    checked, anatomy = portrait(one.scheme, tolerance, Effort(effort))
+    result = one.label(checked.result)
+    if certificate is not None and (text := checked.certificate_text()) is not None:
+        from dataclasses import replace
+
+        result = replace(result, certificate=_write_certificate(certificate, result.file, text))
+    form = form or _by_suffix(output)
+    look = look_of(sys.stdout) if output is None else Look()
+    page = renderer(form)(result, anatomy, _picture(anatomy, look), look)
+    if output is not None:
+        return _write(output, page)
+    try:
+        emit(page, sys.stdout, encoding="utf-8" if form == "json" else None)
+    except UnwritableError as error:
+        error.show()
+        return ExitCode.ERROR
+    return ExitCode.PASSED
+
+
+def _by_suffix(output: str | None) -> str:
+    from pathlib import PurePath
+
+    return "text" if output is None else SUFFIXES.get(PurePath(output).suffix.lower(), "text")
+
+
+def _picture(anatomy: Anatomy, look: Look) -> Sequence[str]:
+    if anatomy.curve is None:
+        return []
+    from subdiv_cli.plot.sampled import graph
+    from subdiv_cli.plot.terminal import draw
+
+    line = graph(anatomy.curve, "φ", anatomy.support)
+    return draw([line], width=min(look.width - 2, _WIDEST), height=_HEIGHT, unicode=look.unicode)
+
+
+def _write(output: str, page: str) -> ExitCode:
+    from subdiv_cli.catalog.files import write_whole
+
+    try:
+        write_whole(output, page)
+    except OSError as error:
+        emit(f"error: {output} cannot be written: {error.strerror or error}\n", sys.stderr)
+        return ExitCode.ERROR
+    return ExitCode.PASSED
+
+
+def _write_certificate(directory: str, file: str, text: str) -> str:
+    from subdiv_cli.catalog.files import CertificateDirectory
+
+    try:
+        return CertificateDirectory(directory).write(file, text)
+    except OSError as error:
+        raise click.ClickException(f"the certificate cannot be written: {error}") from None

@@ -1,0 +1,141 @@
+"""Commands about one mask: how it is named on the command line, and how it is read."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
+
+import click
+
+from subdiv_cli.cli.exits import ExitCode
+from subdiv_cli.cli.streams import emit, look_of
+from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
+
+if TYPE_CHECKING:
+    from subdiv_cli.maskfile import MaskFile
+    from subdiv_cli.schemes.scalar import ScalarScheme
+
+Command = Callable[..., Any]
+
+
+class One(NamedTuple):
+    """A mask at the values of its parameters."""
+
+    mask: MaskFile
+    parameters: dict[str, Fraction]
+    scheme: ScalarScheme
+
+    def label(self, result: Result) -> Result:
+        """The result with what the file says about it."""
+        from dataclasses import replace
+
+        mask = self.mask
+        return replace(
+            result,
+            file=mask.file,
+            name=mask.name,
+            kind=mask.kind,
+            reference=mask.reference,
+            parameters=self.parameters,
+        )
+
+
+def options(command: Command) -> Command:
+    """-p, --mask, --start, --arity and --effort."""
+    from subdiv_cli.cli.values import WholeType
+
+    decorators = [
+        click.option(
+            "-p",
+            "--parameter",
+            "parameters",
+            multiple=True,
+            metavar="NAME=VALUE",
+            help="Set a parameter of the mask: w=1/20. Repeatable.",
+        ),
+        click.option("--mask", metavar="MASK", help="This mask instead of a file: [1, 3, 3, 1]/4, or (1+z)^3/4."),
+        click.option(
+            "--start", type=int, metavar="INDEX", help="Index of the first coefficient of --mask.  [default: 0]"
+        ),
+        click.option("--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
+        click.option(
+            "--effort",
+            type=WholeType(),
+            default=DEFAULT_EFFORT,
+            show_default=True,
+            metavar="N",
+            help="Work one question may cost.",
+        ),
+    ]
+    for decorator in reversed(decorators):
+        command = decorator(command)
+    return command
+
+
+class Named(NamedTuple):
+    """What the command line says about the masks that are meant."""
+
+    command: str
+    files: tuple[str, ...]
+    mask: str | None
+    start: int | None
+    arity: int | None
+    parameters: tuple[str, ...]
+
+    def check(self) -> None:
+        """Raise a usage error for options that do not go together."""
+        if bool(self.files) == (self.mask is not None):
+            what = f"`subdiv {self.command} four_point.toml`"
+            raise click.UsageError(f"name a mask: a FILE or --mask, and not both, as in {what}")
+        if self.mask is None and (self.start is not None or self.arity is not None):
+            option = "--start" if self.start is not None else "--arity"
+            raise click.UsageError(f"{option} belongs to --mask; a file says it itself, under [mask]")
+
+
+def read(named: Named) -> One:
+    """The one mask that is meant. Where it cannot be read, says why on stderr and exits with 2."""
+    family = read_family(named)
+    if len(family) > 1:
+        raise click.UsageError(f"-p gives a parameter several values: `subdiv {named.command}` takes one mask")
+    return family[0]
+
+
+def read_family(named: Named) -> list[One]:
+    """Every mask that is meant, at every combination of the values of its parameters. Exits with 2 as `read` does."""
+    named.check()
+    from subdiv_cli.maskfile import MaskFileError, read_path
+    from subdiv_cli.maskfile.option import from_option, parse_override
+
+    try:
+        values: dict[str, list[Fraction]] = {}
+        for name, value in map(parse_override, named.parameters):
+            values.setdefault(name, []).append(value)
+        if named.mask is not None:
+            start, arity = named.start or 0, 2 if named.arity is None else named.arity
+            masks = [from_option(named.mask, start=start, arity=arity, names=values)]
+        else:
+            masks = [read_path(file) for file in named.files]
+        return [one for mask in masks for one in _variants(mask, values, alone=len(masks) == 1)]
+    except MaskFileError as error:
+        complain(error.problems)
+
+
+def _variants(mask: MaskFile, values: Mapping[str, Sequence[Fraction]], *, alone: bool) -> Iterator[One]:
+    """The mask at all combinations; beside other masks it takes only the parameters that it has."""
+    names = [name for name in values if alone or name in mask.parameters]
+    for combination in product(*(dict.fromkeys(values[name]) for name in names)):
+        overrides = dict(zip(names, combination, strict=True))
+        yield One(mask, mask.values(overrides), mask.scheme(overrides))
+
+
+def complain(problems: Sequence[Problem]) -> NoReturn:
+    """Problems on stderr, and exit code 2."""
+    from subdiv_cli.report.look import UNWRAPPED
+    from subdiv_cli.report.problems import render
+
+    settings = {} if sys.stderr.isatty() else {"width": UNWRAPPED}
+    emit(render(problems, look_of(sys.stderr, **settings)) + "\n", sys.stderr)
+    raise click.exceptions.Exit(ExitCode.ERROR)

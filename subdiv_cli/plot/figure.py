@@ -1,0 +1,58 @@
+"""Curves drawn by matplotlib into SVG, PNG or PDF: the same input gives the same bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from io import BytesIO
+from typing import Any, NamedTuple
+
+from subdiv_cli.plot.sampled import Line
+
+SUFFIXES = (".svg", ".png", ".pdf")
+INSTALL = "pip install 'subdiv-cli[plot]'"
+_METADATA: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {"Software": None}}
+
+
+class MissingExtraError(ImportError):
+    """matplotlib is not there; INSTALL is the mend."""
+
+
+class Panel(NamedTuple):
+    """One pair of axes."""
+
+    title: str
+    lines: tuple[Line, ...]
+    plane: bool = False
+    """A curve in the plane: both axes with the same unit."""
+
+
+def picture(panels: Sequence[Panel], form: str) -> bytes:
+    """The panels one above another. `form` is svg, png or pdf. Raises MissingExtraError without matplotlib."""
+    try:
+        import matplotlib as mpl
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise MissingExtraError(str(error)) from None
+    with mpl.rc_context({"svg.hashsalt": "subdiv", "svg.fonttype": "path", "axes.grid": True, "grid.alpha": 0.3}):
+        tall = 5.0 if any(panel.plane for panel in panels) else 2.4
+        figure = Figure(figsize=(8, tall * len(panels)), layout="constrained")
+        for place, panel in enumerate(panels, 1):
+            _panel(figure.add_subplot(len(panels), 1, place), panel)
+        buffer = BytesIO()
+        figure.savefig(buffer, format=form, metadata=_METADATA[form], dpi=150)
+    return buffer.getvalue()
+
+
+def _panel(axes: Any, panel: Panel) -> None:
+    polygons = [line for line in panel.lines if line.polygon]
+    for line in panel.lines:
+        if line.polygon:
+            grey = f"{0.75 - 0.5 * polygons.index(line) / len(polygons):.3f}"
+            axes.plot(line.x, line.y, "o-", color=grey, linewidth=0.8, markersize=3, label=line.label)
+        else:
+            axes.plot(line.x, line.y, linewidth=1.4, label=line.label)
+    axes.set_title(panel.title)
+    if panel.plane:
+        axes.set_aspect("equal", "datalim")
+    if len(panel.lines) > 1:
+        axes.legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.01, 1))

@@ -1,0 +1,40 @@
+"""Lines to be drawn: exact values made into doubles, each the nearest one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from subdiv_cli.model import Curve
+
+
+class Line(NamedTuple):
+    """A polygon in the plane, and what it is called."""
+
+    label: str
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    polygon: bool = False
+    """A control polygon: its vertices are drawn as well."""
+
+
+def graph(curve: Curve, label: str, support: tuple[Fraction, Fraction]) -> Line:
+    """The graph of a function on an interval outside which it is 0: 0 at the ends, the values between."""
+    unit = Fraction(1, curve.arity**curve.level)
+    first, last = support
+    points = [(float(first), 0.0)] if first < curve.start * unit else []
+    points += [(float((curve.start + i) * unit), float(y)) for i, y in enumerate(curve.values)]
+    if last > (curve.start + len(curve.values) - 1) * unit:
+        points.append((float(last), 0.0))
+    return line(label, points)
+
+
+def line(label: str, points: Sequence[tuple[float, float]], *, polygon: bool = False) -> Line:
+    return Line(label, tuple(x for x, _ in points), tuple(y for _, y in points), polygon)
+
+
+def plane(label: str, x: Sequence[Fraction], y: Sequence[Fraction], *, closed: bool, polygon: bool = False) -> Line:
+    """A polygon in the plane; a closed one returns to its first vertex."""
+    points = [(float(u), float(v)) for u, v in zip(x, y, strict=True)]
+    return line(label, [*points, points[0]] if closed else points, polygon=polygon)

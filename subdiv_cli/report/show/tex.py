@@ -1,0 +1,69 @@
+"""Plain mathematics as TeX: formulas for math mode, sentences with the mathematics in them set as such."""
+
+from __future__ import annotations
+
+import re
+
+from subdiv_cli.report.letters import clean, transliterate
+
+_COMMANDS = {
+    "α": "\\alpha", "β": "\\beta", "γ": "\\gamma", "δ": "\\delta", "ε": "\\varepsilon", "θ": "\\theta",
+    "λ": "\\lambda", "μ": "\\mu", "ν": "\\nu", "π": "\\pi", "ρ": "\\rho", "σ": "\\sigma", "τ": "\\tau",
+    "φ": "\\varphi", "ω": "\\omega", "Δ": "\\Delta", "Π": "\\prod", "Σ": "\\sum", "Φ": "\\Phi", "∞": "\\infty",
+    "‖": "\\|", "≤": "\\le", "≥": "\\ge", "≠": "\\ne", "±": "\\pm", "·": "\\cdot", "…": "\\dots", "⌊": "\\lfloor",
+    "⌋": "\\rfloor", "∈": "\\in", "½": "\\tfrac12", "⅓": "\\tfrac13", "¼": "\\tfrac14", "⅕": "\\tfrac15",
+    "−": "-", "√": "\\surd", "ℓ": "\\ell",
+}  # fmt: skip
+_ESCAPES = {
+    "\\": "\\textbackslash{}", "{": "\\{", "}": "\\}", "$": "\\$", "&": "\\&", "#": "\\#", "%": "\\%",
+    "~": "\\textasciitilde{}", "^": "\\textasciicircum{}", "_": "\\_", "<": "$<$", ">": "$>$", "|": "$|$",
+    "—": "---", "–": "--", "ö": '\\"o', "ä": '\\"a', "ü": '\\"u', "Ö": '\\"O', "Ä": '\\"A', "Ü": '\\"U', "ß": "\\ss{}",
+}  # fmt: skip
+_RATIONAL = re.compile(r"(?<![\w/.^)])(\d+)/(\d+)(?![\w/.])")
+_SCRIPT = re.compile(r"([\^_])(\(([^()]*)\)|(-?\w))")
+
+
+def formula(text: str) -> str:
+    """For math mode: fractions, exponents and indices set as such."""
+    text = _RATIONAL.sub(r"\\tfrac{\1}{\2}", clean(text).replace("_(i)", "_i"))
+    text = _SCRIPT.sub(lambda found: _script(found), _numbers(text))
+    return "".join(f"{_COMMANDS[c]} " if c in _COMMANDS else c for c in _other(text))
+
+
+def _numbers(text: str) -> str:
+    """z^-12 -> z^(-12)."""
+    return re.sub(r"([\^_])(-?\d{2,}|-\d)(?!\d)", r"\1(\2)", text)
+
+
+def _script(found: re.Match[str]) -> str:
+    """An exponent or an index; a derivative or a derived mask keeps its parentheses."""
+    inside = found[3] if found[3] is not None else found[4]
+    before = found.string[found.start() - 1 : found.start()]
+    derived = found[1] == "^" and found[3] is not None and inside.isdecimal() and before in ("f", "φ", "a")
+    return f"{found[1]}{{({inside})}}" if derived else f"{found[1]}{{{inside}}}"
+
+
+def sentence(text: str) -> str:
+    """For text mode: letters of mathematics in math mode one by one, exponents and indices as such."""
+    out, at, text = "", 0, clean(text)
+    while at < len(text):
+        if (found := _SCRIPT.match(_numbers(text[at:]))) is not None and at:
+            source = re.match(r"[\^_](\([^()]*\)|-?\d+|-?\w)", text[at:])
+            inside = found[3] if found[3] is not None else found[4]
+            out += f"${{}}{found[1]}{{{formula(inside)}}}$"
+            at += len(source[0]) if source else 1
+            continue
+        c = text[at]
+        out += f"${_COMMANDS[c]}$" if c in _COMMANDS else _ESCAPES.get(c, c if c.isascii() else plain(c))
+        at += 1
+    return out.replace("$$", "")
+
+
+def plain(text: str) -> str:
+    """Any other letter in ASCII, escaped."""
+    return "".join(_ESCAPES.get(c, c) if c in "\\{}$&#%~^_<>|" else c for c in transliterate(text))
+
+
+def _other(text: str) -> str:
+    """Letters that are not in the tables, in ASCII."""
+    return "".join(c if c.isascii() or c in _COMMANDS else transliterate(c) for c in text)
