@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import isqrt
 from operator import mul
 
 from subdiv_cli.checker.core import Claim
@@ -39,8 +40,10 @@ def sobolev(c: Claim) -> None:
     require(cofactor.start >= 0 and cofactor.length > 0, "the cofactor is no polynomial, or zero")
     degree = f.length - 1 + cofactor.start + cofactor.length - 1
     require(degree <= order, "the polynomials are of higher degree than the matrix")
-    bits = (order + 1) * (2 * q.bits + p.bit_length() + 2 * order.bit_length() + _bits(x) + _bits(y))
-    c.count(q.length**2 + 4 * order**3 + 20, bits + f.bits + cofactor.bits)
+    step = 2 * q.bits + p.bit_length() + 2 * order.bit_length()
+    longest = (order + 1) * (step + _bits(x) + _bits(y)) + f.bits + cofactor.bits
+    c.count(q.length**2 + 4 * order**3 + 20, isqrt((512 + step) * (512 + longest)) - 512)  # long times short numbers
+    c.count(4 * order**2, longest)
     require(0 < x <= y, "the interval is not one of positive numbers")
     _check_zeros(f.numerators, [0] * cofactor.start + list(cofactor.numerators), x, y)
     _check_growth(q, f, cofactor, p, order)

@@ -40,6 +40,8 @@ Exit codes:
 _POINTS = 600
 _HEIGHT = 18
 _MOST_LEVELS = 8
+_DERIVATIVES = 4
+"""Drawn unless more are asked for."""
 
 
 @click.command("plot", epilog=_EPILOG, short_help="Draw the refinable function, its derivatives, and curves.")
@@ -49,7 +51,10 @@ _MOST_LEVELS = 8
     "-o", "--output", metavar="FILE", type=click.Path(), help="Write an .svg, .png or .pdf.  [default: draw here]"
 )
 @click.option(
-    "--derivatives", type=click.IntRange(0), metavar="N", help="Derivatives to draw.  [default: all proved continuous]"
+    "--derivatives",
+    type=click.IntRange(0),
+    metavar="N",
+    help="Derivatives to draw.  [default: those proved continuous, four at most]",
 )
 @click.option(
     "--points", "polygon", metavar="FILE.csv", help="Draw the limit of this control polygon: a point x,y in a line."
@@ -142,7 +147,7 @@ def _functions(
         label = _label(one, family)
         if not curves:
             return _nothing(one, result, ("SD302",), "φ is not proved continuous")
-        for curve in curves[: None if derivatives is None else derivatives + 1]:
+        for curve in curves[: (_DERIVATIVES if derivatives is None else derivatives) + 1]:
             if curve.order == len(rows):
                 rows.append([])
             rows[curve.order].append(graph(curve, label, support))

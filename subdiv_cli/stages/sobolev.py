@@ -46,7 +46,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if k == 0:
         return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
     d = numbers.difference(k)
-    if not numbers.effort.allows(transfer_order(d.degree, p) ** 3 * numbers.weight // 4):
+    if not numbers.effort.allows(transfer_order(d.degree, p) ** 3 * numbers.weight**2 // 4):
         return (RULE.undecided(_QUESTION, "the transfer matrix is too large for this effort"),)
     growth = mean_square_growth(d, p)
     exact = growth.radius.rational
