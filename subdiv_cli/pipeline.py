@@ -10,8 +10,6 @@ from typing import Any, NamedTuple
 from subdiv_cli.certificate import certificate, document_text
 from subdiv_cli.checker import check_document
 from subdiv_cli.model import (
-    Anatomy,
-    Curve,
     Effort,
     Expectation,
     Exponent,
@@ -24,20 +22,12 @@ from subdiv_cli.model import (
     logarithm,
 )
 from subdiv_cli.schemes.scalar import ScalarScheme
-from subdiv_cli.stages.anatomy import anatomy
-from subdiv_cli.stages.curves import TooFewPointsError as TooFewPointsError
-from subdiv_cli.stages.curves import limit, polygons, refinable, support
 from subdiv_cli.stages.judge import judge
-from subdiv_cli.stages.picture import stages as picture_stages
 from subdiv_cli.stages.scalar import Analysis, analyse
 
 
 class DisagreementError(Exception):
     """The independent checker does not accept the certificate: an error in this program, never in the input."""
-
-
-Vertices = tuple[tuple[Fraction, ...], ...]
-"""The coordinates of the vertices of a polygon, one sequence for each coordinate."""
 
 
 class Checked(NamedTuple):
@@ -56,12 +46,11 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
 
     The caller adds file, name and parameters to the result. Raises DisagreementError where the checker says no.
     """
-    return _certified(scheme, analyse(scheme, effort), expectations, effort)
+    return certified(scheme, analyse(scheme, effort), expectations, effort)
 
 
-def _certified(
-    scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort
-) -> Checked:
+def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort) -> Checked:
+    """What the stages have found, with every verdict checked. Raises DisagreementError."""
     findings = analysis.findings
     written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
     if written is not None:
@@ -133,42 +122,3 @@ def _sobolev(found: dict[str, Finding], p: int) -> Exponent | None:
     radius = finding.witness.get("radius")
     exact = logarithm(p, 1 / radius, 2) if isinstance(radius, Fraction) else None
     return Exponent(lower=finding.value.lower, upper=finding.value.upper, exact=exact)
-
-
-def portrait(scheme: ScalarScheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, Anatomy]:
-    """What `check` finds and, certified and checked alike, values, stencils, Q and error bounds; the mask taken apart.
-
-    `tolerance` is that of the error bound. Raises DisagreementError where the checker says no.
-    """
-    analysis = analyse(scheme, effort, picture_stages(tolerance))
-    return _certified(scheme, analysis, (), effort), anatomy(analysis)
-
-
-def drawn(
-    scheme: ScalarScheme, effort: Effort, points: int
-) -> tuple[Result, tuple[Curve, ...], tuple[Fraction, Fraction]]:
-    """The result of `check`; φ and its derivatives up to the proved order, with about so many points; their support.
-
-    No curves where φ is not proved continuous.
-    """
-    analysis = analyse(scheme, effort)
-    result = _certified(scheme, analysis, (), effort).result
-    order = result.refinable.order
-    curves = () if order is None else refinable(analysis.numbers, order, points)
-    return result, curves, support(analysis.numbers)
-
-
-def traced(
-    scheme: ScalarScheme, effort: Effort, columns: Vertices, points: int, *, closed: bool, levels: int
-) -> tuple[Result, tuple[Curve, ...], tuple[Vertices, ...]]:
-    """The result of `check`; the limit of a polygon, a curve for each coordinate; the polygons of levels 1 to `levels`.
-
-    No curves where S is not proved to converge. Raises TooFewPointsError for an open polygon that determines no limit.
-    """
-    analysis = analyse(scheme, effort)
-    result = _certified(scheme, analysis, (), effort).result
-    if result.convergent is not Verdict.PROVED:
-        return result, (), ()
-    curves = limit(analysis.numbers, columns, points, closed=closed)
-    refined = (polygons(analysis.numbers, columns, level, closed=closed) for level in range(1, levels + 1))
-    return result, curves, tuple(refined)

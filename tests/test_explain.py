@@ -10,7 +10,7 @@ from subdiv_cli.catalog.run import check_all
 from subdiv_cli.explain import codes, page
 from subdiv_cli.maskfile import MaskFileError, read_text
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.pipeline import portrait
+from subdiv_cli.portrait import portrait
 
 PACKAGE = Path(__file__).parents[1] / "subdiv_cli"
 PAGES = sorted((PACKAGE / "explain" / "pages").glob("SD*.md"))

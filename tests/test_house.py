@@ -19,11 +19,12 @@ ARROWS = {
     "certificate": {"model"},
     "checker": set(),
     "pipeline": {"stages", "certificate", "checker", "schemes", "model"},
+    "portrait": {"pipeline", "stages", "schemes", "model"},
     "catalog": {"pipeline", "maskfile", "model"},
     "report": {"model"},
     "plot": {"model"},
     "explain": {"model"},
-    "cli": {"catalog", "maskfile", "report", "plot", "explain", "model", "pipeline", "checker", "schemes"},
+    "cli": {"catalog", "maskfile", "report", "plot", "explain", "model", "pipeline", "portrait", "checker", "schemes"},
     "__main__": {"cli"},
     "__init__": set(),
 }
@@ -36,12 +37,25 @@ NO_TERMINAL = {
     "quantities",
     "stages",
     "pipeline",
+    "portrait",
     "maskfile",
     "catalog",
     "explain",
     "plot",
 }
-NO_FLINT = {"certificate", "checker", "model", "maskfile", "report", "plot", "explain", "cli", "catalog", "pipeline"}
+NO_FLINT = {
+    "certificate",
+    "checker",
+    "model",
+    "maskfile",
+    "report",
+    "plot",
+    "explain",
+    "cli",
+    "catalog",
+    "pipeline",
+    "portrait",
+}
 
 FILES = sorted(ROOT.rglob("*.py"))
 

@@ -137,9 +137,9 @@ def _functions(
     family: Sequence[single.One], effort: Effort, samples: int, derivatives: int | None
 ) -> list[Panel] | ExitCode:
     """A panel for φ and one for each derivative, a line in it for each mask that has it."""
-    from subdiv_cli.pipeline import drawn
     from subdiv_cli.plot.figure import Panel
     from subdiv_cli.plot.sampled import graph
+    from subdiv_cli.portrait import drawn
 
     rows: list[list[Line]] = []
     for one in family:
@@ -163,9 +163,9 @@ def _curves(
     family: Sequence[single.One], effort: Effort, samples: int, columns: Points, closed: bool | None, levels: int
 ) -> list[Panel] | ExitCode:
     """One panel: the control polygon, the refined ones of the first mask, and the limit curve of each mask."""
-    from subdiv_cli.pipeline import TooFewPointsError, traced
     from subdiv_cli.plot.figure import Panel
     from subdiv_cli.plot.sampled import plane
+    from subdiv_cli.portrait import TooFewPointsError, traced
 
     meets = columns[0][0] == columns[0][-1] and columns[1][0] == columns[1][-1]
     closed = meets if closed is None else closed

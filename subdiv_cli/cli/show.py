@@ -81,7 +81,7 @@ def command(
     files = () if file is None else (file,)
     one = single.read(single.Named("show", files, mask, start, arity, parameters))
     from subdiv_cli.model import Effort
-    from subdiv_cli.pipeline import portrait
+    from subdiv_cli.portrait import portrait
 
     checked, anatomy = portrait(one.scheme, tolerance, Effort(effort))
     result = one.label(checked.result)

@@ -15,6 +15,7 @@ from subdiv_cli.checker import check_document, check_text
 from subdiv_cli.maskfile import read_path
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import check
+from subdiv_cli.portrait import portrait
 
 ROOT = Path(__file__).parents[2]
 MASKS = sorted((ROOT / "masks").rglob("*.toml"))
@@ -96,3 +97,12 @@ def test_a_higher_effort_still_fits_the_checker(mask):
     _, document = checked(mask, work=60_000)
     assert document is not None
     assert sum(claim["work"] for claim in document["claims"]) <= 50_000_000
+
+
+@pytest.mark.parametrize("file", MASKS, ids=lambda file: file.stem)
+def test_what_show_says_of_a_shipped_mask_is_certified_too(file):
+    (result, document), _ = portrait(read_path(file).scheme(), Fraction(1, 1000), Effort(20_000))
+    assert document is not None
+    jsonschema.validate(document, SCHEMA)
+    for finding in result.findings:
+        assert bool(finding.claims) is (finding.verdict in DECIDED), finding.code

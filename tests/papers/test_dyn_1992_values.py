@@ -7,7 +7,7 @@ from support import b_spline, corner_cutting, findings, four_point, scheme, six_
 
 from subdiv_cli.exact.algebraic import roots
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.pipeline import portrait
+from subdiv_cli.portrait import portrait
 from subdiv_cli.quantities.error_bounds import best_bound, bounds, hermite_bound
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.spectra import limit_stencil

@@ -6,7 +6,7 @@ import pytest
 from support import b_spline, corner_cutting, four_point, scheme
 
 from subdiv_cli.model import Effort
-from subdiv_cli.pipeline import TooFewPointsError, drawn, traced
+from subdiv_cli.portrait import TooFewPointsError, drawn, traced
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.schemes.operators import apply
 

@@ -10,7 +10,7 @@ from support import b_spline, corner_cutting, deslauriers_dubuc, findings, four_
 
 from subdiv_cli.exact.laurent import Laurent, smoothing_factor
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.pipeline import portrait
+from subdiv_cli.portrait import portrait
 from subdiv_cli.quantities.error_bounds import best_bound, bounds
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.values import at_fractions, at_integers, iterated, support

@@ -142,9 +142,13 @@ def _stencils(result: Result, anatomy: Anatomy) -> Iterator[Block]:
     for order, stencil in enumerate(anatomy.stencils):
         scale = "" if order == 0 else f"{p}^{'k' if order == 1 else f'({order}k)'} times "
         yield Text(f"{'the limit' if order == 0 else f'derivative of order {order}'}: {scale}".rstrip(" :"))
-        yield from _row(stencil, "f", "", nodes=[f"f_({index('i', stencil.start + j)})" for j in _places(stencil)])
+        yield from _row(stencil, "f", "", nodes=[_datum(stencil.start + j) for j in _places(stencil)])
     if not anatomy.stencils:
         yield from _statements(result, "SD502")
+
+
+def _datum(by: int) -> str:
+    return f"f_({index('i', by)})" if by else "f_i"
 
 
 def _polynomials(result: Result, anatomy: Anatomy) -> Iterator[Block]:
@@ -168,8 +172,9 @@ def _regularity(result: Result, anatomy: Anatomy) -> Iterator[Block]:
     yield from _statements(result, "SD201", "SD302", "SD303")
     if (holder := words.holder(result)) is not None:
         yield Text(f"Hölder exponent {holder} ({_codes(result, 'SD311', 'SD312')})")
-    if result.sobolev is not None and (sobolev := interval(result.sobolev)) is not None:
-        yield Text(f"Sobolev exponent {sobolev} ({_codes(result, 'SD321')})")
+    found = words.finding(result, "SD321")
+    if found is not None and found.value is not None and (sobolev := interval(found.value)) is not None:
+        yield Text(f"Sobolev exponent {sobolev} ({found.code})")
 
 
 def _distance(result: Result, anatomy: Anatomy) -> Iterator[Block]:
