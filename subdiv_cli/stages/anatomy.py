@@ -61,7 +61,7 @@ def anatomy(analysis: Analysis) -> Anatomy:
         factors=factors,
         components=tuple(Signal(a.low, a.coefficients()) for a in numbers.symbol.components(numbers.p)),
         derived=found.signals("SD105", "starts", "masks"),
-        window=refinement_window(numbers.scheme)[0],
+        window=refinement_window(numbers.scheme).start,
         matrices=_matrices(numbers),
         eigenvalues=eigenvalues,
         support=support(numbers),
@@ -77,9 +77,9 @@ def anatomy(analysis: Analysis) -> Anatomy:
 
 
 def _matrices(numbers: ScalarNumbers) -> tuple[tuple[tuple[Fraction, ...], ...], ...]:
-    """The refinement matrices, none where they are large."""
+    """The refinement matrices, none where they are large or the window is empty."""
     order = len(refinement_window(numbers.scheme))
-    if not numbers.effort.allows(numbers.p * order**2):
+    if not order or not numbers.effort.allows(numbers.p * order**2):
         return ()
     return tuple(rows_of(matrix) for matrix in numbers.refinement_matrices)
 

@@ -56,7 +56,7 @@ def naive_norm(c, p, level):
         factor = [Fraction(0)] * ((len(c) - 1) * p**j + 1)
         factor[:: p**j] = c
         product = naive_product(product, factor)
-    return max(sum(map(abs, product[g :: p**level]), Fraction(0)) for g in range(p**level))
+    return max(sum(map(abs, product[g :: p**level]), Fraction(0)) for g in range(min(p**level, len(product))))
 
 
 def chaikin():
