@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
-from hand_made import ALL, chaikin, claim, document, poly, text
+from hand_made import ALL, chaikin, claim, document, poly, sobolev, text
 
 from subdiv_cli.checker import check_document, check_text
 from subdiv_cli.checker.rules import SCALAR
@@ -170,7 +170,13 @@ FORGED = [
     forge("four_point", 15, {"high": "339/10000"}),
     forge("four_point", 15, {"polynomial": poly(0, -1, -40, 2049)}),
     forge("four_point", 15, witness={"cofactor": poly(0, "1/512", "513/512", 1)}),
-    # a zero that is none of the matrix: (z - 1)(z - 1/32) annihilates e_0, but 1 is no pole
+    # a zero that is none of the matrix: its polynomial times that of e_0 annihilates e_0, but 1 is no pole
+    forge(
+        "four_point",
+        15,
+        {"polynomial": poly(0, -1, 1), "low": "1", "high": "1"},
+        witness={"cofactor": poly(0, -1, -40, 2048)},
+    ),
     forge(
         "unstable", 19, {"polynomial": poly(0, -1, 1), "low": "1", "high": "1"}, witness={"cofactor": poly(0, -1, 8)}
     ),
@@ -199,6 +205,17 @@ FORGED = [
     forge("unstable", 21, {"values": poly(0, 1, 1, over=2)}),
     forge("cubic", 8, {"degree": 4}),
     forge("cubic", 8, {"degree": 4, "operator": ["1", "0", "-1/6", "0", "0"]}),
+    # right of the values and of the stencil, but S does not generate quartic polynomials
+    forge(
+        "cubic",
+        8,
+        {
+            "degree": 4,
+            "operator": ["1", "0", "-1/6", "0", "1/72"],
+            "stencil": poly(-2, 1, -10, 54, -10, 1, over=36),
+        },
+    ),
+    forge("cubic", 8, {"operator": ["1", "0", "1/6", "0"], "stencil": poly(-1, 1, 4, 1, over=6)}),
     forge("cubic", 8, {"degree": 2}),
     forge("cubic", 8, {"operator": ["1", "0", "1/6", "0"]}),
     forge("cubic", 8, {"operator": ["1", "0", "-1/6", "1"]}),
@@ -343,3 +360,42 @@ def test_a_negative_start_and_a_shift_change_nothing_but_indices():
             c["statement"]["symbol"]["start"] -= 1000
     certificate["goal"] = [c["statement"] for c in certificate["claims"]]
     assert check_document(certificate).verified
+
+
+def appended(name, *claims):
+    """The line on a true certificate with more claims."""
+    certificate = ALL[name]()
+    certificate["claims"] += claims
+    return check_text(text(certificate)).line
+
+
+def test_hermite_interpolants_have_an_even_order():
+    """The error bound of S_1 is true, E = 1/4 and μ = 1/2; a Hermite interpolant of odd order is not spoken of."""
+    bound = claim("error-bound", [0, 2], nu=1, level=1, norm="1/2", constant="1/2")
+    assert appended("cubic", bound).startswith("VERIFIED")
+    hermite = claim("hermite-bound", [15, 1], order=1, constant="3/4")
+    assert appended("cubic", bound, hermite).endswith("the order is not even and positive")
+
+
+def test_without_sum_rules_no_sobolev_exponent():
+    mask = poly(0, 2, 2, 2, over=3)
+    claims = [
+        claim("sum-rules", mask=0, order=0, witness={"quotient": mask}),
+        claim("independent", mask=0, holds=True, witness={"cofactors": [poly(0), poly(0, "3/2")]}),
+        claim("stable", [1], mask=0, holds=True),
+    ]
+    assert check_text(text(document(2, mask, claims))).verified
+    claims.append(sobolev([2, 0], poly(0, -2, 3), "2/3"))
+    assert check_text(text(document(2, mask, claims))).line.endswith("the sum rules are of order 0")
+
+
+@pytest.mark.parametrize(
+    ("name", "number"),
+    [("chaikin", 19), ("four_point", 15), ("unstable", 20), *(("cubic", number) for number in range(5, 15))],
+)
+def test_work_is_counted_before_it_is_done(name, number):
+    certificate = ALL[name]()
+    rule = certificate["claims"][number]["rule"]
+    certificate["claims"][number]["work"] = 0
+    line = check_text(text(certificate)).line
+    assert line.startswith(f"NOT VERIFIED claim {number} ({rule}): it takes more work than stated") or rule == "norm"
