@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any, NamedTuple
 
 from subdiv_cli.certificate import certificate, document_text
@@ -19,7 +18,6 @@ from subdiv_cli.model import (
     Smoothness,
     Status,
     Verdict,
-    logarithm,
 )
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages.judge import judge
@@ -68,7 +66,7 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
         convergent=found["SD201"].verdict,
         smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
         refinable=refinable,
-        holder=_holder(found, scheme.arity),
+        holder=_holder(found),
         stable=found["SD402"].verdict,
         linearly_independent=found["SD401"].verdict,
         generation=_integer(found, "SD103", "degree"),
@@ -93,16 +91,13 @@ def _integer(found: dict[str, Finding], code: str, key: str) -> int | None:
     return value if isinstance(value, int) else None
 
 
-def _holder(found: dict[str, Finding], p: int) -> Exponent | None:
+def _holder(found: dict[str, Finding]) -> Exponent | None:
     """None without sum rules. What is exact for D = S_(Δ^k) is the exponent of φ where φ is stable."""
     below, above = found["SD311"], found["SD312"]
     if below.verdict is Verdict.SKIPPED:
         return None
     lower = below.value.lower if below.value else None
     upper = above.value.upper if above.value else None
-    norm, level = below.witness.get("norm"), below.witness.get("level")
-    closed = "word" in below.witness and above.verdict is Verdict.PROVED
-    if not closed or not isinstance(norm, Fraction) or not isinstance(level, int):
+    if below.closed is None or above.verdict is not Verdict.PROVED:
         return Exponent(lower=lower, upper=upper)
-    upper = below.value.upper if below.value else upper
-    return Exponent(lower=lower, upper=upper, exact=logarithm(p, 1 / norm, level))
+    return Exponent(lower=lower, upper=below.value.upper if below.value else upper, exact=below.closed)

@@ -26,6 +26,7 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
     "SD302": smoothness.smoothness,
     "SD303": smoothness.next_smoothness,
     "SD304": structure.smoothness_spectrum,
+    "SD310": smoothness.joint_radius,
     "SD311": smoothness.holder_lower,
     "SD312": smoothness.holder_upper,
     "SD401": structure.independence,
