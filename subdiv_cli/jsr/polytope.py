@@ -27,6 +27,7 @@ _REMEMBERED = 48
 """Bases that are tried as a start for new targets."""
 _CHUNK = 256
 _SAME = 1e-12
+_SMALL = 1 / 16
 EXTRA_BITS = 30
 _INDEPENDENT = 1e-8
 
@@ -160,12 +161,13 @@ class Grown(NamedTuple):
     """The largest gauge of an image: the radius is at most σ times it."""
 
 
-def grow(body: Body, effort: Effort) -> Grown | None:
-    """Let a body grow until it is closed or the effort ends; None where its orbit spans a proper subspace only.
+def grow(body: Body, effort: Effort) -> Grown:
+    """Let a body grow until it is closed or the effort ends.
 
     Work is counted in gauges, those in large bodies several times.
     """
-    return _grow(body, body.pending(range(body.size)), effort) if _span(body) else None
+    _span(body)
+    return _grow(body, body.pending(range(body.size)), effort)
 
 
 def push_out(body: Body, images: Iterable[tuple[int, int]], by: float, effort: Effort) -> Grown:
@@ -192,8 +194,8 @@ def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort) -> Grown:
     return Grown(body, True, max((image.value for image in body.images.values()), default=0.0))
 
 
-def _span(body: Body) -> bool:
-    """Add images as vertices until there are N independent columns."""
+def _span(body: Body) -> None:
+    """Add images as vertices until there are N independent columns; where images do not suffice, small unit vectors."""
     frame: list[Numbers] = []
 
     def is_new(vector: Numbers) -> bool:
@@ -216,7 +218,9 @@ def _span(body: Body) -> bool:
             new = [v for v in body.copied(image) if is_new(v)]
             if new and (u, letter) not in body.returns:
                 queue.append(body.child(u, letter))
-    return bool(len(frame) == body.order)
+    for unit in np.eye(body.order):
+        if len(frame) < body.order and [v for v in body.copied(unit) if is_new(v)]:
+            body.add_extra(unit * _SMALL)
 
 
 class _Memory:

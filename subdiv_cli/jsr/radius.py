@@ -82,7 +82,7 @@ class _Attempt:
             starts = self._balanced(starts)
         self.grown = grow(self._body(starts, self.sigma), self.effort)
         root = self.leaders.root()
-        if self.grown is None or not self.grown.closed or root is None:
+        if not self.grown.closed or root is None:
             return None
         if (witness := close(self.family, self.leaders, self.grown, self.effort)) is None:
             return None
@@ -111,10 +111,10 @@ class _Attempt:
         self.leaders = self.leaders._replace(each=tuple(each))
         return scaled
 
-    def _gauge_of(self, vector: Numbers, start: Start) -> float | None:
+    def _gauge_of(self, vector: Numbers, start: Start) -> float:
         body = self._body([start], self.sigma)
         grown = grow(body, Effort(min(200, self.effort.work)))
-        return None if grown is None else body.gauge(vector)
+        return grown.body.gauge(vector)
 
     def enclosed(self) -> Radius | None:
         """The best bound of a polytope that is not closed, or that is for matrices scaled down a little."""
@@ -127,9 +127,9 @@ class _Attempt:
                 continue
             real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
             grown = grow(self._body(real, scaled), self.effort)
-            bound = None if grown is None else enclose(self.family, grown, scaled)
+            bound = enclose(self.family, grown, scaled)
             best = min((b for b in (best, bound) if b is not None), key=lambda b: b.upper, default=None)
-            if grown is None or not grown.closed:
+            if not grown.closed:
                 break
         return None if best is None else self._at_most(best)
 
