@@ -85,8 +85,8 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
         return Fraction(0)
     base, divisor = unpowered(base, divisor)
     for d in (d for d in range(divisor, 1, -1) if divisor % d == 0):
-        numerator = _exact_root(argument.numerator, d)
-        denominator = _exact_root(argument.denominator, d) if numerator is not None else None
+        numerator = exact_root(argument.numerator, d)
+        denominator = exact_root(argument.denominator, d) if numerator is not None else None
         if numerator is not None and denominator is not None:
             argument, divisor = Fraction(numerator, denominator), divisor // d
             break
@@ -100,12 +100,12 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
 def unpowered(base: int, divisor: int) -> tuple[int, int]:
     """(b, d) with log_base(x)/divisor = log_b(x)/d for all x, b no perfect power."""
     for e in range(base.bit_length(), 1, -1):
-        if (root := _exact_root(base, e)) is not None:
+        if (root := exact_root(base, e)) is not None:
             return root, divisor * e
     return base, divisor
 
 
-def _exact_root(n: int, d: int) -> int | None:
+def exact_root(n: int, d: int) -> int | None:
     """The integer m >= 1 with m^d = n >= 1, by Newton's method from above."""
     root = 1 << -(-n.bit_length() // d)
     while (lower := ((d - 1) * root + n // root ** (d - 1)) // d) < root:
@@ -252,6 +252,35 @@ class Result:
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None
     """The file it was written to."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FamilyRadius:
+    """The joint spectral radius ρ of a family of matrices, as `subdiv jsr` says it."""
+
+    order: int
+    letters: int
+    """How many matrices there are."""
+    lower: float | None = None
+    upper: float | None = None
+    """Certified doubles, rounded outward; None where the effort did not suffice for any bound."""
+    exact: str | None = None
+    """ρ in closed form, where it is known: `2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`."""
+    digits: str | None = None
+    """The first decimals of an exact ρ."""
+    words: tuple[tuple[int, ...], ...] = ()
+    """Words of products that attain the lower bound: the spectrum-maximizing ones where ρ is exact."""
+    method: str = ""
+    """The rule that proves the upper bound: closing, polytope, blocks, zero."""
+    vertices: int | None = None
+    """Of the polytopes."""
+    bounded: bool = False
+    """All products of L matrices have norms <= C ρ^L; False where that is not proved."""
+    stopped: Literal["budget"] | None = None
+    proof: Mapping[str, Data] = field(default_factory=dict)
+    """Of the upper bound, or of ρ itself."""
+    below: Mapping[str, Data] = field(default_factory=dict)
+    """Of the lower bound, where ρ itself is not proved: `word` and `bound`, a rational below its spectral radius."""
 
 
 DEFAULT_EFFORT = 20_000

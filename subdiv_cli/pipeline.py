@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any, NamedTuple
 
-from subdiv_cli.certificate import certificate, document_text
+from subdiv_cli.certificate import certificate, document_text, family_certificate
 from subdiv_cli.checker import check_document
 from subdiv_cli.model import (
     Effort,
     Expectation,
     Exponent,
+    FamilyRadius,
     Finding,
     Judgement,
     Result,
@@ -47,9 +49,7 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
     facts, hints, findings = analyse(scheme, effort)
     written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
     if written is not None:
-        outcome = check_document(written.document)
-        if not outcome.verified:
-            raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
+        _verified(written.document)
         pairs = zip(findings, written.claims, strict=True)
         findings = tuple(replace(finding, claims=claims) if claims else finding for finding, claims in pairs)
     found = {finding.code: finding for finding in findings}
@@ -78,6 +78,33 @@ def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Eff
     return Checked(result, None if written is None else written.document)
 
 
+class CheckedRadius(NamedTuple):
+    """A joint spectral radius, and the certificate that the checker has verified."""
+
+    radius: FamilyRadius
+    document: Mapping[str, Any] | None
+
+
+def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> CheckedRadius:
+    """That of a family of square matrices of one order, checked independently.
+
+    Raises DisagreementError where the checker says no.
+    """
+    from subdiv_cli.jsr.answer import answer  # numpy comes with it
+
+    radius = answer(matrices, effort)
+    document = family_certificate(matrices, radius)
+    if document is not None:
+        _verified(document)
+    return CheckedRadius(radius, document)
+
+
+def _verified(document: Mapping[str, Any]) -> None:
+    outcome = check_document(document)
+    if not outcome.verified:
+        raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
+
+
 def _status(result: Result, judgements: Sequence[Judgement]) -> Status:
     """Every expectation must be proved; where a mask states none, convergence must."""
     verdicts = [judgement.verdict for judgement in judgements] or [result.convergent]
@@ -100,4 +127,6 @@ def _holder(found: dict[str, Finding]) -> Exponent | None:
     upper = above.value.upper if above.value else None
     if below.closed is None or above.verdict is not Verdict.PROVED:
         return Exponent(lower=lower, upper=upper)
-    return Exponent(lower=lower, upper=below.value.upper if below.value else upper, exact=below.closed)
+    attained = {Verdict.PROVED: True, Verdict.REFUTED: False}.get(found["SD313"].verdict)
+    upper = below.value.upper if below.value else upper
+    return Exponent(lower=lower, upper=upper, exact=below.closed, attained=attained)

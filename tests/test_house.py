@@ -19,7 +19,7 @@ ARROWS = {
     "stages": {"quantities", "jsr", "schemes", "exact", "model"},
     "certificate": {"model"},
     "checker": set(),
-    "pipeline": {"stages", "certificate", "checker", "schemes", "model"},
+    "pipeline": {"stages", "jsr", "certificate", "checker", "schemes", "model"},
     "catalog": {"pipeline", "maskfile", "model"},
     "report": {"model"},
     "explain": {"model"},

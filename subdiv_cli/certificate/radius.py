@@ -23,12 +23,29 @@ def claims(proof: Proof, mask: int) -> list[int]:
         level = as_integer(data["length"])
         scaled = as_rational(data["bound"]) * proof.p ** ((order - 1) * level)
         return [proof.norm(mask, order, level, scaled)]
-    family = proof.family(mask, order)
+    return claims_of(proof, mask, order, data)
+
+
+def claims_of(proof: Proof, mask: int, nu: int, data: Map) -> list[int]:
+    """The radius of S_(Δ^ν) of a mask, by a proof that is no norm, and what family it is of."""
+    family = proof.family(mask, nu)
     number = as_integer(proof.claims.statement(family)["family"])
-    degree = proof.degrees[mask] - order * (proof.p - 1)
-    size = max(1, -(-degree // (proof.p - 1)))
+    size = max(1, -(-(proof.degrees[mask] - nu * (proof.p - 1)) // (proof.p - 1)))
     uses = [family, proof.sum_rules(mask)] if data["rule"] == "positive-symbol" else []
     return [Radii(proof.claims, proof.families, proof.p, uses).claim(data, number, size), family]
+
+
+def defective(proof: Proof, family: int, witness: Map) -> int:
+    """A product of a family with a Jordan block."""
+    word, vector = [as_integer(x) for x in as_tuple(witness["word"])], as_rationals(witness["vector"])
+    statement = {
+        "family": proof.claims.statement(family)["family"],
+        "length": len(word),
+        "value": rational(as_rational(witness["value"])),
+    }
+    hints = {"word": word, "sign": witness["sign"], "vector": [rational(y) for y in vector]}
+    order = len(vector)
+    return proof.add("defective", statement, hints, work=len(word) * order**3 + 2 * order**2)
 
 
 def of_mask(proof: Proof, mask: int) -> Map:

@@ -102,3 +102,38 @@ def _above(proof: Proof, word: Sequence[int], radius: Fraction) -> list[int]:
     uses = [proof.product(proof.last, word, radius), *proof.reductions]
     statement = {"length": len(word), "radius": rational(radius)}
     return [proof.add("holder-upper", statement, uses=[n, *uses]) for n in proof.last_stable()]
+
+
+def attained(proof: Proof, finding: Finding) -> list[int]:
+    holder = _exactly(proof)
+    if holder is None:
+        return []
+    mask, nu, rules = proof.last, as_integer(finding.witness["nu"]), proof.sum_rules(proof.last)
+    statement = {"holds": finding.verdict is Verdict.PROVED}
+    if finding.verdict is Verdict.REFUTED:
+        family = proof.family(mask, nu)
+        uses = [radius.defective(proof, family, finding.witness), family, holder]
+        return [
+            proof.add("not-attained", statement, uses=[*uses, stable, *proof.reductions], name="attained")
+            for stable in proof.last_stable()
+        ]
+    if finding.witness["by"] == "norm":
+        norm = proof.norm(mask, nu, as_integer(finding.witness["level"]), as_rational(finding.witness["norm"]))
+        uses = [norm, holder, rules, *proof.reductions]
+        return [proof.add("attained-norm", statement, uses=uses, name="attained")]
+    if finding.proof:
+        bounded, family = radius.claims_of(proof, mask, nu, finding.proof)
+        uses = [bounded, holder, family, rules]
+    else:
+        uses = [*radius.claims(proof, mask), rules]
+    return [
+        proof.add("attained-bounded", statement, uses=[*uses, stable, *proof.reductions], name="attained")
+        for stable in proof.last_stable()
+    ]
+
+
+def _exactly(proof: Proof) -> int | None:
+    """The claim that says what α is."""
+    claims = holder_lower(proof, proof.found["SD311"])
+    name = proof.claims.statement(claims[0])["property"]
+    return claims[0] if name in ("holder", "holder-root") else None

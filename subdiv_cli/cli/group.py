@@ -19,6 +19,7 @@ from subdiv_cli.cli.exits import ExitCode
 
 COMMANDS = {
     "check": ("subdiv_cli.cli.check", "Check masks: convergence, smoothness, expectations."),
+    "jsr": ("subdiv_cli.cli.jsr", "Joint spectral radius of matrices, with proof."),
     "verify": ("subdiv_cli.cli.verify", "Check certificates independently."),
     "explain": ("subdiv_cli.cli.explain", "Explain a finding code: what it means, why, its source."),
 }

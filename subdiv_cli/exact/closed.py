@@ -22,11 +22,11 @@ def exponent(p: int, length: int, root: Root) -> ClosedForm:
     if len(root.coefficients) == 2:
         return logarithm(p, 1 / Fraction(-root.coefficients[0], root.coefficients[1]), length)
     base, divisor = unpowered(p, length)
-    text = f"-log{base}({_root_text(root)})" + (f"/{divisor}" if divisor > 1 else "")
+    text = f"-log{base}({root_text(root)})" + (f"/{divisor}" if divisor > 1 else "")
     return RootLog(base, root, divisor, text)
 
 
-def _root_text(root: Root) -> str:
+def root_text(root: Root) -> str:
     """`root(32*x^3+4*x-1, 0.19273, 0.19274)`: decimals that isolate it among the real roots."""
     f = fmpz_poly(list(root.coefficients))
     others = [z.real for z in isolated_roots(f) if z.imag.is_zero()]

@@ -33,6 +33,11 @@ class Radius(NamedTuple):
         """ρ or a little more, in floats, for comparisons that decide nothing."""
         return float(float(self.upper[1]) ** (1 / self.upper[0]))
 
+    @property
+    def vertices(self) -> int | None:
+        """Of all polytopes, reflections and conjugates not counted; None where there is none."""
+        return _vertices(self.proof)
+
     def is_below(self, x: Fraction) -> bool:
         """Whether ρ < x is proved, x > 0."""
         return self.upper[1] < x ** self.upper[0]
@@ -41,3 +46,13 @@ class Radius(NamedTuple):
 def root_data(root: Root) -> dict[str, Data]:
     """Λ as proofs have it."""
     return {"polynomial": root.coefficients, "low": root.low, "high": root.high}
+
+
+def _vertices(proof: Mapping[str, Data]) -> int | None:
+    parts, leaders, tree = (proof.get(key) for key in ("parts", "leaders", "tree"))
+    if isinstance(leaders, tuple) and isinstance(tree, tuple):
+        return len(leaders) + len(tree) // 2
+    if isinstance(parts, tuple):
+        return sum(_vertices(part) or 0 for part in parts if isinstance(part, Mapping)) or None
+    vertices = proof.get("vertices")
+    return len(vertices) if isinstance(vertices, tuple) else None

@@ -55,20 +55,12 @@ def _finding(numbers: ScalarNumbers) -> Finding:
     if radius.word is not None:
         witness["word"] = radius.word
     witness |= {key: radius.proof[key] for key in ("length", "root", "bound") if key in radius.proof}
-    if "tree" in radius.proof or "vertices" in radius.proof:
-        witness["vertices"] = vertices(radius)
+    if radius.vertices is not None:
+        witness["vertices"] = radius.vertices
     name = f"ρ({last_difference(numbers)})"
     value = enclosed(radius)
     size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
     return RULE.proved(f"{name} {size}: {_how(numbers, radius)}", witness, value, proof=radius.proof)
-
-
-def vertices(radius: Radius) -> int:
-    """Of the polytope, reflections and conjugates not counted."""
-    proof = radius.proof
-    if "vertices" in proof:
-        return len(proof["vertices"])  # type: ignore[arg-type]
-    return len(proof["leaders"]) + len(proof["tree"]) // 2  # type: ignore[arg-type]
 
 
 def enclosed(radius: Radius) -> Interval:
@@ -106,7 +98,7 @@ def _how(numbers: ScalarNumbers, radius: Radius) -> str:
         return f"the symbol of {operator} is not negative on |z| = 1{attains}"
     if rule == "blocks":
         return f"it is the largest of the radii of {len(radius.proof['sizes'])} diagonal blocks{attains}"  # type: ignore[arg-type]
-    body = f"an invariant polytope of {vertices(radius)} vertices"
+    body = f"an invariant polytope of {radius.vertices} vertices"
     if radius.exact is None:
         return f"{body} bounds it"
     assert length is not None

@@ -11,6 +11,7 @@ from subdiv_cli.quantities.hints import hints as mask_hints
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages import (
+    attained,
     contractivity,
     convergence,
     derived,
@@ -49,6 +50,7 @@ SCALAR: tuple[Stage, ...] = (
     smoothness_spectrum.run,
     holder_lower.run,
     holder_upper.run,
+    attained.run,
 )
 
 
