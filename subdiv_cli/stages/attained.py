@@ -72,9 +72,9 @@ def _integer(numbers: ScalarNumbers, m: int) -> Finding:
         return _refuted(f"α = {m} is not attained: {what} is not Lipschitz", numbers, m, defect)
     operator = f"{numbers.name}_(Δ^{m})"
     if (radius := _closed(numbers, m)) is not None:
-        statement = f"α = {m} is attained: {what} is Lipschitz, as an invariant polytope of {radius.vertices} vertices
-        bounds all" statement += f" products of L transition matrices of {operator} by C {numbers.p}^-{m}L" return
-        RULE.proved(statement, {"nu": m, "by": "radius"}, proof=radius.proof)
+        body = f"an invariant polytope of {radius.vertices} vertices"
+        statement = f"α = {m} is attained: {what} is Lipschitz, as {body} bounds the products of {operator}"
+        return RULE.proved(statement, {"nu": m, "by": "radius"}, proof=radius.proof)
     reason = f"no norm of {numbers.name}_{m} is at most 1, and no short product of {operator} has a Jordan block"
     return RULE.undecided(_QUESTION, reason)
 
