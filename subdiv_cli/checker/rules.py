@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from subdiv_cli.checker import conclusions, scalar
-from subdiv_cli.checker.core import Kind, Rule
+from subdiv_cli.checker.core import Kind, Rule, Subject
+from subdiv_cli.checker.reading import read, require
 from subdiv_cli.checker.words import in_words
+
+MAX_ARITY = 64
 
 _MASK = {"mask": "natural"}
 PROPERTIES = {
@@ -51,4 +56,14 @@ RULES = {
     "holder-upper": Rule("holder-upper", {}, _NONE, conclusions.holder_upper),
     "holder-exact": Rule("holder", {}, _NONE, conclusions.holder_exact),
 }
-SCALAR = Kind(PROPERTIES, RULES, in_words)
+
+
+def scalar_mask(parts: dict[str, Any]) -> Subject:
+    require(2 <= parts["arity"] <= MAX_ARITY, f"the arity is not one of 2, …, {MAX_ARITY}")
+    symbol = read("polynomial", {key: parts[key] for key in ("start", "coefficients")}, "the mask")
+    require(bool(symbol.numerators), "the mask is zero")
+    return Subject(parts["arity"], mask=symbol)
+
+
+_SCALAR_MASK = {"arity": "natural", "start": "any", "coefficients": "any"}
+SCALAR = Kind(_SCALAR_MASK, scalar_mask, PROPERTIES, RULES, in_words)
