@@ -54,7 +54,8 @@ class Proved(NamedTuple):
 class Rule(NamedTuple):
     """What claims of a rule look like, and the function that checks one: it returns `Proved.result` or rejects."""
 
-    property: str
+    properties: Sequence[str]
+    """What it proves statements of."""
     fixed: Mapping[str, object]
     """Fields of the statement whose value the rule fixes."""
     witnesses: Sequence[Fields]
@@ -221,7 +222,7 @@ class _Checker:
         rule = kind.rules[name]
         parts = read_object(value, _CLAIM, "the claim")
         statement = self.statement(parts["statement"], kind)
-        fits = statement["property"] == rule.property and rule.fixed.items() <= statement.items()
+        fits = statement["property"] in rule.properties and rule.fixed.items() <= statement.items()
         require(fits, "the rule does not prove such statements")
         require(max(parts["uses"], default=-1) < len(self.proved), "it uses a claim that does not come before it")
         self.work += parts["work"]

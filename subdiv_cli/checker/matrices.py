@@ -1,4 +1,4 @@
-"""Square integer matrices: sections of a subdivision operator, families, inverses, characteristic polynomials, Schur-Cohn."""
+"""Square integer matrices: sections of an operator, families, inverses, characteristic polynomials, Schur-Cohn."""
 
 from __future__ import annotations
 

@@ -46,7 +46,14 @@ _RANGES = {
     "work": (0, 10**9),
 }
 _OBJECTS: Mapping[str, Fields] = {
-    "leader": {"word": "natural[]", "sign": "sign", "column": "natural", "scale": "rational"},
+    "leader": {
+        "word": "natural[]",
+        "reflected": "boolean",
+        "column": "natural",
+        "scale": "rational",
+        "annihilator": "rational[]",
+        "sign": "sign",
+    },
     "tie": {"vertex": "vertex", "letter": "natural", "weights": "share[]"},
     "share": {"vertex": "vertex", "weight": "rational"},
 }
