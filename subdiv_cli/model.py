@@ -45,11 +45,35 @@ class Log(NamedTuple):
         return f"log{self.base}({self.argument})" + (f"/{self.divisor}" if self.divisor > 1 else "")
 
 
-ClosedForm = Fraction | Log
-"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`."""
+class Root(NamedTuple):
+    """A real algebraic number: the only real root of a polynomial in [low, high]."""
+
+    coefficients: tuple[int, ...]
+    """Of the polynomial, the lowest power first; degree at least 1."""
+    low: Fraction
+    high: Fraction
 
 
-def logarithm(base: int, argument: Fraction, divisor: int = 1) -> ClosedForm:
+class RootLog(NamedTuple):
+    """The real number -log_base(root) / divisor, root > 0 and irrational."""
+
+    base: int
+    root: Root
+    divisor: int
+    text: str
+    """As reports spell it: `-log2(root(32*x^3+4*x-1, 0.1927, 0.1928))/2`."""
+
+    def __str__(self) -> str:
+        return self.text
+
+
+LogForm = Fraction | Log
+"""What an expectation can name: `2`, `log2(64/9)`."""
+ClosedForm = LogForm | RootLog
+"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`, `-log2(root(x^2-x-1, 1.6180, 1.6181))`."""
+
+
+def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
     """log_base(argument) / divisor in canonical form, so that equal numbers are equal objects.
 
     The base is no perfect power, argument and divisor share no root, and a rational value is a Fraction. Raises
@@ -59,13 +83,10 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> ClosedForm:
         raise ValueError(f"no logarithm: base {base}, argument {argument}, divisor {divisor}")
     if argument == 1:
         return Fraction(0)
-    for e in range(base.bit_length(), 1, -1):
-        if (root := _exact_root(base, e)) is not None:
-            base, divisor = root, divisor * e
-            break
+    base, divisor = unpowered(base, divisor)
     for d in (d for d in range(divisor, 1, -1) if divisor % d == 0):
-        numerator = _exact_root(argument.numerator, d)
-        denominator = _exact_root(argument.denominator, d) if numerator is not None else None
+        numerator = exact_root(argument.numerator, d)
+        denominator = exact_root(argument.denominator, d) if numerator is not None else None
         if numerator is not None and denominator is not None:
             argument, divisor = Fraction(numerator, denominator), divisor // d
             break
@@ -76,7 +97,15 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> ClosedForm:
     return Log(base=base, argument=argument, divisor=divisor)
 
 
-def _exact_root(n: int, d: int) -> int | None:
+def unpowered(base: int, divisor: int) -> tuple[int, int]:
+    """(b, d) with log_base(x)/divisor = log_b(x)/d for all x, b no perfect power."""
+    for e in range(base.bit_length(), 1, -1):
+        if (root := exact_root(base, e)) is not None:
+            return root, divisor * e
+    return base, divisor
+
+
+def exact_root(n: int, d: int) -> int | None:
     """The integer m >= 1 with m^d = n >= 1, by Newton's method from above."""
     root = 1 << -(-n.bit_length() // d)
     while (lower := ((d - 1) * root + n // root ** (d - 1)) // d) < root:
@@ -119,6 +148,10 @@ class Finding:
     value: Interval | None = None
     witness: Mapping[str, Data] = field(default_factory=dict)
     """Enough to recheck the verdict without a search; the stage's docstring says what its keys mean."""
+    proof: Mapping[str, Data] = field(default_factory=dict)
+    """What the certificate needs besides, too long for reports: the polytope of a joint spectral radius."""
+    closed: ClosedForm | None = None
+    """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
     """The claims of the certificate that say the same, checked independently."""
 
@@ -153,9 +186,9 @@ class Expectation:
     key: ExpectationKey
     text: str
     """As the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
-    lower: bool | int | ClosedForm
+    lower: bool | int | LogForm
     """bool for convergent and stable; int for smoothness, generation and reproduction; a closed form for exponents."""
-    upper: bool | int | ClosedForm | None = None
+    upper: bool | int | LogForm | None = None
 
 
 class Judgement(NamedTuple):
@@ -283,6 +316,35 @@ class Anatomy:
     """Of approximation, with Q and without."""
     curve: Curve | None
     """φ, finely enough for a picture."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FamilyRadius:
+    """The joint spectral radius ρ of a family of matrices, as `subdiv jsr` says it."""
+
+    order: int
+    letters: int
+    """How many matrices there are."""
+    lower: float | None = None
+    upper: float | None = None
+    """Certified doubles, rounded outward; None where the effort did not suffice for any bound."""
+    exact: str | None = None
+    """ρ in closed form, where it is known: `2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`."""
+    digits: str | None = None
+    """The first decimals of an exact ρ."""
+    words: tuple[tuple[int, ...], ...] = ()
+    """Words of products that attain the lower bound: the spectrum-maximizing ones where ρ is exact."""
+    method: str = ""
+    """The rule that proves the upper bound: closing, polytope, blocks, zero."""
+    vertices: int | None = None
+    """Of the polytopes."""
+    bounded: bool = False
+    """All products of L matrices have norms <= C ρ^L; False where that is not proved."""
+    stopped: Literal["budget"] | None = None
+    proof: Mapping[str, Data] = field(default_factory=dict)
+    """Of the upper bound, or of ρ itself."""
+    below: Mapping[str, Data] = field(default_factory=dict)
+    """Of the lower bound, where ρ itself is not proved: `word` and `bound`, a rational below its spectral radius."""
 
 
 DEFAULT_EFFORT = 20_000

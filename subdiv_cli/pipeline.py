@@ -7,19 +7,19 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from subdiv_cli.certificate import certificate, document_text
+from subdiv_cli.certificate import certificate, document_text, family_certificate
 from subdiv_cli.checker import check_document
 from subdiv_cli.model import (
     Effort,
     Expectation,
     Exponent,
+    FamilyRadius,
     Finding,
     Judgement,
     Result,
     Smoothness,
     Status,
     Verdict,
-    logarithm,
 )
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages.judge import judge
@@ -54,9 +54,7 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
     findings = analysis.findings
     written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
     if written is not None:
-        outcome = check_document(written.document)
-        if not outcome.verified:
-            raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
+        _verified(written.document)
         pairs = zip(findings, written.claims, strict=True)
         findings = tuple(replace(finding, claims=claims) if claims else finding for finding, claims in pairs)
     found = {finding.code: finding for finding in findings}
@@ -73,8 +71,8 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
         convergent=found["SD201"].verdict,
         smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
         refinable=refinable,
-        holder=_holder(found, scheme.arity),
-        sobolev=_sobolev(found, scheme.arity),
+        holder=_holder(found),
+        sobolev=_sobolev(found["SD321"]),
         stable=found["SD402"].verdict,
         linearly_independent=found["SD401"].verdict,
         generation=_integer(found, "SD103", "degree"),
@@ -84,6 +82,33 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
     judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
     result = replace(result, expectations=judgements, status=_status(result, judgements))
     return Checked(result, None if written is None else written.document)
+
+
+class CheckedRadius(NamedTuple):
+    """A joint spectral radius, and the certificate that the checker has verified."""
+
+    radius: FamilyRadius
+    document: Mapping[str, Any] | None
+
+
+def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> CheckedRadius:
+    """That of a family of square matrices of one order, checked independently.
+
+    Raises DisagreementError where the checker says no.
+    """
+    from subdiv_cli.jsr.answer import answer  # numpy comes with it
+
+    radius = answer(matrices, effort)
+    document = family_certificate(matrices, radius)
+    if document is not None:
+        _verified(document)
+    return CheckedRadius(radius, document)
+
+
+def _verified(document: Mapping[str, Any]) -> None:
+    outcome = check_document(document)
+    if not outcome.verified:
+        raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
 
 
 def _status(result: Result, judgements: Sequence[Judgement]) -> Status:
@@ -99,26 +124,21 @@ def _integer(found: dict[str, Finding], code: str, key: str) -> int | None:
     return value if isinstance(value, int) else None
 
 
-def _holder(found: dict[str, Finding], p: int) -> Exponent | None:
+def _holder(found: dict[str, Finding]) -> Exponent | None:
     """None without sum rules. What is exact for D = S_(Δ^k) is the exponent of φ where φ is stable."""
     below, above = found["SD311"], found["SD312"]
     if below.verdict is Verdict.SKIPPED:
         return None
     lower = below.value.lower if below.value else None
     upper = above.value.upper if above.value else None
-    norm, level = below.witness.get("norm"), below.witness.get("level")
-    closed = "word" in below.witness and above.verdict is Verdict.PROVED
-    if not closed or not isinstance(norm, Fraction) or not isinstance(level, int):
+    if below.closed is None or above.verdict is not Verdict.PROVED:
         return Exponent(lower=lower, upper=upper)
+    attained = {Verdict.PROVED: True, Verdict.REFUTED: False}.get(found["SD313"].verdict)
     upper = below.value.upper if below.value else upper
-    return Exponent(lower=lower, upper=upper, exact=logarithm(p, 1 / norm, level))
+    return Exponent(lower=lower, upper=upper, exact=below.closed, attained=attained)
 
 
-def _sobolev(found: dict[str, Finding], p: int) -> Exponent | None:
+def _sobolev(finding: Finding) -> Exponent | None:
     """None without sum rules, or where the effort ended."""
-    finding = found["SD321"]
-    if finding.value is None:
-        return None
-    radius = finding.witness.get("radius")
-    exact = logarithm(p, 1 / radius, 2) if isinstance(radius, Fraction) else None
-    return Exponent(lower=finding.value.lower, upper=finding.value.upper, exact=exact)
+    value = finding.value
+    return None if value is None else Exponent(lower=value.lower, upper=value.upper, exact=finding.closed)

@@ -4,6 +4,6 @@ Nothing is computed here that a stage has not found: the writer spells witnesses
 """
 
 from subdiv_cli.certificate.claims import document_text
-from subdiv_cli.certificate.writer import Certificate, certificate
+from subdiv_cli.certificate.writer import Certificate, certificate, family_certificate
 
-__all__ = ["Certificate", "certificate", "document_text"]
+__all__ = ["Certificate", "certificate", "document_text", "family_certificate"]

@@ -62,5 +62,9 @@ def document_text(document: Mapping[str, Any]) -> str:
     return "{" + ",\n ".join(lines) + "}\n"
 
 
+def matrices_document(matrices: Sequence[Sequence[Sequence[Fraction]]]) -> Mapping[str, Any]:
+    return {"kind": "matrices", "matrices": [[[rational(x) for x in row] for row in rows] for rows in matrices]}
+
+
 def mask_document(arity: int, start: int, coefficients: Sequence[Fraction]) -> Mapping[str, Any]:
     return {"kind": "scalar", "arity": arity, **polynomial(start, coefficients)}

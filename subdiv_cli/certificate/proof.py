@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import cast
 
+from subdiv_cli.certificate import radius
 from subdiv_cli.certificate.claims import Claims, Json, rational
 from subdiv_cli.certificate.witness import as_cofactors, as_integer, as_polynomial, as_rational, as_tuple, as_word
 from subdiv_cli.model import Data, Finding, Verdict
@@ -28,6 +29,10 @@ class Proof:
         self.contractions = [f for f in findings if f.code == "SD301" and f.verdict is Verdict.PROVED]
         self.degrees = [degree]
         self.reductions: list[int] = []
+        self.radii = {f.witness["of"]: f for f in findings if f.code == "SD310" and f.verdict is Verdict.PROVED}
+        self.families: list[None] = []
+        """One entry for each family that has a number."""
+        self._family_claims: dict[tuple[int, int], int] = {}
         self.orders = {0: as_integer(self.found["SD102"].witness.get("order", 0))}
         if (reduction := self.found.get("SD403")) is not None:
             self._reduce(reduction.witness)
@@ -65,9 +70,23 @@ class Proof:
         work = len(word) * order**3 + order**4
         return self.add("product", statement, uses=[self.sum_rules(mask)], work=work)
 
-    def contraction(self, mask: int, witness: Mapping[str, Data]) -> int:
-        mu, level = as_integer(witness["norm_of"]), as_integer(witness["level"])
-        return self.norm(mask, mu, level, as_rational(witness["norm"]))
+    def family(self, mask: int, nu: int) -> int:
+        """The claim that introduces the transition matrices of S_(Δ^ν) of this mask."""
+        if (mask, nu) not in self._family_claims:
+            order = max(1, -(-(self.degrees[mask] - nu * (self.p - 1)) // (self.p - 1)))
+            statement = {"family": len(self.families), "mask": mask, "nu": nu}
+            work = self.p * order**2 + order * (self.orders[mask] - nu + 1) * self.p
+            self.families.append(None)
+            uses = [self.sum_rules(mask)]
+            self._family_claims[mask, nu] = self.add("transition", statement, uses=uses, work=work, name="family")
+        return self._family_claims[mask, nu]
+
+    def contraction(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
+        """The claims, in the order that conclusions use them, that make a derived scheme of this mask contract."""
+        if "radius_of" in witness:
+            return radius.claims(self, mask)
+        nu, level = as_integer(witness["nu"]), as_integer(witness["level"])
+        return [self.norm(mask, nu, level, as_rational(witness["norm"]))]
 
     def obstacle(self, mask: int, order: int, witness: Mapping[str, Data]) -> int:
         """What keeps a stable φ of this mask from being C^order."""

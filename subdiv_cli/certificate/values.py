@@ -23,7 +23,7 @@ def _values(proof: Proof, finding: Finding, order: int) -> int:
     direct = by == "SD201" or not proof.last
     mask = 0 if direct else proof.last
     witness = proof.found["SD201"].witness if by == "SD201" else proof.contractions[-1].witness
-    uses = [proof.contraction(mask, witness), *([] if direct else proof.reductions)]
+    uses = [*proof.contraction(mask, witness), *([] if direct else proof.reductions)]
     length, most = proof.degrees[mask] + 1, len(h["coefficients"])
     many = most if direct else len(own["coefficients"])
     work = length * many + (order + 1) * many + (length + most) ** 2

@@ -7,9 +7,11 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from subdiv_cli.certificate import smoothness, sobolev, structure, values
-from subdiv_cli.certificate.claims import Json, mask_document
+from subdiv_cli.certificate.claims import Claims, Json, mask_document, matrices_document, rational
 from subdiv_cli.certificate.proof import Proof
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.certificate.radius import Radii
+from subdiv_cli.certificate.witness import as_rational, as_word
+from subdiv_cli.model import FamilyRadius, Finding, Verdict
 
 MOST_WORK = 50_000_000
 """What the checker does for one certificate; a longer one is not written."""
@@ -26,8 +28,10 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
     "SD302": smoothness.smoothness,
     "SD303": smoothness.next_smoothness,
     "SD304": structure.smoothness_spectrum,
+    "SD310": smoothness.joint_radius,
     "SD311": smoothness.holder_lower,
     "SD312": smoothness.holder_upper,
+    "SD313": smoothness.attained,
     "SD321": sobolev.sobolev,
     "SD401": structure.independence,
     "SD402": structure.stability,
@@ -71,3 +75,27 @@ def certificate(
         "claims": proof.claims.made,
     }
     return Certificate(document, claims)
+
+
+def family_certificate(matrices: Sequence[Sequence[Sequence[Fraction]]], radius: FamilyRadius) -> Json | None:
+    """The proof of the bounds of a joint spectral radius; None where there are none."""
+    if not radius.proof:
+        return None
+    claims = Claims()
+    upper = Radii(claims, [None], radius.letters, []).claim(radius.proof, 0, radius.order)
+    goal = [claims.statement(upper)]
+    if radius.below:
+        word, order = as_word(radius.below), radius.order
+        statement = {"family": 0, "length": len(word), "bound": rational(as_rational(radius.below["bound"]))}
+        work = len(word) * order**3 + order**4
+        lower = claims.add("word", {"property": "radius-lower", **statement}, {"word": list(word)}, [], work)
+        goal.append(claims.statement(lower))
+    if sum(claim["work"] for claim in claims.made) > MOST_WORK:
+        return None
+    return {
+        "format": "subdiv-certificate",
+        "version": 1,
+        "mask": matrices_document(matrices),
+        "goal": goal,
+        "claims": claims.made,
+    }

@@ -11,11 +11,11 @@ from __future__ import annotations
 from subdiv_cli.checker import core
 from subdiv_cli.checker.core import Outcome
 from subdiv_cli.checker.reading import MAX_BYTES
-from subdiv_cli.checker.rules import SCALAR
+from subdiv_cli.checker.rules import MATRICES, SCALAR
 
 __all__ = ["Outcome", "check_document", "check_file", "check_text"]
 
-_KINDS = {"scalar": SCALAR}
+_KINDS = {"scalar": SCALAR, "matrices": MATRICES}
 
 
 def check_text(text: str) -> Outcome:

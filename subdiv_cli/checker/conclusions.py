@@ -8,13 +8,20 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.checker.core import Claim, Statement
+from subdiv_cli.checker.radius import UPPER, bound_of
 from subdiv_cli.checker.reading import require
 
 
 def converges(c: Claim) -> None:
-    """S converges: some ‖S_(Δ^ν)^L‖∞ < 1 (Dyn 1992, Theorem 3.2, for ν = 1; FORMAT.md for larger ν)."""
+    """S converges: some ‖S_(Δ^ν)^L‖∞ < 1 (Dyn 1992, Theorem 3.2, for ν = 1; FORMAT.md for larger ν), or JSR < 1."""
     c.count(1)
-    contracts(c, c.use("norm", mask=0).statement, 1)
+    used = c.use("norm", *UPPER).statement
+    if used["property"] == "norm":
+        require(used["mask"] == 0, "it uses norm with another mask")
+        contracts(c, used, 1)
+    else:
+        c.use("family", family=used["family"], mask=0)
+        require(bound_of(used) < 1, "the radius is not small enough")
 
 
 def diverges(c: Claim) -> None:
@@ -32,11 +39,22 @@ def diverges(c: Claim) -> None:
 
 
 def smooth(c: Claim) -> None:
-    """φ is C^n: some ‖S_(Δ^ν)^L‖∞ < p^(-nL), ν > n, for the mask itself or one that it reduces to (as above)."""
+    """φ is C^n: some ‖S_(Δ^ν)^L‖∞ < p^(-nL) or JSR(S_(Δ^ν)) < p^-n, ν > n, for the mask or one that it reduces to."""
     c.count(1)
-    used = c.use("norm").statement
-    contracts(c, used, c.statement["order"] + 1)
-    c.use_reductions(used["mask"])
+    c.use_reductions(contraction(c, c.statement["order"]))
+
+
+def contraction(c: Claim, n: int) -> int:
+    """The mask whose (1/p)S_(n+1) contracts, by the norm or by the radius that is used next: its S_n converges."""
+    used = c.use("norm", *UPPER).statement
+    if used["property"] == "norm":
+        contracts(c, used, n + 1)
+        return int(used["mask"])
+    family = c.use("family", family=used["family"]).statement
+    require(family["nu"] > n, f"the family is not one of S_(Δ^{n + 1}) or a later one")
+    small = bound_of(used) * power(c, Fraction(c.p), n * used["length"]) < 1
+    require(small, "the radius is not small enough")
+    return int(family["mask"])
 
 
 def not_smooth(c: Claim) -> None:
@@ -53,14 +71,27 @@ def not_smooth(c: Claim) -> None:
 
 
 def holder_lower(c: Claim) -> None:
-    """α >= -log_p(x)/L with x = ‖D^L‖∞ = ‖((1/p)S_k)^L‖∞ / p^((k-1)L)."""
+    """α >= -log_p(x)/L with x = ‖D^L‖∞ = ‖((1/p)S_k)^L‖∞ / p^((k-1)L), or JSR(D)^L <= x."""
     level = c.statement["level"]
     c.count(1)
-    used = c.use("norm", level=level).statement
+    used = c.use("norm", *UPPER).statement
+    if used["property"] != "norm":
+        _holder_lower_by_radius(c, used)
+        return
+    require(used["level"] == level, "it uses norm with another level")
     k = c.use("sum-rules", mask=used["mask"], order=used["nu"]).statement["order"]
     scaled = used["norm"] / power(c, Fraction(c.p), (k - 1) * level)
     require(c.statement["norm"] == scaled, "the norm of D^L is another")
     c.use_reductions(used["mask"])
+
+
+def _holder_lower_by_radius(c: Claim, used: Statement) -> None:
+    level, x = c.statement["level"], c.statement["norm"]
+    require((used["length"], bound_of(used)) == (level, x), "the radius has another length or bound")
+    require(x > 0, "the bound is not positive")
+    family = c.use("family", family=used["family"]).statement
+    c.use("sum-rules", mask=family["mask"], order=family["nu"])
+    c.use_reductions(family["mask"])
 
 
 def holder_upper(c: Claim) -> None:

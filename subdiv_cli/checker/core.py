@@ -6,11 +6,14 @@ import marshal
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.polynomials import Polynomial
-from subdiv_cli.checker.reading import Fields, Rejected, parse, read, read_object, require, shown
+from subdiv_cli.checker.reading import Fields, Rejected, parse, read_object, require, shown
 
 FORMAT, VERSION = "subdiv-certificate", 1
-MAX_ARITY = 64
+MAX_FAMILIES = 1000
+MAX_ENTRIES = 4_000_000
+"""Of the matrices of all families."""
 MAX_CLAIMS = 10_000
 MAX_WORK = 50_000_000
 MAX_SIZE = 1 << 28
@@ -51,7 +54,8 @@ class Proved(NamedTuple):
 class Rule(NamedTuple):
     """What claims of a rule look like, and the function that checks one: it returns `Proved.result` or rejects."""
 
-    property: str
+    properties: Sequence[str]
+    """What it proves statements of."""
     fixed: Mapping[str, object]
     """Fields of the statement whose value the rule fixes."""
     witnesses: Sequence[Fields]
@@ -59,33 +63,40 @@ class Rule(NamedTuple):
     check: Callable[[Claim], Polynomial | None]
 
 
-class Kind(NamedTuple):
-    """The rules of a kind of masks: later kinds add one of these."""
+class Subject:
+    """What a document's claims are about, and what is left of the bound on the sizes of their numbers."""
 
+    def __init__(self, letters: int, mask: Polynomial | None = None, family: Family | None = None) -> None:
+        self.letters = letters
+        """The arity of the mask, or how many matrices the family has."""
+        self.masks = [] if mask is None else [mask]
+        self.families = [] if family is None else [family]
+        self.size_left = MAX_SIZE
+
+
+class Kind(NamedTuple):
+    """A kind of documents: what they are about, and the rules of their claims."""
+
+    fields: Fields
+    """Of the document's mask, besides its kind."""
+    subject: Callable[[dict[str, Any]], Subject]
     properties: Mapping[str, Fields]
     rules: Mapping[str, Rule]
     words: Callable[[Statement, int], str]
     """A statement, its property under the key `property`, and the arity, as a phrase."""
 
 
-class Budget:
-    """What is left of the bound on the numbers' sizes, over all claims."""
-
-    def __init__(self) -> None:
-        self.left = MAX_SIZE
-
-
 class Claim:
     """A claim under check: statement and witness read, and the claims that it uses."""
 
     def __init__(
-        self, arity: int, masks: list[Polynomial], statement: Statement, work: int, uses: list[Proved], budget: Budget
+        self, subject: Subject, statement: Statement, witness: dict[str, Any], work: int, uses: list[Proved]
     ) -> None:
-        self.p = arity
-        self.masks = masks
+        self.p = subject.letters
+        self.masks = subject.masks
         self.statement = statement
-        self.witness: dict[str, Any] = {}
-        self._work, self._uses, self._budget = work, uses, budget
+        self.witness = witness
+        self._subject, self._work, self._uses = subject, work, uses
 
     def mask(self) -> Polynomial:
         """The symbol of the mask that the statement names, mask 0 where it names none."""
@@ -93,11 +104,30 @@ class Claim:
         require(number < len(self.masks), f"there is no mask {number}")
         return self.masks[number]
 
+    def family(self) -> Family:
+        """The matrices of the family that the statement names."""
+        number: int = self.statement["family"]
+        require(number < len(self._subject.families), f"there is no family {number}")
+        return self._subject.families[number]
+
+    def introduce(self, number: int, family: Family) -> None:
+        """A new family, numbered as the statement says."""
+        families = self._subject.families
+        require(number == len(families), f"the next family is number {len(families)}")
+        families.append(family)
+        require(len(families) <= MAX_FAMILIES, "there are too many families")
+        entries = sum(len(each.matrices) * each.order**2 for each in families)
+        require(entries <= MAX_ENTRIES, "the families have too many entries")
+
     def count(self, operations: int, bits: int = 0) -> None:
         """Called before the work is done: operations as the rule counts them, on numbers of so many bits."""
         require(operations <= self._work, f"it takes more work than stated: {min(operations, 10**18)}")
-        self._budget.left -= (1 + operations) * (1 + bits // 512) ** 2
-        require(self._budget.left >= 0, "the numbers are too long for so much work")
+        self.spend(operations, bits)
+
+    def spend(self, operations: int, bits: int) -> None:
+        """More of the operations that are counted, or some of them, on numbers of so many bits."""
+        self._subject.size_left -= (1 + operations) * (1 + bits // 512) ** 2
+        require(self._subject.size_left >= 0, "the numbers are too long for so much work")
 
     def use(self, *properties: str, **fields: object) -> Proved:
         """The next claim that is used: it must state one of these properties with these fields."""
@@ -143,18 +173,16 @@ class _Checker:
     def __init__(self) -> None:
         self.place = "document"
         self.number: int | None = None
-        self.masks: list[Polynomial] = []
         self.proved: list[Proved] = []
         self.read: dict[bytes, Statement] = {}
         self.work = 0
-        self.budget = Budget()
 
     def run(self, document: object, kinds: Mapping[str, Kind]) -> Outcome:
         fields = {"format": "any", "version": "natural", "mask": "any", "goal": "any[]", "claims": "any"}
         parts = read_object(document, fields, "the document")
         require(parts["format"] == FORMAT, f"the format is not {FORMAT}")
         require(parts["version"] == VERSION, f"the version is not {VERSION}")
-        kind, arity = self.read_mask(parts["mask"], kinds)
+        kind, subject = _read_mask(parts["mask"], kinds)
         self.place = "goal"
         goal = [self.statement(statement, kind) for statement in parts["goal"]]
         require(bool(goal), "there is none")
@@ -164,15 +192,15 @@ class _Checker:
         require(len(claims) <= MAX_CLAIMS, "there are too many claims")
         for self.number, claim in enumerate(claims):
             self.place = f"claim {self.number}"
-            self.proved.append(self.check(claim, kind, arity))
+            self.proved.append(self.check(claim, kind, subject))
         self.place, self.number = "goal", None
         statements = {tuple(proved.statement.items()) for proved in self.proved}
         for statement in goal:
             if tuple(statement.items()) not in statements:
-                raise Rejected(f"no claim proves: {kind.words(statement, arity)}")
+                raise Rejected(f"no claim proves: {kind.words(statement, subject.letters)}")
 
         def spell() -> str:
-            return "VERIFIED " + "; ".join(kind.words(statement, arity) for statement in goal)
+            return "VERIFIED " + "; ".join(kind.words(statement, subject.letters) for statement in goal)
 
         return Outcome(True, spell, tuple(map(dict, parts["goal"])))
 
@@ -186,19 +214,7 @@ class _Checker:
             self.read[spelling] = read_statement(value, kind)
         return self.read[spelling]
 
-    def read_mask(self, value: object, kinds: Mapping[str, Kind]) -> tuple[Kind, int]:
-        name = value.get("kind") if type(value) is dict else None
-        if type(name) is not str or name not in kinds:
-            raise Rejected(f"the kind of the mask is not one of {', '.join(kinds)}")
-        fields = {"kind": "any", "arity": "natural", "start": "any", "coefficients": "any"}
-        parts = read_object(value, fields, "the mask")
-        require(2 <= parts["arity"] <= MAX_ARITY, f"the arity is not one of 2, …, {MAX_ARITY}")
-        symbol = read("polynomial", {key: parts[key] for key in ("start", "coefficients")}, "the mask")
-        require(bool(symbol.numerators), "the mask is zero")
-        self.masks.append(symbol)
-        return kinds[name], parts["arity"]
-
-    def check(self, value: object, kind: Kind, arity: int) -> Proved:
+    def check(self, value: object, kind: Kind, subject: Subject) -> Proved:
         name = value.get("rule") if type(value) is dict else None
         if type(name) is not str or name not in kind.rules:
             raise Rejected(f"unknown rule {shown(name)}")
@@ -206,17 +222,24 @@ class _Checker:
         rule = kind.rules[name]
         parts = read_object(value, _CLAIM, "the claim")
         statement = self.statement(parts["statement"], kind)
-        fits = statement["property"] == rule.property and rule.fixed.items() <= statement.items()
+        fits = statement["property"] in rule.properties and rule.fixed.items() <= statement.items()
         require(fits, "the rule does not prove such statements")
         require(max(parts["uses"], default=-1) < len(self.proved), "it uses a claim that does not come before it")
         self.work += parts["work"]
         require(self.work <= MAX_WORK, f"the claims up to this one take more than {MAX_WORK} of work")
         uses = [self.proved[i] for i in parts["uses"]]
-        claim = Claim(arity, self.masks, statement, parts["work"], uses, self.budget)
-        claim.witness = _read_witness(parts["witness"], rule.witnesses)
+        claim = Claim(subject, statement, _read_witness(parts["witness"], rule.witnesses), parts["work"], uses)
         result = rule.check(claim)
         claim.use_nothing_else()
         return Proved(statement, result)
+
+
+def _read_mask(value: object, kinds: Mapping[str, Kind]) -> tuple[Kind, Subject]:
+    name = value.get("kind") if type(value) is dict else None
+    if type(name) is not str or name not in kinds:
+        raise Rejected(f"the kind of the mask is not one of {', '.join(kinds)}")
+    kind = kinds[name]
+    return kind, kind.subject(read_object(value, {"kind": "any", **kind.fields}, "the mask"))
 
 
 def read_statement(value: object, kind: Kind) -> Statement:

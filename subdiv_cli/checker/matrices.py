@@ -1,4 +1,4 @@
-"""Square integer matrices: sections of a subdivision operator, characteristic polynomials, the Schur-Cohn test."""
+"""Square integer matrices: sections of an operator, families, inverses, characteristic polynomials, Schur-Cohn."""
 
 from __future__ import annotations
 
@@ -6,10 +6,46 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd
 from operator import mul
+from typing import NamedTuple
 
 from subdiv_cli.checker.polynomials import Polynomial
 
 Matrix = list[list[int]]
+
+
+class Family(NamedTuple):
+    """Square matrices of one order, as numerators over one common denominator > 0."""
+
+    matrices: list[Matrix]
+    denominator: int
+
+    @property
+    def order(self) -> int:
+        return len(self.matrices[0])
+
+    @property
+    def bits(self) -> int:
+        largest = max(max(map(abs, row)) for matrix in self.matrices for row in matrix)
+        return largest.bit_length() + self.denominator.bit_length()
+
+    def product(self, word: Sequence[int]) -> tuple[Matrix, int]:
+        """M_(w_ℓ) … M_(w_1) as numerators and their common denominator, in lowest terms."""
+        total, denominator = self.matrices[word[0]], self.denominator ** len(word)
+        for letter in word[1:]:
+            total = multiply(self.matrices[letter], total)
+        common = gcd(denominator, *(gcd(*row) for row in total))
+        return [[x // common for x in row] for row in total], denominator // common
+
+    def is_symmetric(self, sign: int) -> bool:
+        """Whether M_(p-1-i) = sign J M_i J for all i, J the reversal of the coordinates."""
+        pairs = zip(self.matrices, reversed(self.matrices), strict=True)
+        return all(b == [[sign * x for x in reversed(row)] for row in reversed(a)] for a, b in pairs)
+
+
+def family(matrices: list[Matrix], denominator: int) -> Family:
+    """In lowest terms."""
+    common = gcd(denominator, *(gcd(*row) for matrix in matrices for row in matrix))
+    return Family([[[x // common for x in row] for row in matrix] for matrix in matrices], denominator // common)
 
 
 def section(f: Polynomial, p: int, offset: int, order: int) -> Matrix:
@@ -20,6 +56,43 @@ def section(f: Polynomial, p: int, offset: int, order: int) -> Matrix:
 def multiply(a: Matrix, b: Matrix) -> Matrix:
     columns = list(zip(*b, strict=True))
     return [[sum(map(mul, row, column)) for column in columns] for row in a]
+
+
+def apply(a: Matrix, v: Sequence[int]) -> list[int]:
+    return [sum(map(mul, row, v)) for row in a]
+
+
+def inverse(a: Matrix) -> tuple[Matrix, int] | None:
+    """(b, d) with a^-1 = b/d, d ≠ 0; None for a singular matrix.
+
+    Gauss and Jordan without fractions (Bareiss): after step k all entries are minors of order k + 1, up to sign, so the
+    divisions are exact. The inverse is built in the columns that are done with.
+    """
+    a, n, before, rows = [list(row) for row in a], len(a), 1, list(range(len(a)))
+    for k in range(n):
+        pivot_row = next((i for i in range(k, n) if a[i][k]), None)
+        if pivot_row is None:
+            return None
+        a[k], a[pivot_row] = a[pivot_row], a[k]
+        rows[k], rows[pivot_row] = rows[pivot_row], rows[k]
+        top = a[k]
+        pivot = top[k]
+        for i, row in enumerate(a):
+            if i != k:
+                f = row[k]
+                a[i] = [(pivot * x - f * y) // before for x, y in zip(row, top, strict=True)]
+                a[i][k] = -f
+        top[k], before = before, pivot
+    order = sorted(range(n), key=rows.__getitem__)  # interchanged rows are interchanged columns of the inverse
+    return [[row[i] for i in order] for row in a], before
+
+
+def inverse_norm(a: Matrix) -> Fraction | None:
+    """‖a^-1‖₁, the largest absolute column sum; None for a singular matrix."""
+    if (found := inverse(a)) is None:
+        return None
+    b, d = found
+    return Fraction(max(sum(map(abs, column)) for column in zip(*b, strict=True)), abs(d))
 
 
 def characteristic_polynomial(a: Matrix) -> list[int]:

@@ -6,6 +6,7 @@ Plain coefficient lists are integers, lowest power first.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 from itertools import pairwise, zip_longest
 from math import gcd, lcm
 from struct import unpack
@@ -175,24 +176,61 @@ def vanishes_on_circle(g: Polynomial) -> bool:
     h = greatest_common_divisor(g.numerators, g.numerators[::-1])
     if not sum(h) or not sum(h[::2]) - sum(h[1::2]):
         return True
+    return sturm_count(on_circle(h), -2, 2) > 0
+
+
+def on_circle(h: Sequence[int]) -> list[int]:
+    """H with z^-e h(z) = H(z + 1/z), for h of degree 2e that is its own reverse; lowest power first."""
     e = len(h) // 2
     total, before, now = [h[e]], [2], [0, 1]
     for c in h[e + 1 :]:
         total = [x + c * t for x, t in zip_longest(total, now, fillvalue=0)]
         before, now = now, [x - y for x, y in zip_longest([0, *now], before, fillvalue=0)]
-    return sturm_count(total, -2, 2) > 0
+    return total
 
 
-def sturm_count(f: Sequence[int], left: int, right: int) -> int:
-    """The number of distinct real zeros of f in (left, right); f is not zero at its ends."""
+def sturm_count(f: Sequence[int], left: Fraction | int, right: Fraction | int) -> int:
+    """The number of distinct real zeros of f in (left, right]; f(left) ≠ 0, or f has no multiple zeros.
+
+    Where f(left) = 0 is simple, f and f' have the same sign just right of it, which is what leaving out the zero says.
+    """
     chain = [list(f), [i * c for i, c in enumerate(f)][1:]]
     while chain[-1]:
         chain.append([-c for c in remainder(chain[-2], chain[-1])])
     return _sign_changes(chain, left) - _sign_changes(chain, right)
 
 
-def _sign_changes(chain: Sequence[Sequence[int]], x: int) -> int:
-    values = [v for v in (sum(c * x**i for i, c in enumerate(f)) for f in chain) if v]
+def count_zeros(f: Sequence[int], left: Fraction | int, right: Fraction | int) -> int:
+    """The number of distinct real zeros of f ≠ 0 in [left, right]."""
+    simple = quotient(f, greatest_common_divisor(f, [i * c for i, c in enumerate(f)][1:]))
+    return sturm_count(simple, left, right) + (value(simple, left) == 0)
+
+
+def value(f: Sequence[int], x: Fraction | int) -> int:
+    """f(x) v^n, n the length of f less one, v > 0 the denominator of x: it has the sign of f(x)."""
+    u, v = x.numerator, x.denominator
+    total, power = 0, 1
+    for c in reversed(f):
+        total, power = total * u + c * power, power * v
+    return total
+
+
+def quotient(f: Sequence[int], g: Sequence[int]) -> list[int]:
+    """A multiple of f/g, without its content, where g ≠ 0 divides f over Q."""
+    rest, result, lead = list(f), [0] * (len(f) - len(g) + 1), g[-1]
+    for shift in range(len(result) - 1, -1, -1):
+        top = rest[shift + len(g) - 1]
+        rest = [lead * c for c in rest]
+        result = [lead * c for c in result]
+        result[shift] = top
+        for i, c in enumerate(g, shift):
+            rest[i] -= top * c
+    common = gcd(*result)
+    return [c // common for c in result]
+
+
+def _sign_changes(chain: Sequence[Sequence[int]], x: Fraction | int) -> int:
+    values = [v for v in (value(f, x) for f in chain) if v]
     return sum((u > 0) != (v > 0) for u, v in pairwise(values))
 
 

@@ -6,10 +6,14 @@ import json
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from math import gcd
+from math import gcd, lcm
 from typing import Any
 
+from subdiv_cli.checker.matrices import Family, family
 from subdiv_cli.checker.polynomials import Polynomial, over_common_denominator
+
+Fields = Mapping[str, str]
+"""The keys of an object, all of them obligatory, and the kind of each value."""
 
 MAX_BYTES = 64 << 20
 MAX_DIGITS = 20_000
@@ -20,12 +24,43 @@ MAX_INTEGER = 1_000_000
 """An index or an exponent."""
 MAX_NATURAL = 10_000
 """An order, a level, a letter, the number of a mask or of a claim."""
+MAX_ORDER = 64
+"""Of a matrix; as many letters has a family."""
+MAX_VERTICES = 20_000
+"""Of a polytope, without reflections."""
+MAX_ENTRY = 10**12
+"""A member of a flat list: its numbers are numerators of weights, vertices and letters."""
+MAX_COORDINATE = 40
+"""Decimal digits of a coordinate."""
+MAX_DEGREE = 200
+"""Of the polynomial of a root."""
 
-_RANGES = {"natural": (0, MAX_NATURAL), "integer": (-MAX_INTEGER, MAX_INTEGER), "work": (0, 10**9)}
+_RANGES = {
+    "natural": (0, MAX_NATURAL),
+    "length": (1, 1000),
+    "integer": (-MAX_INTEGER, MAX_INTEGER),
+    "sign": (-1, 1),
+    "bits": (0, 4096),
+    "weight_bits": (0, 39),
+    "vertex": (0, 2 * MAX_VERTICES - 1),
+    "work": (0, 10**9),
+}
+_OBJECTS: Mapping[str, Fields] = {
+    "leader": {
+        "word": "natural[]",
+        "reflected": "boolean",
+        "column": "natural",
+        "scale": "rational",
+        "annihilator": "rational[]",
+        "sign": "sign",
+    },
+    "tie": {"vertex": "vertex", "letter": "natural", "weights": "share[]"},
+    "share": {"vertex": "vertex", "weight": "rational"},
+}
+_LENGTHS = {"vertices[]": MAX_VERTICES, "tie[]": MAX_VERTICES, "flat[]": MAX_VERTICES * MAX_ORDER}
+"""Of lists that may have more members than others."""
 _RATIONAL = re.compile(r"-?([0-9]+)(?:/([0-9]+))?")
-
-Fields = Mapping[str, str]
-"""The keys of an object, all of them obligatory, and the kind of each value."""
+_DIGITS = re.compile(r"0|-?[1-9][0-9]*")
 
 
 class Rejected(Exception):  # noqa: N818 (an answer, not an error)
@@ -75,11 +110,18 @@ def read(kind: str, value: object, what: str) -> Any:
         return reader(value, what)
     if kind in _RANGES:
         return _integer(*_RANGES[kind], value, what)
-    if type(value) is not list:
-        raise Rejected(f"{what} is not a list")
-    require(len(value) <= MAX_LENGTH, f"{what} is too long")
+    if kind in _OBJECTS:
+        return read_object(value, _OBJECTS[kind], what)
+    value = _list(value, _LENGTHS.get(kind, MAX_LENGTH), what)
     member, what = kind.removesuffix("[]"), f"a member of {what}"
     return tuple(read(member, x, what) for x in value)
+
+
+def _list(value: object, most: int, what: str) -> list[Any]:
+    if type(value) is not list:
+        raise Rejected(f"{what} is not a list")
+    require(len(value) <= most, f"{what} is too long")
+    return value
 
 
 def _integer(least: int, greatest: int, value: object, what: str) -> int:
@@ -101,16 +143,65 @@ def _fraction(value: object, what: str) -> Fraction:
 
 def _polynomial(value: object, what: str) -> Polynomial:
     fields = read_object(value, {"start": "integer", "coefficients": "any"}, what)
-    coefficients = fields["coefficients"]
-    if type(coefficients) is not list:
-        raise Rejected(f"the coefficients of {what} are not a list")
-    require(len(coefficients) <= MAX_LENGTH, f"{what} is too long")
+    coefficients = _list(fields["coefficients"], MAX_LENGTH, f"the coefficients of {what}")
     coefficient = f"a coefficient of {what}"
     pairs = [_rational(c, coefficient) for c in coefficients]
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
         raise Rejected(f"the common denominator of {what} is too large")
     return f
+
+
+def _family(value: object, what: str) -> Family:
+    """Square matrices of one order, rows of rationals, over one common denominator."""
+    matrices = _list(value, MAX_ORDER, what)
+    require(len(matrices) > 0, f"{what} is empty")
+    order = len(_list(matrices[0], MAX_ORDER, f"a matrix of {what}"))
+    require(order > 0, f"a matrix of {what} is empty")
+    pairs, common = [], 1
+    for matrix in matrices:
+        require(len(_list(matrix, MAX_ORDER, f"a matrix of {what}")) == order, f"{what} has matrices of two orders")
+        for row in matrix:
+            require(len(_list(row, MAX_ORDER, f"a row of {what}")) == order, f"{what} has a row of another length")
+            pairs.append([_rational(x, f"an entry of {what}") for x in row])
+            for _, q in pairs[-1]:
+                common = lcm(common, q)
+                require(common.bit_length() <= MAX_DIGITS * 10 // 3, f"the common denominator of {what} is too large")
+    rows = [[p * (common // q) for p, q in row] for row in pairs]
+    return family([rows[i : i + order] for i in range(0, len(rows), order)], common)
+
+
+def _matrix(value: object, what: str) -> Family:
+    return _family([value], what)
+
+
+def _root(value: object, what: str) -> tuple[int, ...]:
+    """The coefficients of an integer polynomial, the constant one first."""
+    members = _list(value, MAX_DEGREE + 1, what)
+    return tuple(_digits(c, MAX_DIGITS, f"a member of {what}") for c in members)
+
+
+def _coordinates(value: object, what: str) -> list[int]:
+    members = _list(value, MAX_ORDER, what)
+    return [_digits(x, MAX_COORDINATE, f"a coordinate of {what}") for x in members]
+
+
+def _digits(value: object, most: int, what: str) -> int:
+    """`"n"`, an integer without leading zeros."""
+    if type(value) is not str:
+        raise Rejected(f"{what} is not a string of digits")
+    require(len(value) <= most + 1, f"{what} has too many digits")
+    digits = value.lstrip("-")
+    require(len(digits) <= most and _DIGITS.fullmatch(value) is not None, f"{what} is not an integer: {shown(value)}")
+    return -_decimal(digits) if value[0] == "-" else _decimal(digits)
+
+
+def _flat(value: object, what: str) -> list[int]:
+    """Integers in a row whose meaning their rule knows."""
+    members: list[int] = _list(value, 2 * MAX_VERTICES, what)
+    require(set(map(type, members)) <= {int}, f"a member of {what} is not an integer")
+    require(not members or -MAX_ENTRY <= min(members) <= max(members) <= MAX_ENTRY, f"a member of {what} is too large")
+    return members
 
 
 def _rational(value: object, what: str) -> tuple[int, int]:
@@ -143,6 +234,11 @@ _READERS: Mapping[str, Callable[[object, str], Any]] = {
     "boolean": _boolean,
     "rational": _fraction,
     "polynomial": _polynomial,
+    "family": _family,
+    "matrix": _matrix,
+    "root": _root,
+    "vertices": _coordinates,
+    "flat": _flat,
 }
 
 
@@ -153,7 +249,7 @@ def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
 
 
 def _small(digits: str) -> int:
-    require(len(digits) <= 12 and digits != "-0", "an integer is too long")
+    require(len(digits.lstrip("-")) <= 12 and digits != "-0", "an integer is too long")
     return int(digits)
 
 

@@ -1,11 +1,41 @@
-"""The closed lists for scalar masks: properties with the fields of their statements, rules with their witnesses."""
+"""The closed lists of each kind: properties with the fields of their statements, rules with their witnesses."""
 
 from __future__ import annotations
 
-from subdiv_cli.checker import bounds, conclusions, scalar, sobolev, values
-from subdiv_cli.checker.core import Kind, Rule
-from subdiv_cli.checker.words import in_words
+from typing import Any
 
+from subdiv_cli.checker import bounds, closing, conclusions, exponents, polytopes, radius, scalar, sobolev, values
+from subdiv_cli.checker.core import Kind, Rule, Subject
+from subdiv_cli.checker.reading import read, require
+from subdiv_cli.checker.words import in_words, of_matrices
+
+MAX_ARITY = 64
+
+_NONE: tuple[dict[str, str], ...] = ({},)
+_FAMILY = {"family": "natural"}
+_ROOT = {"length": "length", "polynomial": "root", "low": "rational", "high": "rational"}
+_HULL = {"symmetry": "sign", "bits": "bits", "basis": "vertex[]", "weight_bits": "weight_bits", "images": "flat[]"}
+RADIUS_PROPERTIES = {
+    "blocks": {**_FAMILY, "parts": "natural[]"},
+    "radius-lower": {**_FAMILY, "length": "length", "bound": "rational"},
+    "radius-upper": {**_FAMILY, "length": "length", "bound": "rational"},
+    "radius": {**_FAMILY, **_ROOT},
+    "bounded": {**_FAMILY, **_ROOT},
+    "defective": {**_FAMILY, "length": "length", "value": "rational"},
+}
+_CLOSING = {**_HULL, "leaders": "leader[]", "extras": "flat[]", "tree": "flat", "ties": "tie[]"}
+_CHAIN = {"word": "natural[]", "sign": "sign", "vector": "rational[]"}
+RADIUS_RULES = {
+    "blocks": Rule(("blocks",), {}, ({"basis": "matrix", "sizes": "natural[]"},), radius.blocks),
+    "word": Rule(("radius-lower",), {}, ({"word": "natural[]"},), radius.word),
+    "zero": Rule(("radius-upper",), {}, _NONE, radius.zero),
+    "polytope": Rule(("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.polytope),
+    "closing": Rule(("radius", "bounded"), {}, (_CLOSING,), closing.closing),
+    "radius-of-blocks": Rule(("radius",), {}, _NONE, radius.radius_of_blocks),
+    "upper-of-blocks": Rule(("radius-upper",), {}, _NONE, radius.upper_of_blocks),
+    "lower-of-blocks": Rule(("radius-lower",), {}, _NONE, radius.lower_of_blocks),
+    "defective": Rule(("defective",), {}, (_CHAIN,), radius.defective),
+}
 _MASK = {"mask": "natural"}
 PROPERTIES = {
     "residue-sums": {**_MASK, "sums": "rational[]"},
@@ -31,36 +61,64 @@ PROPERTIES = {
     "error-bound": {"nu": "natural", "level": "natural", "norm": "rational", "constant": "rational"},
     "levels": {"tolerance": "rational", "levels": "natural"},
     "hermite-bound": {"order": "natural", "constant": "rational"},
+    "holder-root": _ROOT,
+    "attained": {"holds": "boolean"},
+    "family": {**_FAMILY, **_MASK, "nu": "natural"},
+    **RADIUS_PROPERTIES,
 }
-_NONE: tuple[dict[str, str], ...] = ({},)
 _BEZOUT = {"cofactors": "polynomial[]"}
+_SQUARES = {"squares": "polynomial", "rest": "polynomial", "power": "natural"}
 _ZEROS = ({"factor": "polynomial"}, {"cycle": "natural"})
 RULES = {
-    "residue-sums": Rule("residue-sums", {}, _NONE, scalar.residue_sums),
-    "sum-rules": Rule("sum-rules", {}, ({"quotient": "polynomial"},), scalar.sum_rules),
-    "derived": Rule("derived", {}, _NONE, scalar.derived),
-    "generation": Rule("generation", {}, _NONE, scalar.generation),
-    "reproduction": Rule("reproduction", {}, _NONE, scalar.reproduction),
-    "norm": Rule("norm", {}, _NONE, scalar.norm),
-    "product": Rule("product", {}, _NONE, scalar.product),
-    "eigen-condition": Rule("eigen-condition", {}, _NONE, scalar.eigen_condition),
-    "independent": Rule("independent", {"holds": True}, (_BEZOUT,), scalar.independent),
-    "dependent": Rule("independent", {"holds": False}, _ZEROS, scalar.dependent),
-    "stable": Rule("stable", {"holds": True}, ({}, {"gcd": "polynomial", **_BEZOUT}), scalar.stable),
-    "unstable": Rule("stable", {"holds": False}, _ZEROS, scalar.unstable),
-    "reduction": Rule("reduction", {}, ({"factor": "polynomial", "mask": "polynomial"},), scalar.reduction),
-    "converges": Rule("convergent", {"holds": True}, _NONE, conclusions.converges),
-    "diverges": Rule("convergent", {"holds": False}, _NONE, conclusions.diverges),
-    "smooth": Rule("smooth", {}, _NONE, conclusions.smooth),
-    "not-smooth": Rule("not-smooth", {}, _NONE, conclusions.not_smooth),
-    "holder-lower": Rule("holder-lower", {}, _NONE, conclusions.holder_lower),
-    "holder-upper": Rule("holder-upper", {}, _NONE, conclusions.holder_upper),
-    "holder-exact": Rule("holder", {}, _NONE, conclusions.holder_exact),
-    "sobolev": Rule("sobolev", {}, ({"cofactor": "polynomial"},), sobolev.sobolev),
-    "values": Rule("values", {}, ({}, {"values": "polynomial"}), values.values),
-    "quasi-interpolation": Rule("quasi-interpolation", {}, _NONE, values.quasi_interpolation),
-    "error-bound": Rule("error-bound", {}, _NONE, bounds.error_bound),
-    "levels": Rule("levels", {}, _NONE, bounds.levels),
-    "hermite-bound": Rule("hermite-bound", {}, _NONE, bounds.hermite_bound),
+    "residue-sums": Rule(("residue-sums",), {}, _NONE, scalar.residue_sums),
+    "sum-rules": Rule(("sum-rules",), {}, ({"quotient": "polynomial"},), scalar.sum_rules),
+    "derived": Rule(("derived",), {}, _NONE, scalar.derived),
+    "generation": Rule(("generation",), {}, _NONE, scalar.generation),
+    "reproduction": Rule(("reproduction",), {}, _NONE, scalar.reproduction),
+    "norm": Rule(("norm",), {}, _NONE, scalar.norm),
+    "product": Rule(("product",), {}, _NONE, scalar.product),
+    "eigen-condition": Rule(("eigen-condition",), {}, _NONE, scalar.eigen_condition),
+    "independent": Rule(("independent",), {"holds": True}, (_BEZOUT,), scalar.independent),
+    "dependent": Rule(("independent",), {"holds": False}, _ZEROS, scalar.dependent),
+    "stable": Rule(("stable",), {"holds": True}, ({}, {"gcd": "polynomial", **_BEZOUT}), scalar.stable),
+    "unstable": Rule(("stable",), {"holds": False}, _ZEROS, scalar.unstable),
+    "reduction": Rule(("reduction",), {}, ({"factor": "polynomial", "mask": "polynomial"},), scalar.reduction),
+    "converges": Rule(("convergent",), {"holds": True}, _NONE, conclusions.converges),
+    "diverges": Rule(("convergent",), {"holds": False}, _NONE, conclusions.diverges),
+    "smooth": Rule(("smooth",), {}, _NONE, conclusions.smooth),
+    "not-smooth": Rule(("not-smooth",), {}, _NONE, conclusions.not_smooth),
+    "holder-lower": Rule(("holder-lower",), {}, _NONE, conclusions.holder_lower),
+    "holder-upper": Rule(("holder-upper",), {}, _NONE, conclusions.holder_upper),
+    "holder-exact": Rule(("holder",), {}, _NONE, conclusions.holder_exact),
+    "holder-root": Rule(("holder-root",), {}, _NONE, exponents.holder_root),
+    "attained-bounded": Rule(("attained",), {"holds": True}, _NONE, exponents.attained_bounded),
+    "attained-norm": Rule(("attained",), {"holds": True}, _NONE, exponents.attained_norm),
+    "not-attained": Rule(("attained",), {"holds": False}, _NONE, exponents.not_attained),
+    "transition": Rule(("family",), {}, _NONE, radius.transition),
+    "positive-symbol": Rule(("radius", "bounded"), {}, (_SQUARES,), radius.positive_symbol),
+    "sobolev": Rule(("sobolev",), {}, ({"cofactor": "polynomial"},), sobolev.sobolev),
+    "values": Rule(("values",), {}, ({}, {"values": "polynomial"}), values.values),
+    "quasi-interpolation": Rule(("quasi-interpolation",), {}, _NONE, values.quasi_interpolation),
+    "error-bound": Rule(("error-bound",), {}, _NONE, bounds.error_bound),
+    "levels": Rule(("levels",), {}, _NONE, bounds.levels),
+    "hermite-bound": Rule(("hermite-bound",), {}, _NONE, bounds.hermite_bound),
+    **RADIUS_RULES,
 }
-SCALAR = Kind(PROPERTIES, RULES, in_words)
+
+
+def scalar_mask(parts: dict[str, Any]) -> Subject:
+    require(2 <= parts["arity"] <= MAX_ARITY, f"the arity is not one of 2, …, {MAX_ARITY}")
+    symbol = read("polynomial", {key: parts[key] for key in ("start", "coefficients")}, "the mask")
+    require(bool(symbol.numerators), "the mask is zero")
+    return Subject(parts["arity"], mask=symbol)
+
+
+_SCALAR_MASK = {"arity": "natural", "start": "any", "coefficients": "any"}
+SCALAR = Kind(_SCALAR_MASK, scalar_mask, PROPERTIES, RULES, in_words)
+MATRICES = Kind(
+    {"matrices": "family"},
+    lambda parts: Subject(len(parts["matrices"].matrices), family=parts["matrices"]),
+    RADIUS_PROPERTIES,
+    RADIUS_RULES,
+    of_matrices,
+)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from math import factorial
 
-from subdiv_cli.checker.conclusions import contracts
+from subdiv_cli.checker.conclusions import contraction
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.polynomials import Polynomial, components, multiply, times
 from subdiv_cli.checker.reading import require
@@ -25,10 +25,9 @@ def values(c: Claim) -> None:
     j, p = c.statement["order"], c.p
     h: Polynomial = c.statement["values"]
     own: Polynomial = c.witness.get("values", h)
-    norm = c.use("norm").statement
-    contracts(c, norm, j + 1)
-    factors = c.use_reductions(norm["mask"])
-    a = c.masks[norm["mask"]]
+    mask = contraction(c, j)
+    factors = c.use_reductions(mask)
+    a = c.masks[mask]
     require(j <= MAX_ORDER, "the order is too large")
     require(0 < own.length <= a.length, "there are too many values, or none")
     index = max(abs(own.start), abs(own.start + own.length)).bit_length()

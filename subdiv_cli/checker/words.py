@@ -10,7 +10,7 @@ from typing import Any
 def in_words(statement: Mapping[str, Any], p: int) -> str:
     s = {key: _shown(value) for key, value in statement.items()}
     holds = "" if statement.get("holds", True) else "not "
-    phrase = {
+    phrases = {
         "residue-sums": "residue sums {sums}",
         "sum-rules": "sum rules of order {order}",
         "derived": "S_{nu} exists",
@@ -34,7 +34,13 @@ def in_words(statement: Mapping[str, Any], p: int) -> str:
         "error-bound": "‖S_{nu}^∞ g - S_{nu}^k g‖ <= {constant} · ({norm})^⌊k/{level}⌋ ‖Δg‖",
         "levels": "‖S^∞ f - S^k f‖ <= {tolerance} ‖Δf‖ at level k = {levels}",
         "hermite-bound": "‖S^∞ f - Q^k‖ <= {constant} · {p}^(-{order}k) ‖Δ^{order} f‖",
-    }[statement["property"]]
+        "holder-root": "α = {exponent}",
+        "attained": "the Hölder exponent is {holds}attained",
+        "family": "family {family} belongs to S_(Δ^{nu})",
+    }
+    if statement["property"] not in phrases:
+        return _on_radii(statement, f"family {statement['family']}")
+    phrase = phrases[statement["property"]]
     phrase += " (mask {mask})" if statement.get("mask") else ""
     converges = "diverges" if holds else "converges"
     s |= {"p": str(p), "holds": holds, "converges": converges, "exponent": _exponent(statement, p)}
@@ -42,9 +48,47 @@ def in_words(statement: Mapping[str, Any], p: int) -> str:
     return phrase.format(**s)
 
 
+def of_matrices(statement: Mapping[str, Any], p: int) -> str:
+    """The family of the document needs no name."""
+    return _on_radii(statement, f"family {statement['family']}" if statement["family"] else "")
+
+
+def _on_radii(statement: Mapping[str, Any], name: str) -> str:
+    s = {key: _shown(value) for key, value in statement.items()}
+    power = f"^{s['length']}" if statement.get("length", 1) > 1 else ""
+    s["jsr"] = f"JSR{'(' if name else ''}{name}{')' if name else ''}{power}"
+    s["root"] = _root(statement) if "polynomial" in statement else ""
+    return {
+        "blocks": "{of}block triangular: families {parts}",
+        "radius-lower": "{jsr} >= {bound}",
+        "radius-upper": "{jsr} <= {bound}",
+        "radius": "{jsr} = {root}",
+        "bounded": "{jsr} = {root}, and products are bounded by its powers",
+        "defective": "{of}products grow like L·{value}^(L/{length})",
+    }[statement["property"]].format(**s, of=f"{name}: " if name else "")
+
+
+def _root(s: Mapping[str, Any]) -> str:
+    """The root of a polynomial, or the number where the polynomial is of degree 1."""
+    m = s["polynomial"]
+    if len(m) == 2 and m[1]:
+        return _shown(Fraction(-m[0], m[1]))
+    if max(map(abs, m), default=0) >= 10**12 or len(m) > 8:
+        return f"a root of degree {len(m) - 1} in [{_shown(s['low'])}, {_shown(s['high'])}]"
+    terms = [(c, f"x^{k}" if k > 1 else "x" * k) for k, c in enumerate(m) if c][::-1]
+    text = " ".join(f"{'-' if c < 0 else '+'} {'' if abs(c) == 1 and x else abs(c)}{x}" for c, x in terms)
+    text = text.removeprefix("+ ").replace("- ", "-", 1) if text.startswith("-") else text.removeprefix("+ ")
+    return f"the root of {text} in [{_shown(s['low'])}, {_shown(s['high'])}]"
+
+
 def _exponent(s: Mapping[str, Any], p: int) -> str:
     """-log_p(x)/L as a rational where x is a small power of p."""
     x, length = s.get("norm", s.get("radius")), s.get("level", s.get("length"))
+    if s["property"] == "holder-root":
+        m = s["polynomial"]
+        if len(m) != 2 or not m[1]:
+            return f"-log_{p}({_root(s)})" + (f"/{length}" if length > 1 else "")
+        x = Fraction(-m[0], m[1])
     if not isinstance(x, Fraction) or x <= 0 or not length:
         return ""
     power, rest = 0, x if x > 1 else 1 / x
@@ -61,7 +105,7 @@ def _sobolev(s: Mapping[str, Any], p: int) -> str:
     if s["property"] != "sobolev":
         return ""
     if s["low"] == s["high"]:
-        return _exponent({"radius": s["low"], "length": 2}, p)
+        return _exponent({"property": "holder-upper", "radius": s["low"], "length": 2}, p)
     zero = "the zero of a polynomial"
     if max(s["low"].denominator, s["high"].numerator).bit_length() > 1000:
         return f"-log_{p}(λ)/2, λ {zero}"

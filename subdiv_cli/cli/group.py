@@ -21,6 +21,7 @@ COMMANDS = {
     "check": ("subdiv_cli.cli.check", "Check masks: convergence, smoothness, expectations."),
     "show": ("subdiv_cli.cli.show", "Take a mask apart: symbol, matrices, stencils, Q, error bounds."),
     "plot": ("subdiv_cli.cli.plot", "Draw the refinable function, its derivatives, and curves."),
+    "jsr": ("subdiv_cli.cli.jsr", "Joint spectral radius of matrices, with proof."),
     "verify": ("subdiv_cli.cli.verify", "Check certificates independently."),
     "explain": ("subdiv_cli.cli.explain", "Explain a finding code: what it means, why, its source."),
 }

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from flint import acb, arb, fmpq, fmpq_poly, fmpz_poly
+from flint import acb, arb, ctx, fmpq, fmpq_poly, fmpz_poly
 
 from subdiv_cli.exact.enclosures import ball, bounds, decide
 from subdiv_cli.exact.rationals import to_fraction
+from subdiv_cli.model import Root
 
 
 class AlgebraicNumber(NamedTuple):
@@ -76,6 +78,102 @@ class AlgebraicNumber(NamedTuple):
     def box(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
         """Rational bounds of the isolating region: real part from, to; imaginary part from, to."""
         return (*bounds(self.region.real), *bounds(self.region.imag))
+
+
+def negated(x: AlgebraicNumber) -> AlgebraicNumber:
+    """-x."""
+    f = fmpz_poly([c if i % 2 == 0 else -c for i, c in enumerate(x.minimal_polynomial)])
+    return AlgebraicNumber(f if f[f.degree()] > 0 else -f, -x.region)
+
+
+MOST_CONJUGATES = 12
+"""`squared_modulus` works with polynomials of half the square of this degree."""
+
+
+def squared_modulus(x: AlgebraicNumber) -> AlgebraicNumber | None:
+    """|x|² of a number that is not real: its minimal polynomial divides that of the products of two conjugates.
+
+    None where x has more than MOST_CONJUGATES conjugates.
+    """
+    f = x.minimal_polynomial
+    if f.degree() > MOST_CONJUGATES:
+        return None
+    factors = [g for g, _ in _products_of_pairs(fmpq_poly(f)).numer().factor()[1]]
+
+    def ask() -> AlgebraicNumber | None:
+        square = x.modulus() ** 2
+        found = [(g, z) for g in factors for z in isolated_roots(g) if z.overlaps(acb(square))]
+        return AlgebraicNumber(*found[0]) if len(found) == 1 else None
+
+    return decide(ask)
+
+
+def _products_of_pairs(f: fmpq_poly) -> fmpq_poly:
+    """The polynomial of all products x_i x_j, i < j, of the roots of f, by Newton's identities: with the power sums
+
+    p_k of the x_i, those of the products are (p_k² - p_(2k)) / 2.
+    """
+    n = f.degree()
+    count = n * (n - 1) // 2
+    lead = f[n]
+    e = [fmpq(1)] + [(-1) ** i * f[n - i] / lead for i in range(1, n + 1)]
+    sums = _power_sums(e, 2 * count)
+    pairs = [(sums[k] ** 2 - sums[2 * k]) / 2 if k else fmpq(count) for k in range(count + 1)]
+    elementary = [fmpq(1)]
+    for k in range(1, count + 1):
+        total = sum(((-1) ** (i - 1) * elementary[k - i] * pairs[i] for i in range(1, k + 1)), fmpq(0))
+        elementary.append(total / k)
+    return fmpq_poly([(-1) ** (count - i) * elementary[count - i] for i in range(count + 1)])
+
+
+def _power_sums(e: Sequence[fmpq], count: int) -> list[fmpq]:
+    """p_0, …, p_count of the roots with the elementary symmetric functions e_0, …, e_n."""
+    n = len(e) - 1
+    sums = [fmpq(n)]
+    for k in range(1, count + 1):
+        total = sum(((-1) ** (i - 1) * e[i] * sums[k - i] for i in range(1, min(k - 1, n) + 1)), fmpq(0))
+        sums.append(total + ((-1) ** (k - 1) * k * e[k] if k <= n else 0))
+    return sums
+
+
+def isolating_interval(x: AlgebraicNumber, digits: int) -> tuple[Fraction, Fraction]:
+    """Decimals of so many significant digits, or more, around a real irrational x that isolate it among the real roots
+
+    of its minimal polynomial. Both bounds have the sign of x.
+    """
+
+    def ask() -> tuple[Fraction, Fraction] | None:
+        real = [z.real for z in isolated_roots(x.minimal_polynomial) if z.imag.is_zero()]
+        mine = [z for z in real if z.overlaps(x.region.real)]
+        if len(mine) != 1:
+            return None
+        low, high = bounds(mine[0])
+        places = digits - math.floor(float(abs(mine[0]).log().mid()) / math.log(10))
+        unit = Fraction(10) ** -places
+        low, high = low // unit * unit, -(-high // unit) * unit
+        others = (z for z in real if z is not mine[0])
+        narrow = high - low <= 3 * unit and low * high > 0
+        return (low, high) if narrow and all(z < ball(low) or z > ball(high) for z in others) else None
+
+    return decide(ask)
+
+
+_DIGITS = 30
+"""Of the interval of an irrational `Root`."""
+
+
+def isolated(x: AlgebraicNumber) -> Root:
+    """A real algebraic number as plain data."""
+    exact = x.rational
+    low, high = (exact, exact) if exact is not None else isolating_interval(x, _DIGITS)
+    return Root(tuple(int(c) for c in x.minimal_polynomial), low, high)
+
+
+def number_of(root: Root) -> AlgebraicNumber:
+    """The algebraic number that plain data describe; the polynomial must be irreducible."""
+    with ctx.workprec(256):
+        region = ball(root.low).union(ball(root.high))
+    return AlgebraicNumber(fmpz_poly(list(root.coefficients)), acb(region))
 
 
 def _separated(z: acb, r: Fraction) -> int | None:

@@ -13,7 +13,7 @@ from typing import TypeVar
 from flint import arb, ctx
 
 from subdiv_cli.exact.rationals import to_fmpq
-from subdiv_cli.model import ClosedForm, Interval
+from subdiv_cli.model import Interval
 
 Answer = TypeVar("Answer")
 
@@ -79,19 +79,3 @@ def interval(x: arb | Fraction, exact: str | None = None) -> Interval:
     doubles = lower_double(low), upper_double(high)
     lower, upper = (d if math.isfinite(d) else None for d in doubles)
     return Interval(lower=lower, upper=upper, exact=exact)
-
-
-def closed_ball(x: ClosedForm) -> arb:
-    """A ball around a closed form, at the current precision."""
-    if isinstance(x, Fraction):
-        return ball(x)
-    return ball(x.argument).log() / ball(x.base).log() / x.divisor
-
-
-def closed_interval(x: ClosedForm) -> Interval:
-    """Outward doubles around a closed form, and its text where that is not too long to read."""
-    if isinstance(x, Fraction):
-        return interval(x)
-    with ctx.workprec(128):
-        readable = max(x.argument.numerator.bit_length(), x.argument.denominator.bit_length()) <= 1024
-        return interval(closed_ball(x), str(x) if readable else None)

@@ -54,16 +54,14 @@ def rounded_down(x: float, digits: int = 6) -> str:
     """A decimal that is not above x, and above every integer that x is above."""
     below = Fraction(Fraction(x) * 10**digits // 1, 10**digits)
     return (
-        rounded_down(x, 2 * digits) if below.denominator == 1 and below < x and digits < 50 else _decimal(below, digits)
+        rounded_down(x, 2 * digits) if below.denominator == 1 and below < x and digits < 50 else decimal(below, digits)
     )
 
 
 def rounded_up(x: float, digits: int = 6) -> str:
     """A decimal that is not below x, and below every integer that x is below."""
     above = Fraction(-(-Fraction(x) * 10**digits // 1), 10**digits)
-    return (
-        rounded_up(x, 2 * digits) if above.denominator == 1 and above > x and digits < 50 else _decimal(above, digits)
-    )
+    return rounded_up(x, 2 * digits) if above.denominator == 1 and above > x and digits < 50 else decimal(above, digits)
 
 
 def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
@@ -120,11 +118,11 @@ def root(x: AlgebraicNumber) -> str:
         unit = Fraction(1, 10**places)
         left, right = (low // unit) * unit, -((-high) // unit) * unit
         if all(z < ball(left) or z > ball(right) for z in others):
-            return f"root({polynomial(x.minimal_polynomial)}, {_decimal(left, places)}, {_decimal(right, places)})"
+            return f"root({polynomial(x.minimal_polynomial)}, {decimal(left, places)}, {decimal(right, places)})"
         places *= 2
 
 
-def _decimal(x: Fraction, places: int) -> str:
+def decimal(x: Fraction, places: int) -> str:
     """A rational with a denominator dividing 10^places, written out."""
     digits = f"{abs(x.numerator * 10**places // x.denominator):0{places + 1}d}"
     return ("-" if x < 0 else "") + f"{digits[:-places]}.{digits[-places:]}"

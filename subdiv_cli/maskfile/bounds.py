@@ -15,6 +15,8 @@ MAX_EXPONENT = 1_000_000
 MAX_MASK_LENGTH = 2000
 """Coefficients of a mask, and terms of a Laurent polynomial on the way to it."""
 MAX_ARITY = 64
+MAX_MATRICES = 64
+MAX_MATRIX_ORDER = 64
 MAX_ORDER = 1000
 """An expected smoothness, generation or reproduction degree."""
 MAX_LOG_BASE = 1024

@@ -7,24 +7,24 @@ from fractions import Fraction
 from subdiv_cli.maskfile.bounds import MAX_LOG_BASE, MAX_LOG_BITS, MAX_LOG_DIVISOR
 from subdiv_cli.maskfile.grammar import Logarithm, Name, Node, Number, Product, Sum, parse
 from subdiv_cli.maskfile.problems import Fault
-from subdiv_cli.model import ClosedForm, Log, logarithm
+from subdiv_cli.model import Log, LogForm, logarithm
 
 _GRID = 16
 """Logarithms are enclosed to 1/16 of their divisor: enough for every comparison with a multiple of that."""
 
 
-def read_closed_form(text: str, at: int = 0) -> ClosedForm:
+def read_closed_form(text: str, at: int = 0) -> LogForm:
     """`2`, `1.99`, `log2(64/9)`, `log3(11)/2`, `2 - log2(3)`, exactly and in canonical form. Raises Fault."""
     return _value(parse(text, (), logarithms=True, at=at))
 
 
-def _value(node: Node) -> ClosedForm:
+def _value(node: Node) -> LogForm:
     if isinstance(node, Number):
         return _bounded(node.value, node.at)
     if isinstance(node, Logarithm):
         return _logarithm(node)
     if isinstance(node, Sum):
-        result: ClosedForm = Fraction(0)
+        result: LogForm = Fraction(0)
         for sign, term in node.terms:
             result = _plus(result, _times(_value(term), Fraction(sign), node.at), node.at)
         return result
@@ -37,8 +37,8 @@ def _value(node: Node) -> ClosedForm:
     return _power(base, node.exponent, node.at)
 
 
-def _product(node: Product) -> ClosedForm:
-    result: ClosedForm = Fraction(1)
+def _product(node: Product) -> LogForm:
+    result: LogForm = Fraction(1)
     for factor in node.factors:
         value = _value(factor.node)
         if factor.divides:
@@ -57,7 +57,7 @@ def _product(node: Product) -> ClosedForm:
     return result
 
 
-def _logarithm(node: Logarithm) -> ClosedForm:
+def _logarithm(node: Logarithm) -> LogForm:
     argument = _value(node.argument)
     if not 2 <= node.base <= MAX_LOG_BASE:
         raise Fault("SD012", f"the base of a logarithm must be 2 to {MAX_LOG_BASE}", "write log2(64/9)", node.at)
@@ -86,7 +86,7 @@ def _power(base: Fraction, exponent: int, at: int) -> Fraction:
     return _bounded(Fraction(base**exponent), at)
 
 
-def _times(x: ClosedForm, factor: Fraction, at: int) -> ClosedForm:
+def _times(x: LogForm, factor: Fraction, at: int) -> LogForm:
     if isinstance(x, Fraction):
         return _bounded(x * factor, at)
     divisor = x.divisor * factor.denominator
@@ -95,7 +95,7 @@ def _times(x: ClosedForm, factor: Fraction, at: int) -> ClosedForm:
     return logarithm(x.base, _power(x.argument, factor.numerator, at), divisor)
 
 
-def _plus(x: ClosedForm, y: ClosedForm, at: int) -> ClosedForm:
+def _plus(x: LogForm, y: LogForm, at: int) -> LogForm:
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return _bounded(x + y, at)
     if isinstance(x, Fraction):
@@ -111,7 +111,7 @@ def _plus(x: ClosedForm, y: ClosedForm, at: int) -> ClosedForm:
     return logarithm(x.base, argument, x.divisor * y.divisor)
 
 
-def certainly_less(x: ClosedForm, y: ClosedForm) -> bool:
+def certainly_less(x: LogForm, y: LogForm) -> bool:
     """Whether x < y, where that is seen exactly: both rational, one base, or apart on a grid; False is unknown."""
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return x < y
@@ -120,7 +120,7 @@ def certainly_less(x: ClosedForm, y: ClosedForm) -> bool:
     return _enclosure(x)[1] <= _enclosure(y)[0]
 
 
-def _enclosure(x: ClosedForm) -> tuple[Fraction, Fraction]:
+def _enclosure(x: LogForm) -> tuple[Fraction, Fraction]:
     """lower < x < upper for an irrational logarithm; x itself twice for a number."""
     if isinstance(x, Fraction):
         return x, x

@@ -70,7 +70,7 @@ class MaskFile:
         SD010 for sizes.
         """
         problems = Collector(self.source)
-        values = self._values(overrides or {}, problems, Work())
+        values = parameter_values(self.parameters, overrides or {}, problems, Work())
         problems.raise_any()
         return values
 
@@ -78,7 +78,7 @@ class MaskFile:
         """The scheme at the parameters' values. Raises MaskFileError as `values` does, SD009 for an all-zero mask."""
         problems = Collector(self.source)
         work = Work()
-        values = self._values(overrides or {}, problems, work)
+        values = parameter_values(self.parameters, overrides or {}, problems, work)
         problems.raise_any()
         coefficients = expand(self.body, values, problems, work)
         problems.raise_any()
@@ -86,25 +86,29 @@ class MaskFile:
         dense = tuple(coefficients.get(k, Fraction(0)) for k in range(start, max(coefficients) + 1))
         return ScalarScheme(arity=self.body.arity, start=start, coefficients=dense)
 
-    def _values(self, overrides: Mapping[str, Fraction], problems: Collector, work: Work) -> dict[str, Fraction]:
-        for name, value in overrides.items():
-            if name not in self.parameters:
-                problems.add(_no_parameter(name, self.parameters))
-            elif max(value.numerator.bit_length(), value.denominator.bit_length()) > MAX_BITS:
-                message = f"the value of {shown(name)} has more than {MAX_DIGITS} digits"
-                problems.add(Fault("SD010", message, "use a shorter number"))
-        values: dict[str, Fraction] = {}
-        for name, default in self.parameters.items():
-            if name in overrides:
-                values[name] = overrides[name]
-            elif default is None:
-                mend = f"give it one: -p {shown(name)}=1/16, or a default in [parameters]"
-                problems.add(Fault("SD011", f"the parameter {shown(name)} has no value", mend), ("parameters", name))
-            else:
-                number = _number(default, values, problems, work)
-                if number is not None:
-                    values[name] = number
-        return values
+
+def parameter_values(
+    parameters: Mapping[str, Expression | None], overrides: Mapping[str, Fraction], problems: Collector, work: Work
+) -> dict[str, Fraction]:
+    """Every parameter's value, in order of declaration. What is wrong is recorded: SD010, SD011."""
+    for name, value in overrides.items():
+        if name not in parameters:
+            problems.add(_no_parameter(name, parameters))
+        elif max(value.numerator.bit_length(), value.denominator.bit_length()) > MAX_BITS:
+            message = f"the value of {shown(name)} has more than {MAX_DIGITS} digits"
+            problems.add(Fault("SD010", message, "use a shorter number"))
+    values: dict[str, Fraction] = {}
+    for name, default in parameters.items():
+        if name in overrides:
+            values[name] = overrides[name]
+        elif default is None:
+            mend = f"give it one: -p {shown(name)}=1/16, or a default in [parameters]"
+            problems.add(Fault("SD011", f"the parameter {shown(name)} has no value", mend), ("parameters", name))
+        else:
+            number = number_of(default, values, problems, work)
+            if number is not None:
+                values[name] = number
+    return values
 
 
 def _no_parameter(name: str, parameters: Mapping[str, object]) -> Fault:
@@ -116,7 +120,9 @@ def _no_parameter(name: str, parameters: Mapping[str, object]) -> Fault:
     return Fault("SD011", message, "it has none: leave -p out, or declare it in [parameters]")
 
 
-def _number(expression: Expression, values: Mapping[str, Fraction], problems: Collector, work: Work) -> Fraction | None:
+def number_of(
+    expression: Expression, values: Mapping[str, Fraction], problems: Collector, work: Work
+) -> Fraction | None:
     """The value of an expression without z. None where that is a problem, which is recorded, or hangs on one."""
     if isinstance(expression.node, Number):
         return expression.node.value
@@ -147,7 +153,7 @@ def expand(
         coefficients = {}
         complete = True
         for k, entry in enumerate(body.entries, body.start):
-            value = _number(entry, values, problems, work)
+            value = number_of(entry, values, problems, work)
             complete &= value is not None
             if value:
                 coefficients[k] = value

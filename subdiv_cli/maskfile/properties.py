@@ -14,7 +14,7 @@ from subdiv_cli.maskfile.bounds import MAX_ORDER
 from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
 from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.values import Decimal, described
-from subdiv_cli.model import ClosedForm, Expectation, ExpectationKey
+from subdiv_cli.model import Expectation, ExpectationKey, LogForm
 
 KEYS: tuple[str, ...] = get_args(ExpectationKey)
 TRUTHS = ("convergent", "stable")
@@ -89,11 +89,11 @@ def _form(key: str) -> str:
     return f'write {key} = "2" for exactly, ">= 1.99" for at least, or "1.99 .. 2.01"'
 
 
-def _closed(value: int | ClosedForm) -> ClosedForm:
+def _closed(value: int | LogForm) -> LogForm:
     return Fraction(value) if isinstance(value, int) else value
 
 
-def _number(key: str, text: str, at: int) -> int | ClosedForm:
+def _number(key: str, text: str, at: int) -> int | LogForm:
     """An integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
     if not text.strip():
         raise Fault("SD012", f"a number is missing in the expected {key}", _form(key), at)

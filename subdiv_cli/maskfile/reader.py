@@ -27,6 +27,11 @@ BODIES = {"scalar": read_scalar}
 
 def read_path(path: str | Path) -> MaskFile:
     """Reads a mask file; "-" is standard input. Raises MaskFileError, also for what cannot be read (SD002)."""
+    return read_text(text_of(path), file=str(path))
+
+
+def text_of(path: str | Path) -> str:
+    """The text of a file; "-" is standard input. Raises MaskFileError: SD002 or SD010."""
     file = str(path)
     try:
         if file == "-":
@@ -41,10 +46,9 @@ def read_path(path: str | Path) -> MaskFile:
     if len(data) > MAX_FILE_BYTES:
         raise MaskFileError([_too_big(file)])
     try:
-        text = data.decode("utf-8-sig")
+        return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise MaskFileError([_not_utf8(file, data, error)]) from None
-    return read_text(text, file=file)
 
 
 def _too_big(file: str) -> Problem:
@@ -131,7 +135,10 @@ def _kind(document: Mapping[str, object], problems: Collector) -> str:
     elif kind in _PLANNED:
         message = f"masks of kind {kind} cannot be checked yet"
         where = "kind" if "kind" in document else kind
-        problems.add(Fault("SD013", message, "this version reads: " + ", ".join(BODIES)), (where,))
+        mend = "this version reads: " + ", ".join(BODIES)
+        if kind == "matrices":
+            mend += "; `subdiv jsr` computes the joint spectral radius of matrices"
+        problems.add(Fault("SD013", message, mend), (where,))
     else:
         mend = f"this version reads: {', '.join(BODIES)}; planned: {', '.join(_PLANNED)}"
         if guess := near(kind, BODIES):

@@ -9,11 +9,13 @@ from functools import cached_property
 from flint import fmpq_mat, fmpz_poly
 
 from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.jsr.products import Product
+from subdiv_cli.jsr.result import Radius
 from subdiv_cli.model import Effort
 from subdiv_cli.quantities.independence import bezout_cofactors, circle_factors, cycles, polyphase_gcd
 from subdiv_cli.quantities.norms import power_norms
 from subdiv_cli.quantities.polynomials import residue_sums, sum_rules
-from subdiv_cli.quantities.products import Product, best_product
+from subdiv_cli.quantities.radius import difference_radius
 from subdiv_cli.quantities.reduction import Step, reduction
 from subdiv_cli.quantities.spectra import Spectrum, spectrum
 from subdiv_cli.schemes.operators import difference_symbol, refinement_matrices, symbol, transition_matrices
@@ -84,37 +86,35 @@ class ScalarNumbers:
         return max(1, -(-self.scheme.degree // (self.p - 1)) - self.order)
 
     @cached_property
-    def best_product(self) -> Product | None:
-        """Among the products of the transition matrices of D = S_(Δ^k)."""
-        if not self.effort.allows(self.p * self.transition_order**2 * self.weight):
+    def radius(self) -> Radius | None:
+        """The joint spectral radius of D = S_(Δ^k), k >= 1; None where the effort does not suffice for any bound."""
+        if self.order < 1 or not self.effort.allows(self.p * self.transition_order**2 * self.weight):
             return None
-        return best_product(transition_matrices(self.difference(self.order), self.p), self.effort)
+        return difference_radius(self.difference(self.order), self.p, self.effort)
+
+    @cached_property
+    def product(self) -> Product | None:
+        """The product of transition matrices of D that bounds the radius from below; None where none is known."""
+        if self.radius is None or self.radius.word is None:
+            return None
+        return Product.of_word(transition_matrices(self.difference(self.order), self.p), self.radius.word)
 
     @cached_property
     def _norms(self) -> dict[int, tuple[Fraction, ...]]:
         return {}
 
     def norms(self, nu: int) -> tuple[Fraction, ...]:
-        """‖((1/p) S_ν)^L‖∞ for L = 1, 2, …, to the first below 1 or to the end of the effort.
-
-        For ν = k on to the end of the effort, or to the level that closes the Hölder exponent.
-        """
+        """‖((1/p) S_ν)^L‖∞ for L = 1, 2, …, to the first below 1 or to the end of the effort."""
         if nu not in self._norms:
             self._norms[nu] = tuple(self._needed_norms(nu))
         return self._norms[nu]
 
     def _needed_norms(self, nu: int) -> Iterator[Fraction]:
         symbol = self.difference(nu).scale(self.p ** (nu - 1))
-        for level, norm in enumerate(power_norms(symbol, self.p, self.effort), 1):
+        for norm in power_norms(symbol, self.p, self.effort):
             yield norm
-            if self.closes(nu, level, norm) or (norm < 1 and nu < self.order):
+            if norm < 1:
                 return
-
-    def closes(self, nu: int, level: int, norm: Fraction) -> bool:
-        """Whether the norm of ((1/p) S_ν)^level, ν = k, is what the best product attains: α then is exact."""
-        if nu < self.order or self.best_product is None:
-            return False
-        return self.best_product.closes(norm / self.p ** ((nu - 1) * level), level)
 
     @cached_property
     def refinement_matrices(self) -> tuple[fmpq_mat, ...]:

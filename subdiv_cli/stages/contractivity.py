@@ -2,9 +2,8 @@
 
 Theorem (Dyn 1992, 3.2 and 3.4, for any arity p): with sum rules of order ν, ‖((1/p)S_ν)^L‖∞ < 1 for some L iff S_(ν-1)
 converges uniformly, and then φ and every limit function are C^(ν-1). Hypotheses a(1) = p and the sum rules: checked,
-they are what k says. Norms decide upward; where those of (1/p)S_ν stay above 1, the norms of D = S_(Δ^k), the last
-difference scheme, may decide: ‖D^L‖∞ < p^(-(ν-1)L) makes the joint spectral radius of (1/p)S_ν less than 1, because it
-is max(1/p, p^(ν-1) ρ) with ρ that of D.
+they are what k says. Norms decide upward; where those of (1/p)S_ν stay above 1, the joint spectral radius ρ of
+D = S_(Δ^k), the last difference scheme, decides (SD310): that of (1/p)S_ν is max(1/p, p^(ν-1) ρ).
 
 Refuted without norms: by the same formula a product Π of ℓ transition matrices of D with an eigenvalue
 |λ| >= p^(-(ν-1)ℓ) excludes every L.
@@ -12,20 +11,21 @@ Refuted without norms: by the same formula a product Π of ℓ transition matric
 No stability is needed for either: the finding speaks of S_ν. For an unstable mask the schemes S_ν are those of the
 reduced mask (SD403), and what they prove holds for φ.
 
-Witness, proved: `nu`; `level` and `norm`, that of ((1/p)S_μ)^level with μ = `norm_of`, below p^((μ-ν) level); where
-μ = ν the `norms` of levels 1 to `level`; `condition`, the inequality as text. Refuted: `nu` and the product (see
+Witness, proved: `nu`; `condition`, the inequality as text; `level`, `norm` and `norms`, those of ((1/p)S_ν)^L for L =
+1 to `level`, or `radius_of`, the name (S or S0) of the SD310 finding that decides. Refuted: `nu` and the product (see
 obstacles.py). Undecided: `nu` and the `norms` computed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 
 from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, number
+from subdiv_cli.exact.text import certain, number, rounded_up
+from subdiv_cli.jsr.result import Radius
 from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.scalar import ScalarNumbers
+from subdiv_cli.stages.joint_radius import enclosed, shown
 from subdiv_cli.stages.obstacles import product_obstacle, threshold
 from subdiv_cli.stages.stage import Facts, Rule, last_difference, power, scaled, series
 
@@ -43,22 +43,17 @@ def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
         text, witness = obstacle
         return RULE.refuted(f"{operator} does not contract: {text}", {"nu": nu, **witness})
     norms = numbers.norms(nu)
-    if (level := _first_below(norms, 1)) is not None:
-        return _by_own_norm(numbers, nu, norms[:level])
-    if (level := _first_below(numbers.norms(numbers.order), numbers.p ** (numbers.order - nu))) is not None:
-        return _by_last_difference(numbers, nu, level)
+    if norms and norms[-1] < 1:
+        return _by_norm(numbers, nu, norms)
+    if numbers.radius is not None and numbers.radius.is_below(Fraction(1, numbers.p ** (nu - 1))):
+        return _by_radius(numbers, nu)
     lowest = f"the lowest is {number(min(norms))}" if norms else "not one was computed"
     more = "the time budget ended" if numbers.effort.struck else "a higher effort computes more"
     reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); {more}"
     return RULE.undecided(f"does {operator} contract?", reason, {"nu": nu, "norms": norms})
 
 
-def _first_below(norms: Sequence[Fraction], bound: int) -> int | None:
-    """The first L with norm_L < bound^L."""
-    return next((level for level, norm in enumerate(norms, 1) if norm < bound**level), None)
-
-
-def _by_own_norm(numbers: ScalarNumbers, nu: int, norms: tuple[Fraction, ...]) -> Finding:
+def _by_norm(numbers: ScalarNumbers, nu: int, norms: tuple[Fraction, ...]) -> Finding:
     level, norm = len(norms), norms[-1]
     condition = f"{power(scaled(numbers, nu), level)} = {number(norm)} < 1"
     statement = f"{condition}, so φ is C^{nu - 1}"
@@ -67,7 +62,6 @@ def _by_own_norm(numbers: ScalarNumbers, nu: int, norms: tuple[Fraction, ...]) -
         statement += f" (norms from L = 1: {series(norms, number)}; rate {rate})"
     witness: dict[str, Data] = {
         "nu": nu,
-        "norm_of": nu,
         "level": level,
         "norm": norm,
         "norms": norms,
@@ -76,11 +70,14 @@ def _by_own_norm(numbers: ScalarNumbers, nu: int, norms: tuple[Fraction, ...]) -
     return RULE.proved(statement, witness, interval(norm))
 
 
-def _by_last_difference(numbers: ScalarNumbers, nu: int, level: int) -> Finding:
-    k, p = numbers.order, numbers.p
-    scaled_norm = numbers.norms(k)[level - 1]
-    norm = scaled_norm / p ** ((k - 1) * level)
-    condition = f"{power(last_difference(numbers), level)} = {number(norm)} < {threshold(p, (nu - 1) * level)}"
-    statement = f"{scaled(numbers, nu)} contracts, as {condition}, so φ is C^{nu - 1}"
-    witness: dict[str, Data] = {"nu": nu, "norm_of": k, "level": level, "norm": scaled_norm, "condition": condition}
-    return RULE.proved(statement, witness, interval(norm))
+def _by_radius(numbers: ScalarNumbers, nu: int) -> Finding:
+    radius, limit = numbers.radius, threshold(numbers.p, nu - 1)
+    assert radius is not None
+    name = f"ρ({last_difference(numbers)})"
+    condition = f"{name} = {shown(radius)} < {limit}" if radius.exact else f"{name} ≤ {_bound(radius)} < {limit}"
+    witness: dict[str, Data] = {"nu": nu, "radius_of": numbers.name, "condition": condition}
+    return RULE.proved(f"{scaled(numbers, nu)} contracts, as {condition}, so φ is C^{nu - 1}", witness)
+
+
+def _bound(radius: Radius) -> str:
+    return rounded_up(enclosed(radius).upper or 0.0, 12)

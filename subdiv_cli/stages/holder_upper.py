@@ -15,8 +15,9 @@ from fractions import Fraction
 
 from subdiv_cli.exact.enclosures import interval
 from subdiv_cli.exact.text import modulus, rounded_up
+from subdiv_cli.jsr.products import radius_bound
 from subdiv_cli.model import Data, Finding, Interval
-from subdiv_cli.quantities.products import exponent_bound, radius_bound
+from subdiv_cli.quantities.exponents import exponent_bound
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.obstacles import product_text, product_witness
 from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference
@@ -28,7 +29,7 @@ _QUESTION = "how regular is φ at most?"
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
-    k, product = numbers.order, numbers.best_product
+    k, product = numbers.order, numbers.product
     if k == 0:
         return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
     witness: dict[str, Data] = {"difference_order": k}

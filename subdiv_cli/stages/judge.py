@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from flint import ctx
 
-from subdiv_cli.exact.enclosures import closed_ball
+from subdiv_cli.exact.closed import closed_ball
 from subdiv_cli.model import ClosedForm, Expectation, Exponent, Log, Result, Verdict
 
 
@@ -80,7 +80,7 @@ def _ends(found: Exponent) -> tuple[ClosedForm | None, ClosedForm | None]:
 
 
 def _closed(x: bool | int | ClosedForm) -> ClosedForm:
-    return x if isinstance(x, Log) else Fraction(x)
+    return Fraction(x) if isinstance(x, int) else x
 
 
 def _compare(a: ClosedForm | None, b: ClosedForm) -> int | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.exact.text import modulus, number
+from subdiv_cli.jsr.products import Product
 from subdiv_cli.model import Data
-from subdiv_cli.quantities.products import Product
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.stages.stage import last_difference, product_name
 
@@ -25,7 +25,7 @@ def who_is_stable(numbers: ScalarNumbers) -> str:
 
 def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
     """A product of ℓ matrices of D = S_(Δ^k) with an eigenvalue |λ| >= p^(-mℓ), compared exactly: then α <= m."""
-    product, p = numbers.best_product, numbers.p
+    product, p = numbers.product, numbers.p
     bound = Fraction(1, p**m)
     if product is None or product.compare(bound) < 0:
         return None

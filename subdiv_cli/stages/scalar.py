@@ -11,6 +11,7 @@ from subdiv_cli.quantities.hints import hints as mask_hints
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages import (
+    attained,
     contractivity,
     convergence,
     derived,
@@ -19,6 +20,7 @@ from subdiv_cli.stages import (
     holder_lower,
     holder_upper,
     independence,
+    joint_radius,
     next_smoothness,
     reduction,
     reproduction,
@@ -41,6 +43,7 @@ SCALAR: tuple[Stage, ...] = (
     stability.run,
     reduction.run,
     eigenvalues.run,
+    joint_radius.run,
     convergence.run,
     contractivity.run,
     smoothness.run,
@@ -48,6 +51,7 @@ SCALAR: tuple[Stage, ...] = (
     smoothness_spectrum.run,
     holder_lower.run,
     holder_upper.run,
+    attained.run,
     sobolev.run,
 )
 

@@ -15,8 +15,7 @@ mask is reduced to a stable one first (SD403), whose φ0 is as smooth as φ, loc
 Always s - 1/2 <= α <= s <= k, α the Hölder exponent.
 
 Witness: `difference_order`, k of the (reduced) mask; `polynomial`, that of λ, integers, lowest power first; `low` and
-`high`, which enclose λ and no other zero of it; `cofactor`, what is left of the characteristic polynomial; where λ is
-rational `radius`, λ.
+`high`, which enclose λ and no other zero of it; `cofactor`, what is left of the characteristic polynomial.
 """
 
 from __future__ import annotations
@@ -25,10 +24,11 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from subdiv_cli.exact.enclosures import ball, closed_interval, interval
+from subdiv_cli.exact.closed import exponent, is_readable
+from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.laurent import Laurent
-from subdiv_cli.exact.text import certain, number, root
-from subdiv_cli.model import Data, Finding, Interval, logarithm
+from subdiv_cli.exact.text import certain, number
+from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Root
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.sobolev import Growth, mean_square_growth, transfer_order
 from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference
@@ -36,8 +36,6 @@ from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference
 RULE = Rule("SD321", "sobolev-exponent", "Villemoes 1992; Jia 1999")
 
 _QUESTION = "how regular is φ in L2?"
-_READABLE = 512
-"""Bits of a polynomial that is printed."""
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -49,22 +47,20 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if not numbers.effort.allows(transfer_order(d.degree, p) ** 3 * numbers.weight**2 // 4):
         return (RULE.undecided(_QUESTION, "the transfer matrix is too large for this effort"),)
     growth = mean_square_growth(d, p)
-    exact = growth.radius.rational
-    value = _irrational(growth, p) if exact is None else closed_interval(logarithm(p, 1 / exact, 2))
+    root = Root(tuple(int(c) for c in growth.radius.minimal_polynomial), growth.low, growth.high)
+    exact = exponent(p, 2, root)
     witness: dict[str, Data] = {
         "difference_order": k,
-        "polynomial": tuple(int(c) for c in growth.radius.minimal_polynomial),
+        "polynomial": root.coefficients,
         "low": growth.low,
         "high": growth.high,
         "cofactor": _coefficients(growth),
     }
-    if exact is None:
-        shown, size = certain(lambda: _exponent(growth, p)), certain(lambda: _ball(growth))
-    else:
-        shown, size = value.exact or certain(lambda: _exponent(growth, p)), number(exact)
-        witness["radius"] = exact
+    rational = growth.radius.rational
+    shown = str(exact) if rational is not None and is_readable(exact) else certain(lambda: _exponent(growth, p))
+    size = certain(lambda: _ball(growth)) if rational is None else number(rational)
     statement = f"s = {shown}: the transfer matrix of {last_difference(numbers)} has the spectral radius {size}"
-    return (RULE.proved(statement, witness, value),)
+    return (RULE.proved(statement, witness, _value(growth, p, exact), exact),)
 
 
 def _coefficients(growth: Growth) -> tuple[Fraction, ...]:
@@ -82,9 +78,9 @@ def _exponent(growth: Growth, p: int) -> arb:
     return -_ball(growth).log() / ball(p).log() / 2
 
 
-def _irrational(growth: Growth, p: int) -> Interval:
-    """Outward doubles around -log_p(λ)/2, and its closed form where the polynomial is short enough to be read."""
-    f = growth.radius.minimal_polynomial
-    readable = f.height_bits() * f.degree() < _READABLE
+def _value(growth: Growth, p: int, exact: ClosedForm) -> Interval:
+    """Outward doubles around -log_p(λ)/2, from the enclosure of λ, and its closed form where that can be read."""
+    if isinstance(exact, Fraction):
+        return interval(exact)
     with ctx.workprec(128):
-        return interval(_exponent(growth, p), f"-log{p}({root(growth.radius)})/2" if readable else None)
+        return interval(_exponent(growth, p), str(exact) if is_readable(exact) else None)

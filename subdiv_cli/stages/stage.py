@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import NamedTuple
 
-from subdiv_cli.model import Data, Finding, Interval, Verdict
+from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Verdict
 from subdiv_cli.quantities.scalar import ScalarNumbers
 
 Facts = Mapping[str, tuple[Finding, ...]]
@@ -26,8 +27,16 @@ class Rule(NamedTuple):
     name: str
     source: str
 
-    def proved(self, statement: str, witness: Witness, value: Interval | None = None) -> Finding:
-        return self._finding(Verdict.PROVED, statement, witness=witness, value=value)
+    def proved(
+        self,
+        statement: str,
+        witness: Witness,
+        value: Interval | None = None,
+        closed: ClosedForm | None = None,
+        proof: Witness | None = None,
+    ) -> Finding:
+        finding = self._finding(Verdict.PROVED, statement, witness=witness, value=value)
+        return replace(finding, closed=closed, proof=proof or {}) if closed is not None or proof else finding
 
     def refuted(self, statement: str, witness: Witness) -> Finding:
         return self._finding(Verdict.REFUTED, statement, witness=witness)

@@ -8,7 +8,8 @@ from flint import arb, ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from subdiv_cli.exact.enclosures import bounds, closed_interval, decide, interval, lower_double, upper_double
+from subdiv_cli.exact.closed import closed_interval
+from subdiv_cli.exact.enclosures import bounds, decide, interval, lower_double, upper_double
 from subdiv_cli.model import Log, logarithm
 
 rationals = st.one_of(

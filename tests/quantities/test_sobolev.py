@@ -132,7 +132,7 @@ def test_closed_forms():
     quaternary = answer(MASKS["quaternary"])
     assert quaternary.sobolev.exact == Log(base=2, argument=Fraction(32768, 97), divisor=4)
     (found,) = findings(answer(four_point("1/16")), "SD321")
-    assert found.value.exact == "-log2(root(2048*x^2-40*x-1, 0.0339, 0.0340))/2"
+    assert found.value.exact == "-log2(root(2048*x^2-40*x-1, 0.0339244, 0.0339245))/2"
     assert "2.4407654450" in found.statement
 
 

@@ -15,9 +15,8 @@ from typing import NamedTuple
 from flint import ctx, fmpq_mat, fmpz_mat
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, meets_circle, roots
-from subdiv_cli.exact.enclosures import ball, bounds, closed_interval
-from subdiv_cli.exact.text import root
-from subdiv_cli.model import Effort, Interval, logarithm
+from subdiv_cli.exact.enclosures import ball, bounds
+from subdiv_cli.model import Effort
 
 _WORK_PER_WORD = 200
 """Beside the entries of its matrix, what a word costs: about what as many coefficients of a norm cost."""
@@ -32,6 +31,12 @@ class Product(NamedTuple):
     word: tuple[int, ...]
     matrix: fmpq_mat
     eigenvalue: AlgebraicNumber
+
+    @classmethod
+    def of_word(cls, matrices: Sequence[fmpq_mat], word: tuple[int, ...]) -> Product:
+        """The product of a word and its largest eigenvalue."""
+        matrix = reduce(lambda product, letter: matrices[letter] * product, word[1:], matrices[word[0]])
+        return cls(word, matrix, roots(matrix.charpoly())[0][0])
 
     def compare(self, r: Fraction) -> int:
         """The sign of |λ| - r^ℓ, exactly: >= 0 proves that the joint spectral radius is at least r. Needs r >= 0."""
@@ -63,25 +68,6 @@ def radius_bound(product: Product) -> Fraction:
     digits = 20 - math.floor(low.numerator.bit_length() * 0.30103 - low.denominator.bit_length() * 0.30103)
     unit = Fraction(10) ** -digits
     return low // unit * unit
-
-
-def exponent_bound(product: Product, p: int) -> Interval:
-    """-log_p(r) / ℓ with r of `radius_bound`: an upper bound of the Hölder exponent for a stable refinable function.
-
-    `exact` is -log_p(|λ|) / ℓ itself, where λ is real.
-    """
-    exact = logarithm(p, 1 / radius_bound(product), len(product.word))
-    if product.eigenvalue.rational is not None:
-        return closed_interval(exact)
-    return closed_interval(exact)._replace(exact=_closed_form(product.eigenvalue, p, len(product.word)))
-
-
-def _closed_form(eigenvalue: AlgebraicNumber, p: int, length: int) -> str | None:
-    """-log_p(|λ|)/ℓ as text for a real λ; for a complex one there is none in this grammar."""
-    if not eigenvalue.is_real:
-        return None
-    sign = "-" if eigenvalue.region.real < 0 else ""
-    return f"-log{p}({sign}{root(eigenvalue)})" + (f"/{length}" if length > 1 else "")
 
 
 def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> Product | None:

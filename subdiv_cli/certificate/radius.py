@@ -1,0 +1,153 @@
+"""Joint spectral radii as claims (RADIUS.md): of the last difference scheme of a mask, or of any family of matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, cast
+
+from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.witness import as_integer, as_rational, as_rationals, as_tuple
+from subdiv_cli.model import Data
+
+if TYPE_CHECKING:
+    from subdiv_cli.certificate.proof import Proof
+
+Map = Mapping[str, Data]
+
+
+def claims(proof: Proof, mask: int) -> list[int]:
+    """What a conclusion on this mask uses of the radius of its D: a norm, or the radius and what family it is of."""
+    data, order = of_mask(proof, mask), proof.orders[mask]
+    if data["rule"] == "norm":
+        level = as_integer(data["length"])
+        scaled = as_rational(data["bound"]) * proof.p ** ((order - 1) * level)
+        return [proof.norm(mask, order, level, scaled)]
+    return claims_of(proof, mask, order, data)
+
+
+def claims_of(proof: Proof, mask: int, nu: int, data: Map) -> list[int]:
+    """The radius of S_(Δ^ν) of a mask, by a proof that is no norm, and what family it is of."""
+    family = proof.family(mask, nu)
+    number = as_integer(proof.claims.statement(family)["family"])
+    size = max(1, -(-(proof.degrees[mask] - nu * (proof.p - 1)) // (proof.p - 1)))
+    uses = [family, proof.sum_rules(mask)] if data["rule"] == "positive-symbol" else []
+    return [Radii(proof.claims, proof.families, proof.p, uses).claim(data, number, size), family]
+
+
+def defective(proof: Proof, family: int, witness: Map) -> int:
+    """A product of a family with a Jordan block."""
+    word, vector = [as_integer(x) for x in as_tuple(witness["word"])], as_rationals(witness["vector"])
+    statement = {
+        "family": proof.claims.statement(family)["family"],
+        "length": len(word),
+        "value": rational(as_rational(witness["value"])),
+    }
+    hints = {"word": word, "sign": witness["sign"], "vector": [rational(y) for y in vector]}
+    order = len(vector)
+    return proof.add("defective", statement, hints, work=len(word) * order**3 + 2 * order**2)
+
+
+def of_mask(proof: Proof, mask: int) -> Map:
+    """The proof that finding SD310 has for this mask."""
+    return proof.radii["S" if mask == 0 else "S0"].proof
+
+
+class Radii:
+    """Claims on families: each introduces the families that it needs."""
+
+    def __init__(self, claims: Claims, families: list[None], letters: int, uses: list[int]) -> None:
+        self._claims, self._families, self._p, self._uses = claims, families, letters, uses
+
+    def claim(self, data: Map, family: int, order: int) -> int:
+        """The number of the claim on a family of matrices of this order that a proof is turned into."""
+        rule = str(data["rule"])
+        if rule == "blocks":
+            return self._of_blocks(data, family, order)
+        if rule == "zero":
+            return self._upper("zero", family, 1, Fraction(0), {}, order * order * self._p)
+        if rule == "polytope":
+            work = self._p * len(as_tuple(data["vertices"])) * order**2 + order**3
+            witness = {key: spelled(data[key]) for key in ("symmetry", "bits", "basis", "weight_bits", "images")}
+            witness["vertices"] = [[str(x) for x in as_tuple(v)] for v in as_tuple(data["vertices"])]
+            return self._upper(rule, family, 1, as_rational(data["bound"]), witness, work)
+        if rule == "positive-symbol":
+            witness = {"power": data["power"]}
+            witness |= {key: {"start": 0, "coefficients": spelled(data[key])} for key in ("squares", "rest")}
+            name = "bounded" if data["bounded"] else "radius"
+            return self._exact(rule, name, family, data, witness, _WORK_OF_SYMBOL * (order + 2) ** 4)
+        return self._closing(data, family, order)
+
+    def _closing(self, data: Map, family: int, order: int) -> int:
+        leaders, tree = as_tuple(data["leaders"]), as_tuple(data["tree"])
+        vertices, degree = len(leaders) + len(tree) // 2, len(as_tuple(_root(data)["polynomial"]))
+        length = len(as_tuple(cast(Map, leaders[0])["word"]))
+        each = order**4 + (length + degree) * order**3
+        work = self._p * vertices * order**2 + vertices * degree * order + order**4 + len(leaders) * each
+        work += len(as_tuple(data["ties"])) * degree**2 * order**2
+        keys = ("symmetry", "bits", "leaders", "extras", "tree", "basis", "weight_bits", "images", "ties")
+        witness = {key: spelled(data[key]) for key in keys}
+        rule = "closing" if "sign" in cast(Map, leaders[0]) else "complex-closing"
+        return self._exact(rule, "bounded", family, data, witness, _MARGIN * work)
+
+    def _of_blocks(self, data: Map, family: int, order: int) -> int:
+        sizes = [as_integer(size) for size in as_tuple(data["sizes"])]
+        parts = []
+        for _ in sizes:
+            parts.append(len(self._families))
+            self._families.append(None)
+        witness = {"basis": spelled(data["basis"]), "sizes": sizes}
+        statement = {"property": "blocks", "family": family, "parts": parts}
+        blocks = self._claims.add("blocks", statement, witness, [], (self._p + 1) * order**3)
+        each = zip(as_tuple(data["parts"]), parts, sizes, strict=True)
+        uses = [blocks, *(self.claim(cast(Map, part), number, size) for part, number, size in each)]
+        if "root" in data:
+            return self._exact("radius-of-blocks", "radius", family, data, {}, 1, uses)
+        bound = as_rational(data["bound"])
+        return self._upper("upper-of-blocks", family, as_integer(data["length"]), bound, {}, 1, uses)
+
+    def _exact(
+        self, rule: str, name: str, family: int, data: Map, witness: Json, work: int, uses: list[int] | None = None
+    ) -> int:
+        statement = {"property": name, "family": family, "length": data["length"], **root_fields(_root(data))}
+        return self._claims.add(rule, statement, witness, self._uses if uses is None else uses, work)
+
+    def _upper(
+        self,
+        rule: str,
+        family: int,
+        length: int,
+        bound: Fraction,
+        witness: Json,
+        work: int,
+        uses: list[int] | None = None,
+    ) -> int:
+        statement = {"property": "radius-upper", "family": family, "length": length, "bound": rational(bound)}
+        return self._claims.add(rule, statement, witness, uses or [], work)
+
+
+_WORK_OF_SYMBOL = 4
+_MARGIN = 2
+
+
+def _root(data: Map) -> Map:
+    return cast(Map, data["root"])
+
+
+def root_fields(root: Map) -> Json:
+    """A root as statements have it."""
+    polynomial = [rational(c) for c in as_rationals(root["polynomial"])]
+    return {
+        "polynomial": polynomial,
+        "low": rational(as_rational(root["low"])),
+        "high": rational(as_rational(root["high"])),
+    }
+
+
+def spelled(data: Data) -> object:
+    """Plain data as JSON: a Fraction as `p/q`, a tuple as a list; integers stay integers."""
+    if isinstance(data, Mapping):
+        return {key: spelled(value) for key, value in data.items()}
+    if isinstance(data, tuple):
+        return [spelled(value) for value in data]
+    return rational(data) if isinstance(data, Fraction) else data

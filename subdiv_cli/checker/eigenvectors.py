@@ -1,0 +1,104 @@
+"""Vectors with coordinates in Q[Λ], Λ the root of an integer polynomial m: exact, and enclosed in fixed point."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import gcd, lcm
+from operator import mul
+from typing import NamedTuple
+
+from subdiv_cli.checker.matrices import Matrix, apply
+from subdiv_cli.checker.polynomials import remainder
+from subdiv_cli.checker.roots import Enclosure
+
+
+class Vector(NamedTuple):
+    """Σ_k Λ^k powers[k] / denominator with integer vectors for 0 <= k < d, d the degree of m; denominator > 0."""
+
+    powers: list[list[int]]
+    denominator: int
+
+    @property
+    def bits(self) -> int:
+        return max(max(map(abs, v)) for v in self.powers).bit_length() + self.denominator.bit_length()
+
+    def image(self, matrix: Matrix, denominator: int) -> Vector:
+        return Vector([apply(matrix, v) for v in self.powers], self.denominator * denominator)
+
+    def reflected(self) -> Vector:
+        return Vector([v[::-1] for v in self.powers], self.denominator)
+
+
+def leading_eigenvector(
+    product: tuple[Matrix, int], g: Sequence[Fraction], sign: int, column: int, scale: Fraction, m: Sequence[int]
+) -> Vector | None:
+    """x = scale h(Π) e, h(z) = (g(z) - g(μ))/(z - μ), μ = sign Λ, g(μ) = 0: (Π - μ) x = scale g(Π) e. None if not zero.
+
+    Π = P/E. (g(z) - g(y))/(z - y) = Σ_k y^k w_k(z) with w_(n-1) = g_n, w_(k-1) = z w_k + g_k, and w_(-1) would be g.
+    Kept are the vectors c E^(n-1-k) w_k(Π) e, c the common denominator of g: integers.
+    """
+    p, e = product
+    n, c = len(g) - 1, lcm(*(x.denominator for x in g))
+    w, powers = [0] * len(p), []
+    for k, x in enumerate(reversed(g)):
+        w = apply(p, w)
+        w[column] += x.numerator * (c // x.denominator) * e**k
+        powers.append(w)
+    if any(powers.pop()):
+        return None
+    powers = [[(sign * e) ** k * scale.numerator * x for x in w] for k, w in enumerate(reversed(powers))]
+    return _reduced(powers, scale.denominator * c * e ** (n - 1), m)
+
+
+def _reduced(powers: list[list[int]], denominator: int, m: Sequence[int]) -> Vector:
+    """Modulo m: Λ^k = -(m_0 Λ^(k-d) + … + m_(d-1) Λ^(k-1)) / m_d."""
+    d, lead = len(m) - 1, m[-1]
+    while len(powers) > d:
+        top = powers.pop()
+        powers = [[lead * x for x in v] for v in powers]
+        for k, c in enumerate(m[:-1], len(powers) - d):
+            powers[k] = [x - c * y for x, y in zip(powers[k], top, strict=True)]
+        denominator *= lead
+    common = gcd(denominator, *(gcd(*v) for v in powers)) * (1 if denominator > 0 else -1)
+    return Vector([[x // common for x in v] for v in powers], denominator // common)
+
+
+def slope_bits(x: Vector, high: Fraction) -> int:
+    """Bits of Σ_k k |x_k| high^(k-1), an upper bound: so many more than a coordinate has Λ to be known to."""
+    per_power = max(0, high.numerator.bit_length() - high.denominator.bit_length() + 1)
+    largest = [max(map(abs, v)).bit_length() + k.bit_length() + k * per_power for k, v in enumerate(x.powers) if k]
+    return max(0, max(largest, default=0) + len(largest).bit_length() - x.denominator.bit_length() + 1)
+
+
+def enclosed(x: Vector, at: Enclosure, bits: int) -> tuple[list[int], int]:
+    """Integers v and ε with |2^bits x_i - v_i| <= ε for all i.
+
+    With Λ in [a, a + w]/q the value at a/q is exact, Σ_k x_k a^k q^(d-1-k) / (denominator q^(d-1)), and the true one
+    differs by at most w/q Σ_k k |x_k| ((a + w)/q)^(k-1) / denominator. One unit more for each rounding down.
+    """
+    a, w, q = at
+    d = len(x.powers)
+    values = [a**k * q ** (d - 1 - k) for k in range(d)]
+    slopes = [w * k * (a + w) ** max(0, k - 1) * q ** (d - 1 - k) for k in range(d)]
+    below = x.denominator * q ** (d - 1)
+    coordinates = list(zip(*x.powers, strict=True))
+    steepest = max(sum(map(mul, map(abs, c), slopes)) for c in coordinates)
+    return [(sum(map(mul, c, values)) << bits) // below for c in coordinates], (steepest << bits) // below + 2
+
+
+def vanishes(terms: Sequence[tuple[Fraction, int, Vector]], m: Sequence[int]) -> bool:
+    """Whether m divides every coordinate of Σ c z^e x(z), over terms (c, e, x), e >= 0: then it is zero at Λ."""
+    common = lcm(*(c.denominator * x.denominator for c, _, x in terms))
+    length = max(e for _, e, _ in terms) + len(m)
+    for i in range(len(terms[0][2].powers[0])):
+        total = [0] * length
+        for c, e, x in terms:
+            factor = c.numerator * (common // (c.denominator * x.denominator))
+            for k, v in enumerate(x.powers, e):
+                total[k] += factor * v[i]
+        while total and not total[-1]:
+            total.pop()
+        if total and remainder(total, m):
+            return False
+    return True

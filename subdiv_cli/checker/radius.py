@@ -1,0 +1,210 @@
+"""Rules on joint spectral radii besides those of polytopes: families, their blocks, products, positive symbols."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from subdiv_cli.checker import matrices
+from subdiv_cli.checker.core import Claim, Statement
+from subdiv_cli.checker.matrices import Family, Matrix
+from subdiv_cli.checker.polynomials import (
+    Polynomial,
+    count_zeros,
+    greatest_common_divisor,
+    multiply,
+    on_circle,
+    polynomial,
+    remainder,
+    times_sigma,
+    value,
+)
+from subdiv_cli.checker.reading import MAX_ORDER, Rejected, require
+from subdiv_cli.checker.roots import fraction_bits, isolated_root
+
+UPPER = ("radius-upper", "radius", "bounded")
+
+
+def transition(c: Claim) -> None:
+    """The new family is that of the transition matrices of S_(Δ^ν), symbol σ^(k-ν) q = a/σ^ν."""
+    nu, p = c.statement["nu"], c.p
+    c.mask()
+    used = c.use("sum-rules", mask=c.statement["mask"])
+    k, q = used.statement["order"], used.result
+    require(1 <= nu <= k, f"the sum rules are of order {k}")
+    if q is None:
+        raise Rejected("there is no quotient")
+    degree = q.length - 1 + (k - nu) * (p - 1)
+    order = max(1, -(-degree // (p - 1)))
+    require(order <= MAX_ORDER, f"the matrices are of order {order}")
+    c.count(p * order**2 + order * (k - nu + 1) * p, q.bits)
+    d = times_sigma(q, p, k - nu)
+    first = d.start + (p - 1) * (order - 1)
+    sections = [matrices.section(d, p, first + epsilon, order) for epsilon in range(p)]
+    c.introduce(c.statement["family"], Family(sections, d.denominator))
+
+
+def blocks(c: Claim) -> None:
+    """P^-1 M_i P are block triangular, so products have the products of the blocks: JSR is the largest of them."""
+    family, parts, sizes = c.family(), c.statement["parts"], c.witness["sizes"]
+    order, basis = family.order, c.witness["basis"]
+    require(len(parts) == len(sizes) >= 2 and min(sizes) >= 1, "there are not two blocks, or not as many as parts")
+    require(
+        sum(sizes) == order == basis.order, "the sizes of the blocks do not add up, or the basis is of another order"
+    )
+    bits = family.bits + basis.bits
+    c.count((len(family.matrices) + 1) * order**3, (order.bit_length() + 1) * bits)
+    p = basis.matrices[0]
+    if (found := matrices.inverse(p)) is None:
+        raise Rejected("the basis is not one")
+    changed = [matrices.multiply(found[0], matrices.multiply(m, p)) for m in family.matrices]
+    ends = [sum(sizes[: j + 1]) for j in range(len(sizes))]
+    for m in changed:
+        for first, end in zip([0, *ends], ends, strict=False):
+            require(not any(any(row[first:end]) for row in m[end:]), "a matrix is not block upper triangular")
+    sign = 1 if found[1] > 0 else -1
+    for number, first, end in zip(parts, [0, *ends], ends, strict=False):
+        part = [[[sign * x for x in row[first:end]] for row in m[first:end]] for m in changed]
+        c.introduce(number, matrices.family(part, family.denominator * abs(found[1])))
+
+
+def word(c: Claim) -> None:
+    """JSR^ℓ >= x: the product of a word of ℓ letters has an eigenvalue of modulus >= x."""
+    bound = c.statement["bound"]
+    require(bound > 0, "the bound is not positive")
+    total, denominator = _product(c, fraction_bits(bound), fourth_power=True)
+    f = matrices.characteristic_polynomial(total)
+    require(not matrices.roots_lie_inside(f, bound * denominator), "all eigenvalues of the product are smaller")
+
+
+def zero(c: Claim) -> None:
+    """JSR = 0: all matrices are zero."""
+    family = c.family()
+    c.count(len(family.matrices) * family.order**2)
+    require(c.statement["bound"] == 0, "the bound is not zero")
+    require(not any(any(row) for matrix in family.matrices for row in matrix), "a matrix is not zero")
+
+
+def radius_of_blocks(c: Claim) -> None:
+    """JSR^ℓ = Λ: it is that of a part, and all other parts have the same or a radius that is not larger."""
+    c.count(1)
+    root, s = isolated_root(c), c.statement
+    asked = {key: s[key] for key in ("length", "polynomial", "low", "high")}
+    reached = False
+    for part in c.use("blocks", family=s["family"]).statement["parts"]:
+        used = c.use(*UPPER, family=part).statement
+        if used["property"] != "radius-upper" and asked.items() <= used.items():
+            reached = True
+        else:
+            require(_powers_fit(c, used, root.low, s["length"]), f"the radius of part {part} may be larger")
+    require(reached, "no part has the radius")
+
+
+def upper_of_blocks(c: Claim) -> None:
+    """JSR^ℓ <= x, x >= 0: so it is for all parts."""
+    c.count(1)
+    s = c.statement
+    require(s["bound"] >= 0, "the bound is negative")
+    for part in c.use("blocks", family=s["family"]).statement["parts"]:
+        used = c.use(*UPPER, family=part).statement
+        require(_powers_fit(c, used, s["bound"], s["length"]), f"the radius of part {part} may be larger")
+
+
+def lower_of_blocks(c: Claim) -> None:
+    """JSR^ℓ >= x: so it is for one of the parts."""
+    c.count(1)
+    s = c.statement
+    parts = c.use("blocks", family=s["family"]).statement["parts"]
+    used = c.use("radius-lower", length=s["length"], bound=s["bound"]).statement
+    require(used["family"] in parts, "it uses radius-lower of a family that is not a part")
+
+
+def bound_of(s: Statement) -> Fraction:
+    """x with JSR^length <= x, of a claim that bounds a radius from above."""
+    bound: Fraction = s["bound" if s["property"] == "radius-upper" else "high"]
+    return bound
+
+
+def _powers_fit(c: Claim, used: Statement, x: Fraction, length: int) -> bool:
+    """Whether y^(1/ℓ') <= x^(1/ℓ), from JSR^ℓ' <= y; both are >= 0."""
+    y = bound_of(used)
+    c.spend(1, fraction_bits(y) * length + fraction_bits(x) * used["length"])
+    return bool(y**length <= x ** used["length"])
+
+
+def positive_symbol(c: Claim) -> None:
+    """JSR = ρ(C) = Λ, C[i][j] the coefficient of z^(i-pj) in q_c(z) = z^-h q(z) >= 0 on |z| = 1.
+
+    Π_(j<L) q_c(z^(p^j)) >= 0 there, so its coefficient at 0, (C^L)_00, is its largest, and ‖D^L‖∞ is at most a constant
+    times it; the rows of C^L are rows of D^L. Σ (C^L)_00 x^L has coefficients >= 0, so by Pringsheim's theorem its
+    first pole, 1/ρ(C), is positive, and ρ(C) is the largest real root of f = det(z - C). Where all roots of modulus Λ
+    are simple, C^L is at most a constant times Λ^L.
+    """
+    m, low, _ = isolated_root(c)
+    family = c.use("family", family=c.statement["family"]).statement
+    used = c.use("sum-rules", mask=family["mask"], order=family["nu"])
+    q, p = used.result, c.p
+    if q is None or c.statement["length"] != 1:
+        raise Rejected("there is no quotient, or the length is not 1")
+    require(q.length % 2 == 1, "the symbol is not of even degree")
+    require(q.numerators == q.numerators[::-1], "the symbol is not its own reverse")
+    h = q.length // 2
+    reach = h // (p - 1)
+    order = 2 * reach + 1
+    c.count(h**3 + order**4 + order**3, (order.bit_length() + 1) * q.bits)
+    _positive_on_circle(c, q, h)
+    section = matrices.section(q, p, q.start + h + (p - 1) * reach, order)
+    f = [x * q.denominator**k for k, x in enumerate(matrices.characteristic_polynomial(section))]
+    bits = max(map(abs, f)).bit_length() + max(map(abs, m)).bit_length()
+    c.spend(order**3, order * bits + order * fraction_bits(low))
+    require(not remainder(f, m), "the root's polynomial does not divide the characteristic one")
+    beyond = 2 + max(abs(x) // f[-1] for x in f)  # Cauchy: no root is as large
+    require(count_zeros(f, low, beyond) == 1, "the root is not the largest real one")
+    if c.statement["property"] == "bounded":
+        multiple = greatest_common_divisor(f, [k * x for k, x in enumerate(f)][1:])
+        require(matrices.roots_lie_inside(multiple, low), "a root that may be as large is not simple")
+
+
+def _positive_on_circle(c: Claim, q: Polynomial, h: int) -> None:
+    """q_c(z) = H(z + 1/z) with H(y) = (y+2)^e s(y)² r(y), r > 0 on [-2, 2]."""
+    s, r, e = c.witness["squares"], c.witness["rest"], c.witness["power"]
+    require(min(s.start, r.start) >= 0, "a factor has negative powers")
+    require(s.length <= h + 1 and r.length <= h + 1, "a factor is of too high a degree")
+    require(e <= h, "the power is too large")
+    c.spend(h**3, q.bits + 2 * s.bits + r.bits)
+    product = multiply(multiply(s, s), r)
+    for _ in range(e):
+        product = multiply(product, polynomial(0, [2, 1], 1))
+    require(product == polynomial(0, on_circle(q.numerators), q.denominator), "the factors have another product")
+    rest = [0] * r.start + list(r.numerators)
+    c.spend(h**3, h * r.bits)
+    require(value(rest, 2) > 0 and count_zeros(rest, -2, 2) == 0, "the rest is not positive")
+
+
+def defective(c: Claim) -> None:
+    """Norms grow like L v^(L/ℓ), v > 0: with E = Π - s v, E y ≠ 0 = E² y, Π^r y = (s v)^r y + r (s v)^(r-1) E y."""
+    v, y, sign = c.statement["value"], c.witness["vector"], c.witness["sign"]
+    order = c.family().order
+    require(v > 0 and sign != 0, "the value is not positive, or the sign is not 1 or -1")
+    require(len(y) == order, "the vector is of another order")
+    total, denominator = _product(c, fraction_bits(v) + max(map(fraction_bits, y)), fourth_power=False)
+    e = [[v.denominator * x for x in row] for row in total]
+    for i in range(order):
+        e[i][i] -= sign * v.numerator * denominator
+    once = _apply(e, y)
+    require(any(once) and not any(_apply(e, once)), "the vector is not one of a chain of length 2")
+
+
+def _apply(a: Matrix, y: list[Fraction] | tuple[Fraction, ...]) -> list[Fraction]:
+    return [sum((x * t for x, t in zip(row, y, strict=True)), Fraction(0)) for row in a]
+
+
+def _product(c: Claim, more_bits: int, fourth_power: bool) -> tuple[Matrix, int]:
+    """The product of the witness's word, of as many letters as the statement's length."""
+    family, letters = c.family(), c.witness["word"]
+    require(len(letters) == c.statement["length"], "the word is of another length")
+    require(max(letters) < len(family.matrices), "a letter is not there")
+    order = family.order
+    bits = len(letters) * (family.bits + order.bit_length()) + more_bits
+    work = len(letters) * order**3 + (order**4 if fourth_power else 2 * order**2)
+    c.count(work, (2 * order if fourth_power else 1) * bits)
+    return family.product(letters)

@@ -1,0 +1,152 @@
+"""Roots of integer polynomials: that an interval isolates one, and enclosures of the root and of its powers -1/ℓ."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import NamedTuple
+
+from subdiv_cli.checker.core import Claim, Statement
+from subdiv_cli.checker.polynomials import sturm_count, value
+from subdiv_cli.checker.reading import require
+
+
+class Root(NamedTuple):
+    """Λ, the only real root of the polynomial in [low, high], 0 < low."""
+
+    polynomial: tuple[int, ...]
+    low: Fraction
+    high: Fraction
+
+    @property
+    def rational(self) -> Fraction | None:
+        """Λ, where the polynomial is of degree 1."""
+        return Fraction(-self.polynomial[0], self.polynomial[1]) if len(self.polynomial) == 2 else None
+
+
+def root_of(s: Statement) -> Root:
+    return Root(s["polynomial"], s["low"], s["high"])
+
+
+def isolated_root(c: Claim) -> Root:
+    """The root that the claim's statement names, after a look that there is exactly one.
+
+    Beyond degree 1 the polynomial changes its sign, and by Sturm it has one distinct real root between.
+    """
+    m, low, high = root = root_of(c.statement)
+    d = len(m) - 1
+    require(d >= 1 and m[-1] != 0, "the root's polynomial is constant or has no leading coefficient")
+    require(0 < low <= high, "the root's interval is empty or not positive")
+    if (exact := root.rational) is not None:
+        require(low <= exact <= high, "the root is not in its interval")
+        return root
+    size = max(map(abs, m)).bit_length()
+    c.spend(d**3, (d + 1) * size + d * max(fraction_bits(low), fraction_bits(high)))
+    require(value(m, low) * value(m, high) < 0, "the root's polynomial does not change its sign in the interval")
+    require(sturm_count(m, low, high) == 1, "the root's interval does not have exactly one root")
+    return root
+
+
+def fraction_bits(x: Fraction) -> int:
+    return x.numerator.bit_length() + x.denominator.bit_length()
+
+
+class Enclosure(NamedTuple):
+    """Λ in [low, low + width]/scale, all integers, low > 0."""
+
+    low: int
+    width: int
+    scale: int
+
+
+def enclose(c: Claim, root: Root, bits: int) -> Enclosure:
+    """Λ up to 2^-bits, or exactly where its polynomial is of degree 1."""
+    if (exact := root.rational) is not None:
+        return Enclosure(exact.numerator, 0, exact.denominator)
+    m, d, scale = root.polynomial, len(root.polynomial) - 1, 1 << bits
+    size = d * (bits + int(root.high).bit_length()) + max(map(abs, m)).bit_length()
+    c.spend(3 * d, size)
+    rising = 1 if value(m, root.high) > 0 else -1
+    scaled = [(rising * x) << (bits * (d - k)) for k, x in enumerate(m)]
+
+    def at(x: int) -> int:
+        """A positive multiple of ± m(x/scale): negative left of Λ, positive right of it."""
+        c.spend(d, size)
+        return value(scaled, x)
+
+    a, b = -(-root.low.numerator * scale // root.low.denominator), int(root.high * scale)
+    if a > b or at(a) >= 0:
+        low = a - 1  # low scale > a - 1; and where a > b, high scale < a
+    elif at(b) <= 0:
+        low = b
+    else:
+        low = _bracket(at, a, b)
+    require(low > 0, "the enclosure of the root is not positive")
+    return Enclosure(low, 1, scale)
+
+
+class _Bracket(NamedTuple):
+    """Integers a < b and the values there, left <= 0 < right."""
+
+    a: int
+    b: int
+    left: int
+    right: int
+
+    def probed(self, at: Callable[[int], int], x: int) -> _Bracket:
+        """The half of it where the sign changes; x may lie outside."""
+        if not self.a < x < self.b:
+            return self
+        y = at(x)
+        return self._replace(a=x, left=y) if y <= 0 else self._replace(b=x, right=y)
+
+
+def _bracket(at: Callable[[int], int], a: int, b: int) -> int:
+    """x in [a, b) with at(x) <= 0 < at(x + 1), from at(a) < 0 < at(b).
+
+    The bracket shrinks to a part of it around the zero of the chord, to smaller and smaller parts as long as that
+    works, and to a half where it does not. How x is found matters to the time alone: signs are exact.
+    """
+    found, parts = _Bracket(a, b, at(a), at(b)), 4
+    while (width := found.b - found.a) > 1:
+        step, guess = max(1, width // parts), found.a - width * found.left // (found.right - found.left)
+        found = found.probed(at, guess - step).probed(at, guess + step)
+        parts = parts * parts if 2 * (found.b - found.a) <= width else 4
+        if parts == 4:
+            found = found.probed(at, (found.a + found.b) // 2)
+    return found.a
+
+
+def root_below(x: int, n: int) -> int:
+    """⌊x^(1/n)⌋ for x >= 0, n >= 1, by Newton's method.
+
+    It starts above the root, from the root of the leading half of the digits, and falls until it falls no more: for y
+    above the root the next y is not below it (Bernoulli).
+    """
+    if n == 1 or x < 2:
+        return x
+    bits = x.bit_length() // n
+    half = (bits - n.bit_length()) // 2
+    y = (root_below(x >> (n * half), n) + 1) << half if half > 2 else 1 << (bits + 1)
+    while (z := ((n - 1) * y + x // y ** (n - 1)) // n) < y:
+        y = z
+    return y
+
+
+class Scale(NamedTuple):
+    """1/σ = Λ^(-1/ℓ) in [value, value + error]/2^bits."""
+
+    bits: int
+    value: int
+    error: int
+
+
+def inverse_scale(c: Claim, at: Enclosure, length: int, bits: int) -> Scale:
+    """From 2^(bits length)/Λ: its root from below, and how far the root from above is, tried by powers."""
+    shifted = at.scale << (bits * length)
+    c.spend(64 + 2 * length.bit_length(), shifted.bit_length())
+    value, above, error = root_below(shifted // (at.low + at.width), length), -(-shifted // at.low), 1
+    while (value + error) ** length < above:
+        c.spend(2 * length.bit_length(), shifted.bit_length())
+        error *= 2
+    return Scale(bits, value, error)

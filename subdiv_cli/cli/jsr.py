@@ -1,0 +1,142 @@
+"""`subdiv jsr`: the joint spectral radius of a family of rational matrices, enclosed with proof."""
+
+from __future__ import annotations
+
+import sys
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from subdiv_cli.cli.exits import ExitCode
+from subdiv_cli.cli.streams import emit, look_of
+from subdiv_cli.cli.values import SecondsType, WholeType
+from subdiv_cli.model import DEFAULT_EFFORT, Effort, FamilyRadius, Problem
+
+if TYPE_CHECKING:
+    from subdiv_cli.maskfile.matrices import MatrixFile
+
+_EPILOG = """\b
+Examples:
+  subdiv jsr family.toml
+  subdiv jsr family.toml -p a=9/10 --format json
+  subdiv jsr family.toml --certificate proof.json && subdiv verify proof.json
+
+\b
+A family is a TOML file with one list of square matrices, each a list of rows; numbers are exact:
+  matrices = [[[1, 1], [0, 1]], [["4/5", 0], ["4/5", "4/5"]]]
+
+\b
+Exit codes:
+  0    the radius is enclosed, or known exactly
+  2    not computed: usage, an unreadable or invalid file, an internal error
+  3    no bound within the effort
+"""
+
+
+@click.command("jsr", epilog=_EPILOG, short_help="Joint spectral radius of matrices, with proof.")
+@click.argument("file", type=click.Path())
+@click.option("-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE", help="Set a parameter of FILE.")
+@click.option(
+    "--format", "form", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Format on stdout."
+)
+@click.option(
+    "--effort",
+    type=WholeType(),
+    default=DEFAULT_EFFORT,
+    show_default=True,
+    metavar="N",
+    help="Work it may cost. What is found depends on it alone.",
+)
+@click.option("--budget", type=SecondsType(), metavar="SECONDS", help="Stop growing polytopes after so long.")
+@click.option(
+    "--certificate", metavar="FILE", type=click.Path(dir_okay=False), help="Write the proof, for `subdiv verify`."
+)
+@click.option("--debug", is_flag=True, help="Show the traceback of an internal error.")
+def command(
+    file: str,
+    parameters: tuple[str, ...],
+    form: str,
+    effort: int,
+    budget: float | None,
+    certificate: str | None,
+    debug: bool,
+) -> ExitCode:
+    """The joint spectral radius of a family of rational matrices.
+
+    That is the growth rate of the largest products, lim max ‖M_(w_L) … M_(w_1)‖^(1/L). FILE is TOML; - is stdin.
+    """
+    from subdiv_cli.maskfile import MaskFileError
+
+    try:
+        read, matrices = _read(file, parameters)
+    except MaskFileError as error:
+        return _complain(error.problems)
+    from subdiv_cli.certificate import document_text
+    from subdiv_cli.pipeline import joint_spectral_radius
+
+    found = joint_spectral_radius(matrices, Effort(effort, budget))
+    if (
+        certificate is not None
+        and found.document is not None
+        and not _write(certificate, document_text(found.document))
+    ):
+        return ExitCode.ERROR
+    proof = certificate if found.document is not None else None
+    render = _as_json if form == "json" else _as_text
+    emit(render(read, found.radius, proof), sys.stdout, encoding="utf-8" if form == "json" else None)
+    return ExitCode.UNDECIDED if found.radius.upper is None else ExitCode.PASSED
+
+
+def _read(file: str, parameters: tuple[str, ...]) -> tuple[MatrixFile, Any]:
+    from subdiv_cli.maskfile.matrices import read_matrices
+    from subdiv_cli.maskfile.option import parse_override
+
+    overrides: dict[str, Fraction] = dict(parse_override(text) for text in parameters)
+    read = read_matrices(file)
+    return read, read.family(overrides)
+
+
+def _complain(problems: tuple[Problem, ...]) -> ExitCode:
+    from subdiv_cli.report.problems import render
+
+    emit(render(problems, look_of(sys.stderr)) + "\n", sys.stderr)
+    return ExitCode.ERROR
+
+
+def _write(file: str, text: str) -> bool:
+    from subdiv_cli.catalog.files import write_whole
+
+    try:
+        write_whole(file, text)
+    except OSError as error:
+        emit(f"error: {file} cannot be written: {error.strerror or error}\n", sys.stderr)
+        return False
+    return True
+
+
+def _as_json(_: MatrixFile, radius: FamilyRadius, proof: str | None) -> str:
+    import json
+
+    report = {
+        "format": "subdiv-jsr",
+        "version": 1,
+        "lower": radius.lower,
+        "upper": radius.upper,
+        "exact": radius.exact,
+        "smp": [list(word) for word in radius.words],
+        "certificate": proof,
+        "order": radius.order,
+        "matrices": radius.letters,
+        "bounded": radius.bounded,
+        "method": radius.method or None,
+        "vertices": radius.vertices,
+        "stopped": radius.stopped,
+    }
+    return json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
+
+
+def _as_text(read: MatrixFile, radius: FamilyRadius, proof: str | None) -> str:
+    from subdiv_cli.report.jsr import render
+
+    return render(radius, look_of(sys.stdout), file=read.file, name=read.name, proof=proof)

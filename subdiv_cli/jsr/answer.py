@@ -1,0 +1,87 @@
+"""What is said of a family of matrices: its joint spectral radius in outward doubles, in closed form, and the proof."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Literal
+
+from flint import ctx
+
+from subdiv_cli.exact.algebraic import number_of
+from subdiv_cli.exact.closed import root_text
+from subdiv_cli.exact.enclosures import ball, interval
+from subdiv_cli.exact.linalg import matrix
+from subdiv_cli.exact.text import certain
+from subdiv_cli.jsr.family import Family
+from subdiv_cli.jsr.products import Product, radius_bound
+from subdiv_cli.jsr.radius import joint_spectral_radius
+from subdiv_cli.jsr.result import Radius
+from subdiv_cli.model import Data, Effort, FamilyRadius, Interval, Root, exact_root
+
+
+def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> FamilyRadius:
+    """The joint spectral radius of p >= 1 square matrices of one order, as far as the effort goes."""
+    family = Family([matrix(rows) for rows in matrices])
+    radius = joint_spectral_radius(family, effort)
+    stopped: Literal["budget"] | None = "budget" if effort.struck else None
+    if radius is None:
+        return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)
+    product = None if radius.word is None else Product.of_word(family.matrices, radius.word)
+    bounds = _enclosed(radius, product)
+    lower: dict[str, Data] = {}
+    if radius.exact is None and product is not None and product.eigenvalue.rational != 0:
+        lower = {"word": product.word, "bound": radius_bound(product)}
+    return FamilyRadius(
+        order=family.order,
+        letters=family.letters,
+        lower=bounds.lower,
+        upper=bounds.upper,
+        exact=bounds.exact,
+        digits=_digits(radius),
+        words=() if radius.word is None else (radius.word,),
+        method=str(radius.proof["rule"]),
+        vertices=radius.vertices,
+        bounded=radius.bounded,
+        stopped=stopped,
+        proof=radius.proof,
+        below=lower,
+    )
+
+
+def _enclosed(radius: Radius, product: Product | None) -> Interval:
+    length, bound = radius.upper
+    with ctx.workprec(192):
+        power = ball(1) / length
+        if radius.exact is not None:
+            root = radius.exact[1]
+            value = interval(number_of(root).enclosure().real ** power)
+            return Interval(lower=value.lower, upper=value.upper, exact=_closed_form(length, root))
+        if bound == 0:
+            return Interval(lower=0.0, upper=0.0, exact="0")
+        upper = interval(ball(bound) ** power).upper
+        if product is None or product.eigenvalue.rational == 0:
+            return Interval(lower=0.0, upper=upper)
+        return Interval(lower=interval(ball(radius_bound(product)) ** (ball(1) / len(product.word))).lower, upper=upper)
+
+
+def _closed_form(length: int, root: Root) -> str:
+    """`2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`, `root(…)^(1/2)`."""
+    if root.low != root.high:
+        text = root_text(root)
+        return text if length == 1 else f"{text}^(1/{length})"
+    x = root.low
+    for divisor in (d for d in range(length, 0, -1) if length % d == 0):
+        parts = [exact_root(part, divisor) for part in x.as_integer_ratio()]
+        if None not in parts:
+            x, length = Fraction(parts[0] or 0, parts[1] or 1), length // divisor
+            break
+    text = str(x)
+    return text if length == 1 else f"{text}^(1/{length})" if x.denominator == 1 else f"({text})^(1/{length})"
+
+
+def _digits(radius: Radius) -> str | None:
+    if radius.exact is None:
+        return None
+    length, root = radius.exact
+    return certain(lambda: number_of(root).enclosure().real ** (ball(1) / length), 15)

@@ -1,0 +1,226 @@
+"""A closed polytope made into a proof that JSR = σ = |μ|^(1/ℓ), μ the eigenvalue that its leaders share.
+
+The vertices are exact: words applied to the leaders, over powers of σ. Every image of a vertex is a vertex, a return
+to a leader, a tie (see ties.py), or inside: it differs from a combination with rational weights by so short a vector
+that it lies in the hull, which balls decide. So the scaled matrices map the hull into itself: JSR <= σ, all products of
+L matrices are bounded by a constant times σ^L, and the leaders' products attain σ (Guglielmi, Wirth & Zennaro 2005).
+The inequality is that of the checker's rule `closing` (certificate/RADIUS.md) with a little room left for roundings.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from flint import acb, acb_mat, arb, arb_mat, ctx, fmpz
+
+from subdiv_cli.exact.enclosures import ball
+from subdiv_cli.jsr.family import Family
+from subdiv_cli.jsr.leaders import Ball, Balls, Leaders, vector
+from subdiv_cli.jsr.polytope import EXTRA_BITS, Grown, Image, independent_columns, push_out
+from subdiv_cli.jsr.ties import Tie, Ties
+from subdiv_cli.model import Data, Effort
+
+_WEIGHT_BITS = (14, 26, 39)
+"""Weights are rounded to multiples of 2^-w, w the first of these that leaves room enough."""
+_ROOM = 40
+"""Every image stays 2^-40 away from the boundary: room for a checker that works with `bits` binary places."""
+_CLOSE = 1 - 1e-7
+"""Images with a larger gauge may be ties."""
+
+
+_PUSHES = (2.0**-7, 2.0**-10, 2.0**-14)
+"""By how much images that stay on the boundary are moved beyond it."""
+
+
+def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dict[str, Data] | None:
+    """The witness of the rule `closing`; None where some image is not proved to lie in the hull.
+
+    Where images on the boundary are no ties, the body grows by vertices beyond them.
+    """
+    for by in (*_PUSHES, None):
+        places = _places(family, leaders, grown)
+        with ctx.workprec(places + 64):
+            proof = _Closing(family, leaders, grown)
+            if not proof.spans:
+                return None
+            for bits in _WEIGHT_BITS:
+                decided, left = proof.images(bits)
+                if not left:
+                    return proof.witness(places, bits, decided)
+        if by is None or grown.body.complex or any(grown.body.images[pair].value < _CLOSE for pair in left):
+            return None
+        grown = push_out(grown.body, left, by, effort)
+        if not grown.closed:
+            return None
+    return None
+
+
+def _places(family: Family, leaders: Leaders, grown: Grown) -> int:
+    """Binary places with which roundings grow to less than 2^-64 along the tree.
+
+    An image's error is at most ‖M‖∞/σ times that of its vertex and a few units; a leader's is that of Horner's rule
+    times its scale.
+    """
+    body = grown.body
+    growth = max(1.0, 2.0 * float(np.abs(body.scaled).sum(axis=2).max()))
+    scale = max(leader.scale for leader in leaders.each)
+    start = max(0, scale.numerator.bit_length() - scale.denominator.bit_length()) + 8 * family.order + leaders.length
+    return 32 * math.ceil((64 + _ROOM + start + max(body.depths) * math.log2(growth)) / 32)
+
+
+class _Closing:
+    """Vertices in balls at the current precision, and the images decided with them."""
+
+    def __init__(self, family: Family, leaders: Leaders, grown: Grown) -> None:
+        self._family, self._leaders, self._body = family, leaders, grown.body
+        self._ties = Ties(family, leaders, grown.body)
+        self._found: dict[tuple[int, int], Tie | None] = {}
+        self._kind = arb_mat if leaders.is_real else acb_mat
+        self._sigma = leaders.sigma()
+        self._matrices = [self._kind(m) for m in family.matrices]
+        self._vertices = self._enclosed()
+        self._basis = self._independent()
+        self._kappa = self._condition()
+
+    @property
+    def spans(self) -> bool:
+        """Whether the basis vertices are proved to be independent."""
+        return self._kappa is not None
+
+    def _enclosed(self) -> list[Balls]:
+        vertices: list[Balls] = []
+        for u, parent in enumerate(self._body.parents):
+            if parent is None:
+                vertices.append(vector(self._family, self._leaders.each[u]))
+            elif parent[0] < 0:
+                vertices.append(self._kind([[arb(x) / (1 << EXTRA_BITS)] for x in self._body.extras[parent[1]]]))
+            else:
+                vertices.append(self._image(vertices[parent[0]], parent[1]))
+        return vertices
+
+    def _image(self, of: Balls, letter: int) -> Balls:
+        return self._matrices[letter] * of / self._sigma
+
+    def _vertex(self, number: int) -> list[Ball]:
+        """By the certificate's number: copy c of vertex u, as `Body` counts copies, is u + c n."""
+        copy, u = divmod(number, self._body.size)
+        entries: list[Ball] = self._vertices[u].entries()
+        if self._body.complex and copy % 2:
+            entries = [x.conjugate() for x in entries]
+        return entries[::-1] if self._body.symmetric and copy >= self._body.copies // 2 else entries
+
+    def _independent(self) -> list[int]:
+        """Numbers of N vertices, a well-conditioned basis as floats see it."""
+        size, copies = self._body.size, self._body.copies
+        return [j // copies + size * (j % copies) for j in independent_columns(self._body.columns)]
+
+    def _condition(self) -> arb | None:
+        """κ = ‖V_B^(-1)‖₁: a vector r lies in κ‖r‖₁ times the hull."""
+        try:
+            inverse = self._kind([list(row) for row in zip(*map(self._vertex, self._basis), strict=True)]).inv()
+        except ZeroDivisionError:
+            return None
+        kappa = _largest([_norm(column) for column in zip(*inverse.table(), strict=True)])
+        return kappa if kappa.is_finite() else None
+
+    def images(self, bits: int) -> tuple[list[tuple[int, ...] | Tie], list[tuple[int, int]]]:
+        """Every image that is neither an edge nor a return, decided with weights of so many bits; and what is not."""
+        decided: list[tuple[int, ...] | Tie] = []
+        left: list[tuple[int, int]] = []
+        for pair in sorted(self._body.images):
+            answer = self._decide(self._body.images[pair], bits)
+            if answer is None:
+                left.append(pair)
+            else:
+                decided.append(answer)
+        return decided, left
+
+    def _decide(self, image: Image, bits: int) -> tuple[int, ...] | Tie | None:
+        weights = self._weights(image)
+        if image.value > _CLOSE:
+            key = image.vertex, image.letter
+            if key not in self._found:
+                self._found[key] = self._ties.tie(image.vertex, image.letter, weights)
+            if (tie := self._found[key]) is not None:
+                return tie
+        return self._inside(image, weights, bits)
+
+    def _weights(self, image: Image) -> dict[int, complex]:
+        """Weights by the certificate's vertex numbers, copies of one vertex added up."""
+        body, total = self._body, dict[int, complex]()
+        for column, weight in zip(image.columns, image.weights, strict=True):
+            u, copy = divmod(column, body.copies)
+            number = u + body.size * copy
+            total[number] = total.get(number, 0) + weight
+        return total
+
+    def _inside(self, image: Image, weights: dict[int, complex], bits: int) -> tuple[int, ...] | None:
+        """The flat list of vertex numbers and integer weights: c, or Re c and Im c where vertices are complex."""
+        rest = self._image(self._vertices[image.vertex], image.letter).entries()
+        flat: list[int] = []
+        total = arb(0)
+        for number, weight in sorted(weights.items()):
+            parts = [
+                round(x * (1 << bits)) for x in ([weight.real, weight.imag] if self._body.complex else [weight.real])
+            ]
+            if not any(parts):
+                continue
+            flat += [number, *parts]
+            c = _scaled(parts, bits)
+            total += abs(c)
+            rest = [x - c * y for x, y in zip(rest, self._vertex(number), strict=True)]
+        assert self._kappa is not None
+        room = 1 - ball(1) / (1 << _ROOM) - total - self._kappa * _norm(rest) * (1 + ball(1) / (1 << 20))
+        return tuple(flat) if room > 0 else None
+
+    def witness(self, places: int, bits: int, decided: Sequence[tuple[int, ...] | Tie]) -> dict[str, Data]:
+        parents = [parent for parent in self._body.parents if parent is not None]
+        ties = [tie for tie in decided if isinstance(tie, Tie)]
+        return {
+            "symmetry": self._family.symmetry,
+            "bits": places,
+            "leaders": tuple(self._leader(number) for number in range(len(self._leaders.each))),
+            "extras": tuple(self._body.extras),
+            "tree": tuple(x for parent in parents for x in parent),
+            "basis": tuple(self._basis),
+            "weight_bits": bits,
+            "images": tuple(flat for flat in decided if not isinstance(flat, Tie)),
+            "ties": tuple(
+                {
+                    "vertex": tie.vertex,
+                    "letter": tie.letter,
+                    "weights": tuple({"vertex": k, "weight": c} for k, c in tie.weights),
+                }
+                for tie in ties
+            ),
+        }
+
+    def _leader(self, number: int) -> dict[str, Data]:
+        leader = self._leaders.each[number]
+        data: dict[str, Data] = {
+            "word": leader.candidate.word,
+            "reflected": leader.candidate.reflected,
+            "column": leader.column,
+            "scale": leader.scale,
+            "annihilator": leader.annihilator,
+        }
+        if leader.eigenvalue.is_real:
+            return {**data, "sign": 1 if leader.eigenvalue.region.real > 0 else -1}
+        return {**data, "box": leader.eigenvalue.box()}
+
+
+def _scaled(parts: Sequence[int], bits: int) -> Ball:
+    unit = arb(fmpz(1) << bits)
+    return arb(parts[0]) / unit if len(parts) == 1 else acb(arb(parts[0]) / unit, arb(parts[1]) / unit)
+
+
+def _norm(entries: Sequence[Ball]) -> arb:
+    """‖·‖₁."""
+    return sum((abs(x) for x in entries), arb(0))
+
+
+def _largest(balls: Sequence[arb]) -> arb:
+    """A ball above all of them."""
+    return arb(max(x.upper() for x in balls))

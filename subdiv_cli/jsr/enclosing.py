@@ -1,0 +1,117 @@
+"""A polytope made into an upper bound of the joint spectral radius, whether it is closed or not.
+
+With rational vertices that span, a rational x > 0 and for every image a rational combination such that Σ|c| + κ ‖M v
+/ x - Σ c v‖₁ <= 1, κ = ‖V_B^(-1)‖₁ for a basis V_B of vertices, the matrices map the hull of ±V into x times itself:
+JSR <= x. This is the rule `polytope` of certificate/RADIUS.md.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import NamedTuple
+
+from flint import arb, arb_mat, ctx
+
+from subdiv_cli.exact.enclosures import ball
+from subdiv_cli.jsr.family import Family
+from subdiv_cli.jsr.polytope import Grown, independent_columns
+from subdiv_cli.model import Data
+
+_PLACES = 60
+"""Binary places of the vertices."""
+_WEIGHT_BITS = 39
+_SLACK = (34, 31, 26, 16)
+"""The bound is raised by a factor 1 + 2^-s, s the first of these that leaves room for the roundings."""
+_PRECISION = 192
+
+
+class Bound(NamedTuple):
+    """JSR <= `upper`, and the witness of the rule `polytope`."""
+
+    upper: Fraction
+    witness: dict[str, Data]
+
+
+def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
+    """The bound σ·(largest gauge of an image), raised a little; σ is what the body's matrices were divided by.
+
+    None where roundings spoil it, or vertices are complex.
+    """
+    if grown.body.complex:
+        return None
+    with ctx.workprec(_PRECISION):
+        proof = _Enclosing(family, grown)
+        for slack in _SLACK:
+            x = _short(sigma * max(Fraction(1), Fraction(grown.value)) * (1 + Fraction(1, 1 << slack)))
+            if (images := proof.images(float(sigma / x), x)) is not None:
+                return Bound(x, proof.witness(images))
+    return None
+
+
+def _short(x: Fraction) -> Fraction:
+    """A number a little above x > 0 with 48 significant bits."""
+    unit = Fraction(2) ** (x.numerator.bit_length() - x.denominator.bit_length() - 48)
+    return -(-x // unit) * unit
+
+
+class _Enclosing:
+    def __init__(self, family: Family, grown: Grown) -> None:
+        self._family, self._body = family, grown.body
+        plain = self._body.columns[:, :: self._body.copies]
+        self._integers = [[round(x * (1 << _PLACES)) for x in column] for column in plain.T.tolist()]
+        self._vertices = [arb_mat([[ball(Fraction(x, 1 << _PLACES))] for x in column]) for column in self._integers]
+        self._matrices = [arb_mat(m) for m in family.matrices]
+        size, copies = self._body.size, self._body.copies
+        self._basis = [j // copies + size * (j % copies) for j in independent_columns(self._body.columns)]
+        inverse = arb_mat([list(row) for row in zip(*map(self._vertex, self._basis), strict=True)]).inv()
+        self._kappa = arb(max(sum(map(abs, column), arb(0)).upper() for column in zip(*inverse.table(), strict=True)))
+
+    def _vertex(self, number: int) -> list[arb]:
+        entries = self._vertices[number % self._body.size].entries()
+        return entries if number < self._body.size else entries[::-1]
+
+    def images(self, shrink: float, x: Fraction) -> list[tuple[int, ...]] | None:
+        """The weights of every image, for u = 0, 1, … and all letters; None where one is not proved to lie inside.
+
+        Weights of images over σ are multiplied by `shrink` = σ/x.
+        """
+        found = []
+        for u in range(self._body.size):
+            for letter in range(self._family.letters):
+                flat = tuple(self._flat(u, letter, shrink))
+                if not self._is_inside(u, letter, flat, x):
+                    return None
+                found.append(flat)
+        return found
+
+    def _flat(self, u: int, letter: int, shrink: float) -> list[int]:
+        if (u, letter) in self._body.images:
+            image = self._body.images[u, letter]
+            size, copies = self._body.size, self._body.copies
+            numbers = [column // copies + size * (column % copies) for column in image.columns]
+            weights = [weight.real for weight in image.weights]
+        else:
+            numbers, weights = [self._body.target(u, letter)[0]], [self._body.target(u, letter)[1]]
+        pairs = sorted(zip(numbers, weights, strict=True))
+        rounded = ((k, round(c * shrink * (1 << _WEIGHT_BITS))) for k, c in pairs)
+        return [entry for pair in rounded if pair[1] for entry in pair]
+
+    def _is_inside(self, u: int, letter: int, flat: tuple[int, ...], x: Fraction) -> bool:
+        rest = (self._matrices[letter] * self._vertices[u] / ball(x)).entries()
+        total = arb(0)
+        for number, weight in zip(flat[::2], flat[1::2], strict=True):
+            c = arb(weight) / (1 << _WEIGHT_BITS)
+            total += abs(c)
+            rest = [y - c * z for y, z in zip(rest, self._vertex(number), strict=True)]
+        norm = sum(map(abs, rest), arb(0))
+        return bool(total + self._kappa * norm < 1)
+
+    def witness(self, images: list[tuple[int, ...]]) -> dict[str, Data]:
+        return {
+            "symmetry": self._family.symmetry if self._body.symmetric else 0,
+            "bits": _PLACES,
+            "vertices": tuple(tuple(column) for column in self._integers),
+            "basis": tuple(self._basis),
+            "weight_bits": _WEIGHT_BITS,
+            "images": tuple(images),
+        }

@@ -1,0 +1,98 @@
+"""A finite family of rational matrices, what is seen of it at once, and its scaled float copy for the search."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, NamedTuple
+
+from flint import fmpq_mat
+
+from subdiv_cli.exact.rationals import to_fraction
+
+if TYPE_CHECKING:
+    from subdiv_cli.jsr.arrays import Array
+
+Word = tuple[int, ...]
+"""Letters 0, …, p-1; the product of w_1 … w_ℓ is M_(w_ℓ) … M_(w_1)."""
+
+
+class Candidate(NamedTuple):
+    """A product whose spectral radius, to the power 1/ℓ, may be the joint one: that of the word, or J times it.
+
+    In a symmetric family (J Π)² is ± the product of the word and its mirror image, so J Π counts as a product too.
+    """
+
+    word: Word
+    reflected: bool = False
+
+    def power(self, times: int, letters: int) -> Candidate:
+        """The candidate of the power of the product."""
+        mirror = tuple(letters - 1 - letter for letter in self.word)
+        blocks = [mirror if self.reflected and i % 2 else self.word for i in range(times)]
+        return Candidate(tuple(x for block in blocks for x in block), self.reflected and times % 2 == 1)
+
+
+class Family:
+    """M_0, …, M_(p-1), all of order N >= 1, p >= 1. Raises ValueError for anything else."""
+
+    def __init__(self, matrices: Sequence[fmpq_mat]) -> None:
+        self.matrices = tuple(matrices)
+        if not matrices or {(m.nrows(), m.ncols()) for m in matrices} != {(self.order, self.order)} or not self.order:
+            raise ValueError("a family needs square matrices of one order, at least one")
+
+    @property
+    def order(self) -> int:
+        """N."""
+        return self.matrices[0].nrows()
+
+    @property
+    def letters(self) -> int:
+        """p."""
+        return len(self.matrices)
+
+    @cached_property
+    def symmetry(self) -> int:
+        """τ = ±1 with M_(p-1-i) = τ J M_i J for all i, J the reversal of the coordinates; 0 where there is none."""
+        tables = [m.table() for m in self.matrices]
+        turned = [[row[::-1] for row in table[::-1]] for table in tables[::-1]]
+        if tables == turned:
+            return 1
+        return -1 if tables == [[[-x for x in row] for row in table] for table in turned] else 0
+
+    @cached_property
+    def size(self) -> Fraction:
+        """The largest absolute entry; 0 for a family of zeros."""
+        return max((abs(to_fraction(x)) for m in self.matrices for x in m.entries()), default=Fraction(0))
+
+    @cached_property
+    def unit(self) -> Fraction:
+        """A power of two near `size`: floats are of the matrices divided by it."""
+        if not self.size:
+            return Fraction(1)
+        return Fraction(2) ** (self.size.numerator.bit_length() - self.size.denominator.bit_length())
+
+    @cached_property
+    def floats(self) -> Array:
+        """The matrices divided by `unit`, p×N×N doubles, each entry rounded once."""
+        import numpy as np
+
+        scaled = [[[float(to_fraction(x) / self.unit) for x in row] for row in m.table()] for m in self.matrices]
+        return np.array(scaled)
+
+    def product(self, word: Word) -> fmpq_mat:
+        """M_(w_ℓ) … M_(w_1), exactly."""
+        total = self.matrices[word[0]]
+        for letter in word[1:]:
+            total = self.matrices[letter] * total
+        return total
+
+    def candidate(self, candidate: Candidate) -> fmpq_mat:
+        """The product of the word, its rows reversed where the candidate is reflected."""
+        product = self.product(candidate.word)
+        return fmpq_mat(product.tolist()[::-1]) if candidate.reflected else product
+
+    def full_word(self, candidate: Candidate) -> Word:
+        """A word whose product has the eigenvalues of the candidate's, or ± their squares."""
+        return candidate.word if not candidate.reflected else candidate.power(2, self.letters).word

@@ -1,0 +1,158 @@
+"""Leading eigenvectors of products, exactly: what an invariant polytope grows from.
+
+All leaders of a polytope have words of one length ℓ and eigenvalues of one modulus. With g the minimal polynomial of
+the product Π and μ an eigenvalue, the vector h(Π) e_j, h(z) = (g(z) - g(μ))/(z - μ), is an eigenvector: (Π - μ) times
+it is g(Π) e_j - g(μ) e_j = 0. A complex μ stands for its conjugate too, the matrices being real.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import lcm
+from typing import Any, NamedTuple
+
+from flint import acb, acb_mat, arb, arb_mat, ctx, fmpq_mat
+
+from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated, negated, roots, squared_modulus
+from subdiv_cli.exact.enclosures import ball
+from subdiv_cli.exact.rationals import to_fraction
+from subdiv_cli.jsr.family import Candidate, Family
+from subdiv_cli.model import Root
+
+_MOST_LEADERS = 16
+_LONGEST = 200
+"""Letters of a common power of all words."""
+
+Ball = Any
+"""An arb or an acb, alike throughout one family: the stubs of their unions do not add up."""
+Balls = Any
+"""An arb_mat or an acb_mat."""
+
+
+class Leader(NamedTuple):
+    """The vector scale · h(Π) e_column of the candidate's product Π."""
+
+    candidate: Candidate
+    eigenvalue: AlgebraicNumber
+    annihilator: tuple[Fraction, ...]
+    """The coefficients of g, lowest first."""
+    column: int
+    scale: Fraction
+
+
+class Leaders(NamedTuple):
+    """At least one leader; all eigenvalues are real, or none is."""
+
+    length: int
+    """ℓ, of every word."""
+    each: tuple[Leader, ...]
+
+    @property
+    def is_real(self) -> bool:
+        return self.each[0].eigenvalue.is_real
+
+    def sigma(self) -> arb:
+        """|μ|^(1/ℓ), enclosed at the current precision: the joint spectral radius is at least that."""
+        return self.each[0].eigenvalue.modulus() ** (arb(1) / self.length)
+
+    def root(self) -> tuple[int, Root] | None:
+        """(n, Λ) with Λ = |μ|^(n/ℓ) for n = ℓ, or n = 2ℓ where μ is complex; None where it has too many conjugates."""
+        number = self.each[0].eigenvalue
+        if number.is_real:
+            return self.length, isolated(number if number.region.real > 0 else negated(number))
+        square = squared_modulus(number)
+        return None if square is None else (2 * self.length, isolated(square))
+
+
+def leaders(family: Family, candidates: Sequence[Candidate]) -> Leaders | None:
+    """The leaders of candidates with equally large eigenvalues; None where all their products are nilpotent.
+
+    They are raised to powers of one length. One whose eigenvalue is not, up to sign, the same algebraic number as that
+    of the first one is left out.
+    """
+    length = lcm(*(len(candidate.word) for candidate in candidates))
+    if length > _LONGEST:
+        candidates, length = candidates[:1], len(candidates[0].word)
+    each: list[Leader] = []
+    for candidate in candidates:
+        power = candidate.power(length // len(candidate.word), family.letters)
+        product = family.candidate(power)
+        eigenvalue = _leading_eigenvalue(product, each[0].eigenvalue if each else None)
+        if eigenvalue is not None:
+            each += _eigenvectors(product, power, eigenvalue)
+    return Leaders(length, tuple(each[:_MOST_LEADERS])) if each else None
+
+
+def _leading_eigenvalue(product: fmpq_mat, like: AlgebraicNumber | None) -> AlgebraicNumber | None:
+    """An eigenvalue of largest modulus, as balls see it: a positive one before others, complex ones in the upper half
+
+    plane. It must be ± the given one; None where there is none, or where all are zero.
+    """
+    spectrum = [number for number, _ in roots(product.charpoly()) if not number.region.imag < 0]
+    top = spectrum[0].region.__abs__()
+    leading = [number for number in spectrum if number.region.__abs__().overlaps(top) and number.rational != 0]
+    if like is not None:
+        leading = [number for number in leading if _same(number, like) or _same(number, negated(like))]
+    return max(leading, key=lambda x: (x.is_real, bool(x.region.real > 0)), default=None)
+
+
+def _same(x: AlgebraicNumber, y: AlgebraicNumber) -> bool:
+    """Whether two algebraic numbers are equal: roots of one polynomial, in isolating balls that overlap."""
+    return x.minimal_polynomial == y.minimal_polynomial and x.region.overlaps(y.region)
+
+
+def _eigenvectors(product: fmpq_mat, candidate: Candidate, eigenvalue: AlgebraicNumber) -> list[Leader]:
+    """A basis of the eigenspace among the columns of h(Π), the longest ones first."""
+    annihilator = tuple(to_fraction(c) for c in product.minpoly())
+    with ctx.workprec(256):
+        columns = _eigenvector_columns(product, annihilator, eigenvalue)
+        lengths = [max(float(abs(x).mid()) for x in column) for column in columns]
+        chosen: list[int] = []
+        for j in sorted(range(len(columns)), key=lambda j: (-lengths[j], j)):
+            if lengths[j] > 0 and _independent([columns[k] for k in (*chosen, j)]):
+                chosen.append(j)
+        return [Leader(candidate, eigenvalue, annihilator, j, _normalising(columns[j])) for j in chosen]
+
+
+def _normalising(column: Sequence[Ball]) -> Fraction:
+    """A power of two that makes the largest entry about 1."""
+    largest = max((abs(x).mid() for x in column), key=float)
+    mantissa, exponent = largest.man_exp()
+    return Fraction(2) ** -(int(exponent) + int(mantissa).bit_length())
+
+
+def _independent(columns: Sequence[Sequence[Ball]]) -> bool:
+    """Whether balls prove that columns are linearly independent: a Gram determinant is certainly not zero."""
+    scaled = [[x / max(abs(y).mid() for y in column) for x in column] for column in columns]
+    gram = [[_inner(a, b) for b in scaled] for a in scaled]
+    return not acb_mat(gram).det().contains(0)
+
+
+def _inner(a: Sequence[Ball], b: Sequence[Ball]) -> acb:
+    return sum((acb(x) * acb(y).conjugate() for x, y in zip(a, b, strict=True)), acb(0))
+
+
+def _eigenvector_columns(
+    product: fmpq_mat, annihilator: Sequence[Fraction], eigenvalue: AlgebraicNumber
+) -> list[list[Ball]]:
+    """The columns of h(Π), by Horner's rule: h = Σ_i b_i z^i with b_(d-1) = g_d and b_(i-1) = g_i + μ b_i."""
+    mu = eigenvalue.enclosure()
+    number = mu.real if eigenvalue.is_real else mu
+    b = [number * 0 + ball(annihilator[-1])]
+    for c in reversed(annihilator[1:-1]):
+        b.append(ball(c) + number * b[-1])
+    n = product.nrows()
+    kind: Any = arb_mat if eigenvalue.is_real else acb_mat
+    unit = kind(n, n, [int(i == j) for i in range(n) for j in range(n)])
+    matrix, total = kind(product), unit * b[0]
+    for coefficient in b[1:]:
+        total = matrix * total + unit * coefficient
+    return [[total[i, j] for i in range(n)] for j in range(n)]
+
+
+def vector(family: Family, leader: Leader) -> Balls:
+    """The leader's vector enclosed at the current precision, N×1."""
+    columns = _eigenvector_columns(family.candidate(leader.candidate), leader.annihilator, leader.eigenvalue)
+    kind = arb_mat if leader.eigenvalue.is_real else acb_mat
+    return kind([[x * ball(leader.scale)] for x in columns[leader.column]])

@@ -1,0 +1,205 @@
+"""The joint spectral radius: enclosed always, exact where an invariant polytope closes.
+
+In order: blocks that a permutation shows; the search for a candidate; an invariant polytope from its leaders, with a
+deeper search and a second look for invariant subspaces where it does not close; and the bound that the polytope, or one
+for slightly smaller matrices, proves as it is. What is found depends on the effort alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import lcm
+
+import numpy as np
+from flint import ctx
+
+from subdiv_cli.exact.enclosures import bounds
+from subdiv_cli.exact.rationals import to_fraction
+from subdiv_cli.jsr.arrays import Numbers
+from subdiv_cli.jsr.closing import close
+from subdiv_cli.jsr.enclosing import Bound, enclose
+from subdiv_cli.jsr.family import Candidate, Family
+from subdiv_cli.jsr.leaders import Leader, Leaders, leaders, vector
+from subdiv_cli.jsr.polytope import Body, Grown, Start, grow
+from subdiv_cli.jsr.reduce import Blocks, by_pattern, by_subspace
+from subdiv_cli.jsr.result import Radius, root_data
+from subdiv_cli.jsr.search import candidates
+from subdiv_cli.model import Data, Effort, Root
+
+LARGEST_ORDER = 40
+"""Of matrices for which polytopes are tried."""
+_QUICK, _DEEP = 10, 24
+"""Lengths of products in the first and in the second search."""
+_QUICK_WORK = 1000
+"""Gauges in the first polytope."""
+_SLACK = (Fraction(1, 32), Fraction(1, 256), Fraction(1, 4096), Fraction(1, 1 << 20))
+"""By how much the matrices are scaled down where the polytope at the candidate itself does not close."""
+
+
+def joint_spectral_radius(family: Family, effort: Effort) -> Radius | None:
+    """The radius as far as the effort goes; None where it does not suffice for any bound."""
+    if not family.size:
+        return Radius(None, None, (1, Fraction(0)), True, {"rule": "zero", "length": 1, "bound": Fraction(0)})
+    if family.order > LARGEST_ORDER or not effort.allows(family.order**2):
+        return None
+    if (blocks := by_pattern(family)) is not None:
+        return _of_blocks(blocks, effort)
+    return _of_one_block(family, effort)
+
+
+def _of_one_block(family: Family, effort: Effort) -> Radius | None:
+    """A quick look, a deeper search, a look for invariant subspaces, and then whatever the effort allows."""
+    _, found = candidates(family, _QUICK)
+    if not found:
+        blocks = by_subspace(family)
+        return None if blocks is None else _of_blocks(blocks, effort)
+    quick = Effort(min(_QUICK_WORK, effort.work))
+    if (radius := _Attempt(family, found, quick).closed()) is not None:
+        return radius
+    if (blocks := by_subspace(family)) is not None:
+        return _of_blocks(blocks, effort)
+    attempt = _Attempt(family, candidates(family, _DEEP)[1], effort)
+    return attempt.closed() or attempt.enclosed()
+
+
+class _Attempt:
+    """Polytopes from one set of candidates."""
+
+    def __init__(self, family: Family, found: Sequence[Candidate], effort: Effort) -> None:
+        self.family, self.found, self.effort = family, found, effort
+        self.leaders = leaders(family, found)
+        self.grown: Grown | None = None
+
+    def closed(self) -> Radius | None:
+        """The radius where the polytope closes at exactly the candidate and that can be proved."""
+        if self.leaders is None:
+            return None
+        with ctx.workprec(128):
+            self.sigma = to_fraction_of_ball(self.leaders)
+        starts = [_start(self.family, leader) for leader in self.leaders.each]
+        if len(starts) > 1 and not self.family.symmetry:
+            starts = self._balanced(starts)
+        self.grown = grow(self._body(starts, self.sigma), self.effort)
+        root = self.leaders.root()
+        if not self.grown.closed or root is None:
+            return None
+        if (witness := close(self.family, self.leaders, self.grown, self.effort)) is None:
+            return None
+        return _exactly(self.family, self.leaders, root, {"rule": "closing", **witness})
+
+    def _body(self, starts: Sequence[Start], sigma: Fraction) -> Body:
+        return Body(
+            self.family.floats, float(sigma / self.family.unit), symmetric=bool(self.family.symmetry), starts=starts
+        )
+
+    def _balanced(self, starts: list[Start]) -> list[Start]:
+        """Leaders scaled so that none lies inside what grows from another (Guglielmi & Protasov 2013, section 3).
+
+        t x is left outside the hull P that grows from the first one, y, and y outside tQ, where Q grows from x, for
+        1/gauge_P(x) <= t <= gauge_Q(y): the geometric mean.
+        """
+        assert self.leaders is not None
+        scaled, each = [starts[0]], [self.leaders.each[0]]
+        for start, leader in zip(starts[1:], self.leaders.each[1:], strict=True):
+            forward = self._gauge_of(start.vector, starts[0])
+            backward = self._gauge_of(starts[0].vector, start)
+            factor = Fraction(round(64 * (backward / forward) ** 0.5), 64) if forward and backward else Fraction(1)
+            factor = factor or Fraction(1, 64)
+            scaled.append(start._replace(vector=start.vector * float(factor)))
+            each.append(leader._replace(scale=leader.scale * factor))
+        self.leaders = self.leaders._replace(each=tuple(each))
+        return scaled
+
+    def _gauge_of(self, vector: Numbers, start: Start) -> float:
+        body = self._body([start], self.sigma)
+        grown = grow(body, Effort(min(200, self.effort.work)))
+        return grown.body.gauge(vector)
+
+    def enclosed(self) -> Radius | None:
+        """The best bound of a polytope that is not closed, or that is for matrices scaled down a little."""
+        if self.leaders is None:
+            return None
+        best = enclose(self.family, self.grown, self.sigma) if self.grown is not None else None
+        for slack in _SLACK:
+            scaled = self.sigma * (1 + slack)
+            if best is not None and best.upper <= scaled:
+                continue
+            real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
+            grown = grow(self._body(real, scaled), self.effort)
+            bound = enclose(self.family, grown, scaled)
+            best = min((b for b in (best, bound) if b is not None), key=lambda b: b.upper, default=None)
+            if not grown.closed:
+                break
+        return None if best is None else self._at_most(best)
+
+    def _at_most(self, bound: Bound) -> Radius:
+        assert self.leaders is not None
+        word = self.family.full_word(self.leaders.each[0].candidate)
+        proof: dict[str, Data] = {"rule": "polytope", "length": 1, "bound": bound.upper, **bound.witness}
+        return Radius(word, None, (1, bound.upper), False, proof)
+
+
+def to_fraction_of_ball(found: Leaders) -> Fraction:
+    """σ as a rational, for the float side: its ball's midpoint."""
+    low, high = bounds(found.sigma())
+    return (low + high) / 2
+
+
+def _start(family: Family, leader: Leader) -> Start:
+    with ctx.workprec(256):
+        entries = vector(family, leader).entries()
+        if leader.eigenvalue.is_real:
+            return Start(leader.candidate.word, np.array([float(x.mid()) for x in entries]))
+        return Start(
+            leader.candidate.word, np.array([complex(float(x.real.mid()), float(x.imag.mid())) for x in entries])
+        )
+
+
+def _exactly(family: Family, found: Leaders, root: tuple[int, Root], proof: dict[str, Data]) -> Radius:
+    length, number = root
+    word = family.full_word(found.each[0].candidate)
+    said: dict[str, Data] = {"length": length, "root": root_data(number)}
+    return Radius(word, root, (length, number.high), True, {**proof, **said})
+
+
+def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
+    """The largest radius of the parts: exact where it is of one part and the bounds of the others do not exceed it."""
+    parts = [joint_spectral_radius(part, effort) for part in blocks.parts]
+    known = [part for part in parts if part is not None]
+    if len(known) < len(parts):
+        return None
+    top = max(known, key=lambda part: (part.exact is not None and part.ceiling, part.ceiling))
+    others = [part for part in known if part is not top]
+    proof: dict[str, Data] = {
+        "rule": "blocks",
+        "basis": tuple(tuple(to_fraction(x) for x in row) for row in blocks.basis.table()),
+        "sizes": tuple(part.order for part in blocks.parts),
+        "parts": tuple(dict(part.proof) for part in known),
+    }
+    if top.exact is not None:
+        length, root = top.exact
+        below = [_at_most(part.upper, (length, root.low)) for part in others]
+        same = [part.exact == top.exact for part in others]
+        if all(x or y for x, y in zip(below, same, strict=True)):
+            strictly = all(
+                not y and _below(part.upper, (length, root.low)) for y, part in zip(same, others, strict=True)
+            )
+            said: dict[str, Data] = {"length": length, "root": root_data(root)}
+            return Radius(top.word, top.exact, top.upper, top.bounded and strictly, {**proof, **said})
+    highest = max(known, key=lambda part: part.ceiling)
+    length, bound = highest.upper
+    if any(not _at_most(part.upper, (length, bound)) for part in known):
+        return None
+    word = max((part for part in known if part.word is not None), key=lambda part: part.ceiling, default=highest).word
+    return Radius(word, None, (length, bound), False, {**proof, "length": length, "bound": bound})
+
+
+def _at_most(a: tuple[int, Fraction], b: tuple[int, Fraction]) -> bool:
+    """x^(1/n) <= y^(1/m) for (n, x) and (m, y)."""
+    common = lcm(a[0], b[0])
+    return bool(a[1] ** (common // a[0]) <= b[1] ** (common // b[0]))
+
+
+def _below(a: tuple[int, Fraction], b: tuple[int, Fraction]) -> bool:
+    return _at_most(a, b) and not _at_most(b, a)

@@ -1,0 +1,58 @@
+"""What is known of a joint spectral radius, and the proof as plain data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from subdiv_cli.jsr.family import Word
+from subdiv_cli.model import Data, Root
+
+
+class Radius(NamedTuple):
+    """The joint spectral radius ρ of a family: bounds, and the number itself where it is known."""
+
+    word: Word | None
+    """A product that attains the lower bound; None where all products met are nilpotent."""
+    exact: tuple[int, Root] | None
+    """(n, Λ) with ρ^n = Λ."""
+    upper: tuple[int, Fraction]
+    """(n, x) with ρ^n <= x."""
+    bounded: bool
+    """All products of L matrices have norms <= C ρ^L; False where that is not proved."""
+    proof: Mapping[str, Data]
+    """`rule`, the name of a rule of certificate/RADIUS.md (or `norm`, of FORMAT.md), with its witness; `length` with
+    `root` or
+
+    `bound`, what is proved: ρ^length = Λ or <= bound. Rule `blocks` has a proof for each of its `parts`.
+    """
+
+    @property
+    def ceiling(self) -> float:
+        """ρ or a little more, in floats, for comparisons that decide nothing."""
+        return float(float(self.upper[1]) ** (1 / self.upper[0]))
+
+    @property
+    def vertices(self) -> int | None:
+        """Of all polytopes, reflections and conjugates not counted; None where there is none."""
+        return _vertices(self.proof)
+
+    def is_below(self, x: Fraction) -> bool:
+        """Whether ρ < x is proved, x > 0."""
+        return self.upper[1] < x ** self.upper[0]
+
+
+def root_data(root: Root) -> dict[str, Data]:
+    """Λ as proofs have it."""
+    return {"polynomial": root.coefficients, "low": root.low, "high": root.high}
+
+
+def _vertices(proof: Mapping[str, Data]) -> int | None:
+    parts, leaders, tree = (proof.get(key) for key in ("parts", "leaders", "tree"))
+    if isinstance(leaders, tuple) and isinstance(tree, tuple):
+        return len(leaders) + len(tree) // 2
+    if isinstance(parts, tuple):
+        return sum(_vertices(part) or 0 for part in parts if isinstance(part, Mapping)) or None
+    vertices = proof.get("vertices")
+    return len(vertices) if isinstance(vertices, tuple) else None

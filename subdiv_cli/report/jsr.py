@@ -1,0 +1,67 @@
+"""A joint spectral radius for a reader: the number, what attains it, what proves it."""
+
+from __future__ import annotations
+
+from subdiv_cli.model import FamilyRadius
+from subdiv_cli.report.letters import clean, letters
+from subdiv_cli.report.look import Look
+from subdiv_cli.report.numbers import enclosed
+
+_METHODS = {
+    "closing": "an invariant polytope of {n} vertices, closed at exactly this radius",
+    "polytope": "an invariant polytope of {n} vertices",
+    "blocks": "a common block triangular form, and the largest radius of its blocks",
+    "zero": "all matrices are zero",
+}
+
+
+def render(radius: FamilyRadius, look: Look, *, file: str, name: str | None, proof: str | None) -> str:
+    """A few lines; mathematics in ASCII where nothing else can be written."""
+    lines = [_first(radius), f"  {file} · {radius.letters} {_matrices(radius.letters)} of order {radius.order}"]
+    if name:
+        lines[1] = f"  {name} · {lines[1].strip()}"
+    if radius.words:
+        attained = "attained by" if radius.exact is not None else "at least that of"
+        lines += [f"  {attained} the product {_product(word)}, length {len(word)}" for word in radius.words]
+    if radius.method:
+        lines.append("  proof: " + _METHODS[radius.method].format(n=radius.vertices))
+    if radius.bounded:
+        lines.append("  products of L matrices are bounded by a constant times the L-th power of the radius")
+    if proof is not None:
+        lines.append(f"  certificate: {proof}")
+    return "".join(letters(clean(line), look.unicode) + "\n" for line in lines)
+
+
+def _first(radius: FamilyRadius) -> str:
+    title = "joint spectral radius"
+    if radius.upper is None:
+        why = "the time budget ended" if radius.stopped else "a higher effort computes more"
+        return f"? {title}: not one bound was found; {why}"
+    if radius.exact is None:
+        return f"✓ {title} in {enclosed(radius.lower, radius.upper)}"
+    digits = (
+        f" = {radius.digits}"
+        if radius.digits and radius.digits.rstrip("…") != radius.exact and not _short(radius)
+        else ""
+    )
+    return f"✓ {title} = {radius.exact}{digits}"
+
+
+def _short(radius: FamilyRadius) -> bool:
+    """A rational that needs no decimals beside it."""
+    return radius.exact is not None and radius.exact.isdigit()
+
+
+def _matrices(count: int) -> str:
+    return "matrix" if count == 1 else "matrices"
+
+
+def _product(word: tuple[int, ...]) -> str:
+    """M_(w_ℓ) … M_(w_1), runs as powers."""
+    runs: list[list[int]] = []
+    for letter in reversed(word):
+        if runs and runs[-1][0] == letter:
+            runs[-1][1] += 1
+        else:
+            runs.append([letter, 1])
+    return " ".join(f"M_{letter}" + (f"^{count}" if count > 1 else "") for letter, count in runs)
