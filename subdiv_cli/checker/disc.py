@@ -83,11 +83,12 @@ def modulus_is(c: Claim, disc: Disc, root: Root) -> bool:
     """Whether |μ|² = Λ, m the polynomial of Λ.
 
     |μ|² = μ μ̄ is a zero of P, whose zeros are the products of two conjugates; P = m h, and h vanishes nowhere on an
-    interval that |μ|² lies in, so that m does at |μ|²; and in [low, high] it has no other zero than Λ.
+    interval that |μ|² lies in, so that m does at |μ|²; and in [low, high], or anywhere if it is of degree 1, it has
+    no other zero than Λ.
     """
     (a, b), r, m = disc.center, disc.distance, root.polynomial
     square, slack = a * a + b * b, 2 * (abs(a) + abs(b)) * r + r * r
-    if not root.low <= square - slack <= square + slack <= root.high:
+    if root.rational is None and not root.low <= square - slack <= square + slack <= root.high:
         return False
     d = len(disc.polynomial) - 1
     c.spend(d**5, d * d * max(map(abs, disc.polynomial)).bit_length())

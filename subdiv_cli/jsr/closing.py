@@ -4,7 +4,8 @@ The vertices are exact: words applied to the leaders, over powers of σ. Every i
 to a leader, a tie (see ties.py), or inside: it differs from a combination with rational weights by so short a vector
 that it lies in the hull, which balls decide. So the scaled matrices map the hull into itself: JSR <= σ, all products of
 L matrices are bounded by a constant times σ^L, and the leaders' products attain σ (Guglielmi, Wirth & Zennaro 2005).
-The inequality is that of the checker's rule `closing` (certificate/RADIUS.md) with a little room left for roundings.
+The inequality is that of the checker's rules `closing` and `complex-closing` (certificate/RADIUS.md) with a little room
+left for roundings, and in the complex case for real norms of complex vectors, which are at most twice as large.
 """
 
 from __future__ import annotations
@@ -174,10 +175,11 @@ class _Closing:
                 continue
             flat += [number, *parts]
             c = _scaled(parts, bits)
-            total += abs(c)
+            total += abs(c) + (ball(1) / (1 << bits) if self._body.complex else 0)
             rest = [x - c * y for x, y in zip(rest, self._vertex(number), strict=True)]
         assert self._kappa is not None
-        room = 1 - ball(1) / (1 << _ROOM) - total - self._kappa * _norm(rest) * (1 + ball(1) / (1 << 20))
+        distance = self._kappa * _norm(rest) * (1 + ball(1) / (1 << 20))
+        room = 1 - ball(1) / (1 << _ROOM) - total - distance * (2 if self._body.complex else 1)
         return tuple(flat) if room > 0 else None
 
     def witness(self, places: int, bits: int, decided: Sequence[tuple[int, ...] | Tie]) -> dict[str, Data]:
