@@ -67,7 +67,8 @@ class Radii:
         if rule == "zero":
             return self._upper("zero", family, 1, Fraction(0), {}, order * order * self._p)
         if rule == "polytope":
-            work = self._p * len(as_tuple(data["vertices"])) * order**2 + order**3
+            weights = sum(len(as_tuple(flat)) for flat in as_tuple(data["images"])) // 2
+            work = self._p * len(as_tuple(data["vertices"])) * order**2 + weights * order + order**3
             witness = {key: spelled(data[key]) for key in ("symmetry", "bits", "basis", "weight_bits", "images")}
             witness["vertices"] = [[str(x) for x in as_tuple(v)] for v in as_tuple(data["vertices"])]
             return self._upper(rule, family, 1, as_rational(data["bound"]), witness, work)
@@ -75,20 +76,23 @@ class Radii:
             witness = {"power": data["power"]}
             witness |= {key: {"start": 0, "coefficients": spelled(data[key])} for key in ("squares", "rest")}
             name = "bounded" if data["bounded"] else "radius"
-            return self._exact(rule, name, family, data, witness, _WORK_OF_SYMBOL * (order + 2) ** 4)
+            return self._exact(rule, name, family, data, witness, 2 * (order + 2) ** 4)
         return self._closing(data, family, order)
 
     def _closing(self, data: Map, family: int, order: int) -> int:
         leaders, tree = as_tuple(data["leaders"]), as_tuple(data["tree"])
         vertices, degree = len(leaders) + len(tree) // 2, len(as_tuple(_root(data)["polynomial"]))
         length = len(as_tuple(cast(Map, leaders[0])["word"]))
-        each = order**4 + (length + degree) * order**3
-        work = self._p * vertices * order**2 + vertices * degree * order + order**4 + len(leaders) * each
-        work += len(as_tuple(data["ties"])) * degree**2 * order**2
-        keys = ("symmetry", "bits", "leaders", "extras", "tree", "basis", "weight_bits", "images", "ties")
+        weights = sum(len(as_tuple(flat)) for flat in as_tuple(data["images"])) // 2
+        work = self._p * vertices * order**2 + weights * order + order**3 + len(leaders) * (length + 1) * order**3
+        if ties := as_tuple(data["ties"]):
+            work += vertices * degree * order**2 + len(ties) * order * (degree + vertices) ** 2
+        keys = ("symmetry", "bits", "extras", "tree", "basis", "weight_bits", "images")
         witness = {key: spelled(data[key]) for key in keys}
-        rule = "closing" if "sign" in cast(Map, leaders[0]) else "complex-closing"
-        return self._exact(rule, "bounded", family, data, witness, _MARGIN * work)
+        witness["leaders"] = [_leader(cast(Map, leader)) for leader in leaders]
+        if "sign" in cast(Map, leaders[0]):
+            return self._exact("closing", "bounded", family, data, {**witness, "ties": spelled(data["ties"])}, work)
+        return self._exact("complex-closing", "bounded", family, data, witness, 8 * work)
 
     def _of_blocks(self, data: Map, family: int, order: int) -> int:
         sizes = [as_integer(size) for size in as_tuple(data["sizes"])]
@@ -126,8 +130,12 @@ class Radii:
         return self._claims.add(rule, statement, witness, uses or [], work)
 
 
-_WORK_OF_SYMBOL = 4
-_MARGIN = 2
+def _leader(leader: Map) -> Json:
+    """Integers of a complex eigenvalue's polynomial may be long: they are strings."""
+    said = {key: spelled(value) for key, value in leader.items()}
+    if "factor" in leader:
+        said["factor"] = [rational(x) for x in as_rationals(leader["factor"])]
+    return said
 
 
 def _root(data: Map) -> Map:

@@ -35,7 +35,7 @@ def closing(c: Claim) -> None:
     family, root = c.family(), isolated_root(c)
     tree = read_tree(c, family)
     _count(c, family, root, tree)
-    returns = _returns(c, tree)
+    returns = returns_of(c, tree, c.statement["length"])
     ties = _tied(c, tree, returns)
     leaders = [_leader(c, family, root, leader) for leader in c.witness["leaders"]]
     images = _Enclosures(c, family, root, tree, leaders)
@@ -52,12 +52,12 @@ def _count(c: Claim, family: Family, root: Root, tree: Tree) -> None:
     c.count(work, max(family.bits, c.witness["bits"] + HEADROOM))
 
 
-def _returns(c: Claim, tree: Tree) -> set[int]:
+def returns_of(c: Claim, tree: Tree, length: int) -> set[int]:
     """The images that are ± a leader, or its reflection: by the last letter of its word after all others."""
     returns = set()
     for number, leader in enumerate(c.witness["leaders"]):
         word, u = leader["word"], number
-        require(len(word) == c.statement["length"], f"the word of leader {number} is of another length")
+        require(len(word) == length, f"the word of leader {number} is of another length")
         require(max(word) < tree.letters, f"the word of leader {number} has a letter that is not there")
         for letter in word[:-1]:
             require(u * tree.letters + letter in tree.children, f"the path of leader {number} is not in the tree")

@@ -68,7 +68,7 @@ def reflected(c: Claim, family: Family, vertices: list[list[int]]) -> list[list[
     if (sign := c.witness["symmetry"]) == 0:
         return vertices
     require(family.is_symmetric(sign), "the matrices do not have that symmetry")
-    return vertices + [v[::-1] for v in vertices]
+    return [*vertices, *(v[::-1] for v in vertices)]
 
 
 def weight_count(c: Claim) -> int:

@@ -42,7 +42,7 @@ _RANGES = {
     "sign": (-1, 1),
     "bits": (0, 4096),
     "weight_bits": (0, 39),
-    "vertex": (0, 2 * MAX_VERTICES - 1),
+    "vertex": (0, 4 * MAX_VERTICES - 1),
     "work": (0, 10**9),
 }
 _OBJECTS: Mapping[str, Fields] = {
@@ -53,6 +53,16 @@ _OBJECTS: Mapping[str, Fields] = {
         "scale": "rational",
         "annihilator": "rational[]",
         "sign": "sign",
+    },
+    "complex_leader": {
+        "word": "natural[]",
+        "reflected": "boolean",
+        "column": "natural",
+        "scale": "rational",
+        "annihilator": "rational[]",
+        "factor": "root",
+        "center": "rational[]",
+        "distance": "rational",
     },
     "tie": {"vertex": "vertex", "letter": "natural", "weights": "share[]"},
     "share": {"vertex": "vertex", "weight": "rational"},

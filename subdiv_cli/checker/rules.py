@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from typing import Any
 
-from subdiv_cli.checker import bounds, closing, conclusions, exponents, polytopes, radius, scalar, sobolev, values
+from subdiv_cli.checker import (
+    bounds,
+    closing,
+    complex_closing,
+    conclusions,
+    exponents,
+    polytopes,
+    radius,
+    scalar,
+    sobolev,
+    values,
+)
 from subdiv_cli.checker.core import Kind, Rule, Subject
 from subdiv_cli.checker.reading import read, require
 from subdiv_cli.checker.words import in_words, of_matrices
@@ -24,6 +35,7 @@ RADIUS_PROPERTIES = {
     "defective": {**_FAMILY, "length": "length", "value": "rational"},
 }
 _CLOSING = {**_HULL, "leaders": "leader[]", "extras": "flat[]", "tree": "flat", "ties": "tie[]"}
+_COMPLEX = {**_HULL, "leaders": "complex_leader[]", "extras": "flat[]", "tree": "flat"}
 _CHAIN = {"word": "natural[]", "sign": "sign", "vector": "rational[]"}
 RADIUS_RULES = {
     "blocks": Rule(("blocks",), {}, ({"basis": "matrix", "sizes": "natural[]"},), radius.blocks),
@@ -31,6 +43,7 @@ RADIUS_RULES = {
     "zero": Rule(("radius-upper",), {}, _NONE, radius.zero),
     "polytope": Rule(("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.polytope),
     "closing": Rule(("radius", "bounded"), {}, (_CLOSING,), closing.closing),
+    "complex-closing": Rule(("radius", "bounded"), {}, (_COMPLEX,), complex_closing.complex_closing),
     "radius-of-blocks": Rule(("radius",), {}, _NONE, radius.radius_of_blocks),
     "upper-of-blocks": Rule(("radius-upper",), {}, _NONE, radius.upper_of_blocks),
     "lower-of-blocks": Rule(("radius-lower",), {}, _NONE, radius.lower_of_blocks),

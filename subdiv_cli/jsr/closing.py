@@ -4,18 +4,21 @@ The vertices are exact: words applied to the leaders, over powers of σ. Every i
 to a leader, a tie (see ties.py), or inside: it differs from a combination with rational weights by so short a vector
 that it lies in the hull, which balls decide. So the scaled matrices map the hull into itself: JSR <= σ, all products of
 L matrices are bounded by a constant times σ^L, and the leaders' products attain σ (Guglielmi, Wirth & Zennaro 2005).
-The inequality is that of the checker's rule `closing` (certificate/RADIUS.md) with a little room left for roundings.
+The inequality is that of the checker's rules `closing` and `complex-closing` (certificate/RADIUS.md) with a little room
+left for roundings, and in the complex case for real norms of complex vectors, which are at most twice as large.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from fractions import Fraction
 
 import numpy as np
 from flint import acb, acb_mat, arb, arb_mat, ctx, fmpz
 
-from subdiv_cli.exact.enclosures import ball
+from subdiv_cli.exact.algebraic import AlgebraicNumber
+from subdiv_cli.exact.enclosures import ball, bounds
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.leaders import Ball, Balls, Leaders, vector
 from subdiv_cli.jsr.polytope import EXTRA_BITS, Grown, Image, independent_columns, push_out
@@ -26,6 +29,9 @@ _WEIGHT_BITS = (14, 26, 39)
 """Weights are rounded to multiples of 2^-w, w the first of these that leaves room enough."""
 _ROOM = 40
 """Every image stays 2^-40 away from the boundary: room for a checker that works with `bits` binary places."""
+_DISC = 512
+"""Binary places of the center of a complex eigenvalue; its disc is much larger than one unit, and much smaller than the
+intervals of a `Root`."""
 _CLOSE = 1 - 1e-7
 """Images with a larger gauge may be ties."""
 
@@ -139,7 +145,7 @@ class _Closing:
 
     def _decide(self, image: Image, bits: int) -> tuple[int, ...] | Tie | None:
         weights = self._weights(image)
-        if image.value > _CLOSE:
+        if image.value > _CLOSE and self._leaders.is_real:
             key = image.vertex, image.letter
             if key not in self._found:
                 self._found[key] = self._ties.tie(image.vertex, image.letter, weights)
@@ -169,10 +175,11 @@ class _Closing:
                 continue
             flat += [number, *parts]
             c = _scaled(parts, bits)
-            total += abs(c)
+            total += abs(c) + (ball(1) / (1 << bits) if self._body.complex else 0)
             rest = [x - c * y for x, y in zip(rest, self._vertex(number), strict=True)]
         assert self._kappa is not None
-        room = 1 - ball(1) / (1 << _ROOM) - total - self._kappa * _norm(rest) * (1 + ball(1) / (1 << 20))
+        distance = self._kappa * _norm(rest) * (1 + ball(1) / (1 << 20))
+        room = 1 - ball(1) / (1 << _ROOM) - total - distance * (2 if self._body.complex else 1)
         return tuple(flat) if room > 0 else None
 
     def witness(self, places: int, bits: int, decided: Sequence[tuple[int, ...] | Tie]) -> dict[str, Data]:
@@ -208,7 +215,17 @@ class _Closing:
         }
         if leader.eigenvalue.is_real:
             return {**data, "sign": 1 if leader.eigenvalue.region.real > 0 else -1}
-        return {**data, "box": leader.eigenvalue.box()}
+        return {**data, **_disc(leader.eigenvalue)}
+
+
+def _disc(eigenvalue: AlgebraicNumber) -> dict[str, Data]:
+    """A disc of rational center and distance that isolates a complex eigenvalue far better than its modulus needs."""
+    with ctx.workprec(_DISC + 64):
+        mu = eigenvalue.enclosure()
+        unit = Fraction(1, 1 << _DISC)
+        center = tuple(bounds(part)[0] // unit * unit for part in (mu.real, mu.imag))
+    factor = tuple(int(x) for x in eigenvalue.minimal_polynomial)
+    return {"factor": factor, "center": center, "distance": unit * (1 << _DISC // 2)}
 
 
 def _scaled(parts: Sequence[int], bits: int) -> Ball:

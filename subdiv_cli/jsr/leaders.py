@@ -93,7 +93,7 @@ def _leading_eigenvalue(product: fmpq_mat, like: AlgebraicNumber | None) -> Alge
     top = spectrum[0].region.__abs__()
     leading = [number for number in spectrum if number.region.__abs__().overlaps(top) and number.rational != 0]
     if like is not None:
-        leading = [number for number in leading if _same(number, like) or _same(number, negated(like))]
+        leading = [x for x in leading if _same(x, like) or (like.is_real and _same(x, negated(like)))]
     return max(leading, key=lambda x: (x.is_real, bool(x.region.real > 0)), default=None)
 
 

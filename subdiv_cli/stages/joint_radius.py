@@ -39,10 +39,10 @@ _QUESTION = "what is the joint spectral radius of the last difference scheme?"
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
-    if numbers.order < 1:
-        return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
-    each = (numbers,) if numbers.reduced is numbers else (numbers, numbers.reduced)
-    return tuple(_finding(one) for one in each)
+    each = [numbers] if numbers.reduced is numbers else [numbers, numbers.reduced]
+    if found := tuple(_finding(one) for one in each if one.order >= 1):
+        return found
+    return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
 
 
 def _finding(numbers: ScalarNumbers) -> Finding:

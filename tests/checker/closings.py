@@ -1,4 +1,5 @@
-"""True `closing` and `polytope` witnesses for small families, found by floating point search and nothing of the package.
+"""True `closing` and `polytope` witnesses for small families, found by floating point search and nothing of the
+package.
 
 The gauge of a point is the least Σ |c_k| over all combinations of N vertices that give it, which is what linear
 programming would find: good for N <= 3 and some dozens of vertices.
@@ -118,7 +119,6 @@ def closing(matrices, root, leaders, symmetry=0, bits=80, extras=(), most=60):
     for u, letter in itertools.product(range(n), range(p)):
         if (u, letter) in ties:
             k, sign = ties[u, letter]
-            k = k if k < n else k
             listed.append({"vertex": u, "letter": letter, "weights": [{"vertex": k, "weight": str(sign)}]})
         elif (u, letter) not in children and (u, letter) not in returns:
             _, basis, c = gauge(last, family[letter] @ vertices[u] / sigma)
