@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from subdiv_cli.model import Anatomy, Curve, Effort, Result, Verdict
+from subdiv_cli.model import Effort, Result, Verdict
+from subdiv_cli.model.anatomy import Anatomy, Curve
 from subdiv_cli.pipeline import Checked, certified
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages.anatomy import anatomy

@@ -17,7 +17,7 @@ from subdiv_cli.report.look import Look
 from subdiv_cli.report.show import FORMATS, renderer
 
 if TYPE_CHECKING:
-    from subdiv_cli.model import Anatomy
+    from subdiv_cli.model.anatomy import Anatomy
 
 _EPILOG = """\b
 Examples:

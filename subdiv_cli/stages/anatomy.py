@@ -15,7 +15,8 @@ from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated_roots
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import certain, number
-from subdiv_cli.model import Anatomy, Curve, Data, Factor, Signal, Verdict
+from subdiv_cli.model import Data, Verdict
+from subdiv_cli.model.anatomy import Anatomy, Curve, Factor, Signal
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.values import at_fractions, support
 from subdiv_cli.schemes.operators import refinement_window

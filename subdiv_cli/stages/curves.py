@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from subdiv_cli.exact.laurent import Laurent
-from subdiv_cli.model import Curve
+from subdiv_cli.model.anatomy import Curve
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.values import at_fractions, at_integers, iterated
 from subdiv_cli.quantities.values import support as support

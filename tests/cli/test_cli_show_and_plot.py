@@ -215,7 +215,7 @@ def test_nothing_to_draw(run, polygon):
     shown = run("plot", *divergent, "--points", polygon, "--closed")
     assert shown.exit_code == 1
     assert "S does not converge uniformly" in shown.stderr
-    undecided = run("plot", FOUR, "-p", "w=0.4999999999", "--effort", "2000")
+    undecided = run("plot", FOUR, "-p", "w=0.4999999999", "--effort", "1")
     assert undecided.exit_code == 3
     assert "φ is not proved continuous" in undecided.stderr
 

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import subdiv_cli
-from subdiv_cli.model import Anatomy, Curve, Factor, Result, Signal
+from subdiv_cli.model import Result
+from subdiv_cli.model.anatomy import Anatomy, Curve, Factor, Signal
 from subdiv_cli.report.json import document, plain, strictly_unicode
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.show.formulas import symbol

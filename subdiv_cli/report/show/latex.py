@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from subdiv_cli.model import Anatomy, Curve, Result
+from subdiv_cli.model import Result
+from subdiv_cli.model.anatomy import Anatomy, Curve
 from subdiv_cli.report import words
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import exact

@@ -1,0 +1,71 @@
+"""A mask taken apart, and curves: what `show` and `plot` are told, exact plain data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+
+class Signal(NamedTuple):
+    """A finitely supported sequence: a mask, a stencil, values at the integers."""
+
+    start: int
+    values: tuple[Fraction, ...]
+
+
+class Factor(NamedTuple):
+    """An irreducible factor of a symbol over Q, or 1 + z + … + z^(p-1)."""
+
+    coefficients: tuple[int, ...]
+    """Lowest power first."""
+    multiplicity: int
+    smoothing: bool = False
+    zeros: tuple[str, ...] = ()
+    """As text, digits that are certain; none for a smoothing factor."""
+
+
+class Curve(NamedTuple):
+    """Exact values of a function at (start + i) / arity^level, zero elsewhere on that grid."""
+
+    arity: int
+    level: int
+    start: int
+    values: tuple[Fraction, ...]
+    order: int = 0
+    """Of the derivative whose values these are."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Anatomy:
+    """A scalar mask taken apart; empty tuples and None where the scheme does not have the part."""
+
+    mask: Signal
+    constant: Fraction
+    """The symbol is constant · z^power · the product of the factors."""
+    power: int
+    factors: tuple[Factor, ...]
+    components: tuple[Signal, ...]
+    """Polyphase components."""
+    derived: tuple[Signal, ...]
+    """The masks of S_1, …, S_k."""
+    window: int
+    """The first index of the refinement matrices."""
+    matrices: tuple[tuple[tuple[Fraction, ...], ...], ...]
+    """A_0, …, A_(p-1), by rows."""
+    eigenvalues: tuple[tuple[str, ...], ...]
+    support: tuple[Fraction, Fraction]
+    values: tuple[Signal, ...]
+    """φ, φ', … at the integers."""
+    stencils: tuple[Signal, ...]
+    """The limit and its derivatives from the data of a level."""
+    moments: tuple[Fraction, ...]
+    operator: tuple[Fraction, ...]
+    """q_i of Q = Σ q_i D^i."""
+    quasi_stencil: Signal | None
+    eigen_sequences: tuple[tuple[Fraction, ...], ...]
+    """The coefficients of Q x^i, lowest power first."""
+    orders: tuple[int, int] | None
+    """Of approximation, with Q and without."""
+    curve: Curve | None
+    """φ, finely enough for a picture."""
