@@ -169,6 +169,7 @@ def attack(rng, mix):
         if result.holder is not None and family is matrices:
             assert result.holder.lower <= alpha_high + SLACK, note
             assert result.holder.upper >= alpha_low - SLACK, note
+            mix["exact"] += result.holder.exact is not None
     mix[result.convergent.value] += 1
     mix["stable" if result.stable is Verdict.PROVED else "unstable"] += 1
     if result.refinable.order is not None:
@@ -191,3 +192,4 @@ def test_no_verdict_contradicts_the_floats(seed, capsys):
     assert mix["C2"] >= total / 50
     assert mix["unstable"] >= total / 20
     assert mix["sharp"] >= total / 8
+    assert mix["exact"] >= total / 4
