@@ -90,6 +90,10 @@ class CheckedRadius(NamedTuple):
     radius: FamilyRadius
     document: Mapping[str, Any] | None
 
+    def certificate_text(self) -> str | None:
+        """The certificate as its file has it."""
+        return None if self.document is None else document_text(self.document)
+
 
 def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> CheckedRadius:
     """That of a family of square matrices of one order, checked independently.

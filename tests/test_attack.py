@@ -178,6 +178,7 @@ def attack(rng, mix):
         if result.holder is not None and family is matrices:
             assert result.holder.lower <= alpha_high + SLACK, note
             assert result.holder.upper >= alpha_low - SLACK, note
+            mix["exact"] += result.holder.exact is not None
     if result.sobolev is not None:
         assert result.sobolev.upper >= mean_square_exponent(parent, p) - 1e-6, note
         assert result.sobolev.lower >= result.holder.lower - SLACK, note
@@ -206,3 +207,4 @@ def test_no_verdict_contradicts_the_floats(seed, capsys):
     assert mix["C2"] >= total / 50
     assert mix["unstable"] >= total / 20
     assert mix["sharp"] >= total / 8
+    assert mix["exact"] >= total / 4

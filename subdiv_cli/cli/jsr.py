@@ -72,17 +72,13 @@ def command(
         read, matrices = _read(file, parameters)
     except MaskFileError as error:
         return _complain(error.problems)
-    from subdiv_cli.certificate import document_text
     from subdiv_cli.pipeline import joint_spectral_radius
 
     found = joint_spectral_radius(matrices, Effort(effort, budget))
-    if (
-        certificate is not None
-        and found.document is not None
-        and not _write(certificate, document_text(found.document))
-    ):
+    text = found.certificate_text()
+    if certificate is not None and text is not None and not _write(certificate, text):
         return ExitCode.ERROR
-    proof = certificate if found.document is not None else None
+    proof = certificate if text is not None else None
     render = _as_json if form == "json" else _as_text
     emit(render(read, found.radius, proof), sys.stdout, encoding="utf-8" if form == "json" else None)
     return ExitCode.UNDECIDED if found.radius.upper is None else ExitCode.PASSED

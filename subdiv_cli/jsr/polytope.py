@@ -182,15 +182,16 @@ def push_out(body: Body, images: Iterable[tuple[int, int]], by: float, effort: E
 
 def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort) -> Grown:
     memory, spent = _Memory(body), 0
-    while pending:
-        fresh: list[int] = []
-        for start in range(0, len(pending), _CHUNK):
-            chunk = pending[start : start + _CHUNK]
-            spent += len(chunk) * (1 + body.columns.size // 2000)
-            if not effort.allows(spent):
-                return _unfinished(body, memory, pending[start:] + body.pending(fresh))
-            fresh += _absorb(body, memory, chunk)
-        pending = body.pending(fresh)
+    with np.errstate(all="ignore"):  # a gauge that overflows is a large one
+        while pending:
+            fresh: list[int] = []
+            for start in range(0, len(pending), _CHUNK):
+                chunk = pending[start : start + _CHUNK]
+                spent += len(chunk) * (1 + body.columns.size // 2000)
+                if not effort.allows(spent):
+                    return _unfinished(body, memory, pending[start:] + body.pending(fresh))
+                fresh += _absorb(body, memory, chunk)
+            pending = body.pending(fresh)
     return Grown(body, True, max((image.value for image in body.images.values()), default=0.0))
 
 

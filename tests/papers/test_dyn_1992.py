@@ -217,7 +217,36 @@ def test_six_point_exponent_from_both_sides():
     assert holder is not None
     assert holder.lower is not None
     assert holder.upper is not None
-    assert holder.lower <= 2.58342222 <= holder.upper < 2.58342223
+    assert 2.58342222 <= holder.lower <= holder.upper < 2.58342223
+    assert str(holder.exact) == "-log2(root(40000*x^3-5900*x^2-225*x+16, 0.166844, 0.166845))"
+
+
+@pytest.mark.parametrize(
+    ("w", "alpha", "word"),
+    [
+        ("1/32", "1.22844669", (0,)),
+        ("1/10", "1.58370536", (0, 1)),
+        ("3/20", "1.22285569", (0, 1)),
+        ("19/100", "1.01266190", (0, 1)),
+    ],
+)
+def test_four_point_exponents_and_the_products_that_attain_them(w, alpha, word):
+    """To eight decimals; at w = 19/100 norms do not show that the scheme is C^1."""
+    result = answer(four_point(w))
+    assert result.holder is not None
+    assert result.holder.exact is not None
+    assert str(result.holder.lower).startswith(alpha[:-1])
+    assert abs(result.holder.lower - float(alpha)) < 2e-8
+    assert result.holder.upper - result.holder.lower < 1e-12
+    assert findings(result, "SD310")[0].witness["word"] == word
+    assert (result.smoothness.order, result.smoothness.sharp) == (1, True)
+
+
+def test_the_four_point_scheme_is_c1_just_below_its_irrational_end():
+    """C^1 iff 0 < w < w*, 32w*³ + 4w* = 1, w* = 0.19273…: proved at 0.192, refuted at 0.193."""
+    for w, order in (("24/125", 1), ("193/1000", 0)):
+        smoothness = answer(four_point(w)).smoothness
+        assert (smoothness.order, smoothness.sharp) == (order, True)
 
 
 # --- interpolatory schemes, section 5 ---
@@ -225,7 +254,15 @@ def test_six_point_exponent_from_both_sides():
 
 @pytest.mark.parametrize(
     ("points", "order", "alpha"),
-    [(4, 1, 2), (6, 2, 2.8300749985), (8, 3, 3.55113053), (10, 4, 4.19357343), (12, 4, 4.77674818)],
+    [
+        (4, 1, 2),
+        (6, 2, 2.8300749985),
+        (8, 3, 3.55113053),
+        (10, 4, 4.19357343),
+        (12, 4, 4.77674818),
+        (14, 5, 5.31732061),
+        (16, 5, 5.82944335),
+    ],
 )
 def test_deslauriers_dubuc(points, order, alpha):
     mask = deslauriers_dubuc(points)
@@ -236,8 +273,9 @@ def test_deslauriers_dubuc(points, order, alpha):
     assert result.holder is not None
     assert result.holder.lower is not None
     assert result.holder.upper is not None
-    assert result.holder.lower <= alpha + 1e-8
-    assert alpha - 1e-8 <= result.holder.upper <= alpha + 1e-7
+    assert result.holder.exact is not None
+    assert alpha - 1e-8 <= result.holder.lower <= result.holder.upper <= alpha + 1e-8
+    assert result.holder.attained is (points != 4)
 
 
 def test_six_point_deslauriers_dubuc_is_the_six_point_scheme():
