@@ -14,7 +14,7 @@ from subdiv_cli.cli.outputs import Output, OutputType
 from subdiv_cli.cli.streams import Progress, UnwritableError, emit, look_of
 from subdiv_cli.cli.values import SecondsType, WholeType
 from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
-from subdiv_cli.report import FORMATS, renderer
+from subdiv_cli.report import FOR_PEOPLE, FORMATS, renderer
 from subdiv_cli.report.look import UNWRAPPED, Look
 
 if TYPE_CHECKING:
@@ -230,7 +230,7 @@ def _print(results: Sequence[Result], form: str, verbosity: int, allow_undecided
         _complain(problem for result in results for problem in result.problems)
     look = look_of(sys.stdout, verbosity=verbosity, allow_undecided=allow_undecided, problems=False)
     try:
-        emit(renderer(form)(results, look), sys.stdout, encoding="utf-8" if form == "json" else None)
+        emit(renderer(form)(results, look), sys.stdout, encoding=None if form in FOR_PEOPLE else "utf-8")
     except UnwritableError as error:
         error.show()
         return False
