@@ -27,6 +27,11 @@ BODIES = {"scalar": read_scalar}
 
 def read_path(path: str | Path) -> MaskFile:
     """Reads a mask file; "-" is standard input. Raises MaskFileError, also for what cannot be read (SD002)."""
+    return read_bytes(load_path(path), file=str(path))
+
+
+def load_path(path: str | Path) -> bytes:
+    """The bytes of a mask file; "-" is standard input. Raises MaskFileError: SD002, or SD010 for a file too large."""
     file = str(path)
     try:
         if file == "-":
@@ -40,6 +45,11 @@ def read_path(path: str | Path) -> MaskFile:
         raise MaskFileError([unreadable(file, FileNotFoundError())]) from None
     if len(data) > MAX_FILE_BYTES:
         raise MaskFileError([_too_big(file)])
+    return data
+
+
+def read_bytes(data: bytes, *, file: str) -> MaskFile:
+    """Reads the bytes of a mask file. Raises MaskFileError and nothing else, whatever the bytes."""
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
