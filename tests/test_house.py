@@ -19,7 +19,7 @@ ARROWS = {
     "certificate": {"model"},
     "checker": set(),
     "pipeline": {"stages", "certificate", "checker", "schemes", "model"},
-    "catalog": {"pipeline", "maskfile", "model"},
+    "catalog": {"pipeline", "maskfile", "checker", "model"},
     "report": {"model"},
     "explain": {"model"},
     "cli": {"catalog", "maskfile", "report", "explain", "model", "pipeline", "checker", "schemes"},

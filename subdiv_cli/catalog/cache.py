@@ -39,8 +39,17 @@ class Entry(NamedTuple):
     certificate: str
 
 
-def default_directory() -> Path:
-    """Where caches of a user are: XDG_CACHE_HOME, or what is usual on the system."""
+def directory(told: str | None = None) -> str | None:
+    """Where results are kept: where it is told, else among the user's caches; nowhere for a user without a home."""
+    if told is not None:
+        return told
+    with suppress(RuntimeError):
+        return str(_of_user())
+    return None
+
+
+def _of_user() -> Path:
+    """XDG_CACHE_HOME, or what is usual on the system. Raises RuntimeError without a home."""
     if told := os.environ.get("XDG_CACHE_HOME"):
         return Path(told) / "subdiv"
     if sys.platform == "win32" and (told := os.environ.get("LOCALAPPDATA")):
