@@ -103,7 +103,7 @@ class Cache:
             packed = self._file(name).read_bytes()
             unpacker = zlib.decompressobj()
             data = unpacker.decompress(packed, MOST_BYTES)
-            if not unpacker.eof:
+            if not unpacker.eof or unpacker.unused_data:
                 return None
             head, _, body = data.partition(b"\n")
             if head.decode("ascii") != _head(name, body):
