@@ -34,10 +34,9 @@ class Worker:
     def __init__(self, settings: Settings, others: Sequence[Worker]) -> None:
         context = _context()
         self.connection, theirs = context.Pipe()
-        inherited = [worker.connection for worker in others] if context.get_start_method() == "fork" else []
-        self.process = context.Process(
-            target=_work, args=(theirs, [self.connection, *inherited] if inherited else [], settings), daemon=True
-        )
+        forked = context.get_start_method() == "fork"
+        inherited = [self.connection, *(worker.connection for worker in others)] if forked else []
+        self.process = context.Process(target=_work, args=(theirs, inherited, settings), daemon=True)
         for stream in (sys.stdout, sys.stderr):
             with suppress(OSError, ValueError):
                 stream.flush()  # else a forked process has it too
