@@ -39,39 +39,58 @@ class Cluster:
         except (OSError, ValueError, TimeoutError) as error:
             raise ClusterError(f"no scheduler answers at {self.address}: {error}") from None
         try:
-            threads = sum(client.nthreads().values())
-            yield from self._run(client, distributed.as_completed(raise_errors=False), order, max(1, threads) * AHEAD)
+            run = _Run(client, self.settings, distributed.as_completed(loop=client.loop, raise_errors=False))
+            yield from run.stream(self.tasks, order, max(1, sum(client.nthreads().values())) * AHEAD)
         finally:
             with suppress(Exception):
                 client.close(timeout=TIMEOUT)
 
-    def _run(self, client: Any, futures: Any, order: Order, width: int) -> Iterator[tuple[int, Done]]:
-        running: dict[str, tuple[int, Task]] = {}
+
+class _Run:
+    """Tasks under way on the cluster, and those it has lost once."""
+
+    def __init__(self, client: Any, settings: Settings, futures: Any) -> None:
+        self.client, self.settings, self.futures = client, settings, futures
+        self.running: dict[str, tuple[int, Task]] = {}
+        self.suspects: list[tuple[int, Task]] = []
+        """A scheduler blames all tasks that were on a worker which died: each is tried again, by itself."""
+
+    def stream(self, tasks: Numbered, order: Order, width: int) -> Iterator[tuple[int, Done]]:
+        """At most `width` at a time; then the suspects, which are told apart by what they do alone."""
         taken = 0
+        while True:
+            while taken < len(tasks) and len(self.running) < width and order.admits(tasks[taken][0]):
+                yield from self._submit(*tasks[taken])
+                taken += 1
+            if self.running:
+                yield from self._collect(last=False)
+            elif self.suspects:
+                yield from self._submit(*self.suspects.pop(0))
+                yield from self._collect(last=True)
+            elif taken == len(tasks):
+                return
 
-        def submit() -> Iterator[tuple[int, Done]]:
-            nonlocal taken
-            while taken < len(self.tasks) and len(running) < width and order.admits(self.tasks[taken][0]):
-                (number, task), taken = self.tasks[taken], taken + 1
-                try:  # the file is here, and need not be there
-                    task = task._replace(data=load_path(task.file)) if task.mask is None and task.data is None else task
-                except MaskFileError as error:
-                    yield number, Done(invalid(task.file, error.problems))
-                    continue
-                future = client.submit(perform, task, self.settings, pure=False, retries=0)
-                running[future.key] = (number, task)
-                futures.add(future)
+    def _submit(self, number: int, task: Task) -> Iterator[tuple[int, Done]]:
+        """The file is here and need not be there: its bytes travel. One that cannot be read is done."""
+        try:
+            if task.mask is None and task.data is None:
+                task = task._replace(data=load_path(task.file))
+        except MaskFileError as error:
+            yield number, Done(invalid(task.file, error.problems))
+            return
+        future = self.client.submit(perform, task, self.settings, pure=False, retries=0)
+        self.running[future.key] = (number, task)
+        self.futures.add(future)
 
-        yield from submit()
-        while running:
-            future = next(futures)
-            number, task = running.pop(future.key)
-            yield number, self._result(future, task)
-            yield from submit()
-
-    def _result(self, future: Any, task: Task) -> Done:
+    def _collect(self, *, last: bool) -> Iterator[tuple[int, Done]]:
+        """The next that ends, however it does."""
+        future = next(self.futures)
+        number, task = self.running.pop(future.key)
         if future.status == "finished":
-            done: Done = future.result()
-            return done
-        error = future.exception() if future.status == "error" else None
-        return Done(lost(task.file, f"the cluster lost it ({type(error).__name__ if error else future.status})"))
+            yield number, future.result()
+        elif last:
+            error = future.exception() if future.status == "error" else None
+            why = type(error).__name__ if error else future.status
+            yield number, Done(lost(task.file, f"the cluster lost it ({why})"))
+        else:
+            self.suspects.append((number, task))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -59,10 +60,16 @@ def complete_parameter(ctx: click.Context, param: click.Parameter, incomplete: s
     from subdiv_cli.maskfile import MaskFileError, read_path
 
     told: dict[str, str] = {}
-    targets = ctx.params.get("targets") or ()
-    for target in (targets,) if isinstance(targets, str) else targets:
-        with suppress(MaskFileError, OSError):
-            if target != "-" and Path(target).is_file():
-                for name, default in read_path(target).parameters.items():
+    for word in _words():
+        with suppress(MaskFileError, OSError, ValueError):
+            if Path(word).is_file():
+                for name, default in read_path(word).parameters.items():
                     told.setdefault(name, "" if default is None else default.text)
     return [CompletionItem(f"{n}=", help=default) for n, default in told.items() if f"{n}=".startswith(incomplete)]
+
+
+def _words() -> list[str]:
+    """The words of the line that is completed: an option without its value keeps click from parsing it."""
+    from click.shell_completion import split_arg_string
+
+    return split_arg_string(os.environ.get("COMP_WORDS", ""))

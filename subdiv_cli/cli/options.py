@@ -65,7 +65,7 @@ class SectionedCommand(click.Command):
         """Write each section."""
         sections: dict[str, list[tuple[str, str]]] = {}
         for parameter in self.get_params(ctx):
-            if (record := parameter.get_help_record(ctx)) is not None:
+            if isinstance(parameter, click.Option) and (record := parameter.get_help_record(ctx)) is not None:
                 sections.setdefault(getattr(parameter, "section", "Other options"), []).append(record)
         for section, records in sections.items():
             with formatter.section(section):

@@ -18,8 +18,9 @@ POOR = {"COLUMNS": "40", "NO_COLOR": "1", "PYTHONIOENCODING": "ascii", "TERM": "
 COMMANDS = [
     ["--help"], ["check", "--help"], ["list", "--help"], ["merge", "--help"], ["clean", "--help"], ["verify", "--help"],
     ["explain", "--help"], ["completion", "--help"], ["explain"], ["explain", "SD301"], ["list"], ["list", "zzz"],
-    ["check", *SOME], ["check", *SOME, "-v"], ["check", *SOME, "-vv"], ["check", *SOME, "-q"], ["check", "nowhere.toml"],
-    ["check", "--require", "C9", *SOME], ["check", "--require", "nonsense", *SOME], ["merge", "nowhere.json"],
+    ["check", *SOME], ["check", *SOME, "-v"], ["check", *SOME, "-vv"], ["check", *SOME, "-q"],
+    ["check", "nowhere.toml"],    ["check", "--require", "C9", *SOME], ["check", "--require", "nonsense", *SOME],
+    ["merge", "nowhere.json"],
     ["completion", "bash"],
 ]  # fmt: skip
 
@@ -39,9 +40,10 @@ def test_in_ascii_without_colour(arguments):
         assert not re.search(r"\\u[0-9a-f]{4}|\\x[0-9a-f]{2}", text) or arguments[0] == "completion"
 
 
-@pytest.mark.parametrize(
-    "arguments", [["check", *SOME], ["check", *SOME, "-v"], ["check", SOME[0]], ["list"]], ids=" ".join
-)
+NARROW = [["check", *SOME], ["check", *SOME, "-v"], ["check", SOME[0]], ["list"]]
+
+
+@pytest.mark.parametrize("arguments", NARROW, ids=" ".join)
 def test_forty_columns(arguments):
     """Nothing is wider, but paths, which are there to be copied."""
     for line in poor(*arguments).stdout.decode("ascii").splitlines():
