@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+from multiprocessing import get_context
 
 import pytest
 from runs import SUBDIV, children, masks, report, settled, start, wait_for
@@ -14,6 +15,22 @@ from subdiv_cli.catalog import pool
 from subdiv_cli.catalog.run import check_all
 
 LINUX = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="/proc tells which processes there are")
+
+
+pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+
+
+@pytest.fixture
+def forked(monkeypatch):
+    """Processes that have what a test has changed, also where other tests have left threads behind."""
+    monkeypatch.setattr(pool, "_context", lambda: get_context("fork"))
+
+
+@pytest.mark.parametrize("how", ["fork", "spawn"])
+def test_either_way_to_start_a_process(tmp_path, monkeypatch, how):
+    monkeypatch.setattr(pool, "_context", lambda: get_context(how))
+    directory = str(masks(tmp_path, 12))
+    assert list(check_all([directory], jobs=2)) == list(check_all([directory]))
 
 
 @LINUX
@@ -37,7 +54,7 @@ def test_a_worker_that_is_killed_costs_only_its_mask(tmp_path):
 
 
 @pytest.mark.parametrize("how", ["SIGKILL", "SIGSEGV", "SIGABRT", "exit 134"])
-def test_every_way_to_die(tmp_path, monkeypatch, how):
+def test_every_way_to_die(tmp_path, monkeypatch, forked, how):
     """FLINT ends the process where a size overwhelms it, and nothing can catch that."""
 
     def die(task, settings):
@@ -55,7 +72,7 @@ def test_every_way_to_die(tmp_path, monkeypatch, how):
     assert ("was killed by " + how in problem.message) or ("exit code 134" in problem.message)
 
 
-def test_all_workers_dying_all_the_time_ends_too(tmp_path, monkeypatch):
+def test_all_workers_dying_all_the_time_ends_too(tmp_path, monkeypatch, forked):
     monkeypatch.setattr(pool, "perform", lambda task, settings: os._exit(1))
     results = list(check_all([str(masks(tmp_path, 12))], jobs=2))
     assert [problem.code for result in results for problem in result.problems] == ["SD019"] * 12
@@ -134,7 +151,7 @@ def test_a_mask_that_needs_more_than_the_budget(tmp_path, jobs):
     assert len(results) == 8
 
 
-def test_a_step_that_no_budget_interrupts_is_ended_from_outside(tmp_path, monkeypatch):
+def test_a_step_that_no_budget_interrupts_is_ended_from_outside(tmp_path, monkeypatch, forked):
     """A library call looks at no clock: after a while its process is ended, and the mask is undecided."""
     import time
 
@@ -184,7 +201,7 @@ def test_a_full_disk_under_an_output_file(tmp_path):
     assert sorted(p.name for p in tmp_path.iterdir() if p.suffix != ".toml") == ["report.json"]
 
 
-def test_the_order_is_that_of_the_files_whatever_finishes_first(tmp_path, monkeypatch):
+def test_the_order_is_that_of_the_files_whatever_finishes_first(tmp_path, monkeypatch, forked):
     import random
     import time
 
@@ -203,7 +220,7 @@ def test_the_order_is_that_of_the_files_whatever_finishes_first(tmp_path, monkey
     assert finished != files, "they did not finish in order"
 
 
-def test_no_result_runs_far_ahead_of_the_first_that_is_missing(tmp_path, monkeypatch):
+def test_no_result_runs_far_ahead_of_the_first_that_is_missing(tmp_path, monkeypatch, forked):
     """Memory is bounded: while one mask takes long, only so many others are done and wait."""
     import time
 
@@ -224,7 +241,7 @@ def test_no_result_runs_far_ahead_of_the_first_that_is_missing(tmp_path, monkeyp
     assert len(list(run_of)) == 39
 
 
-def test_workers_are_replaced_after_a_while(tmp_path, monkeypatch):
+def test_workers_are_replaced_after_a_while(tmp_path, monkeypatch, forked):
     from dataclasses import replace
 
     def mark(task, settings):
