@@ -21,7 +21,7 @@ ARROWS = {
     "checker": set(),
     "pipeline": {"stages", "jsr", "certificate", "checker", "schemes", "model"},
     "portrait": {"pipeline", "stages", "schemes", "model"},
-    "catalog": {"pipeline", "maskfile", "model"},
+    "catalog": {"pipeline", "maskfile", "checker", "model"},
     "report": {"model"},
     "plot": {"model"},
     "explain": {"model"},

@@ -19,7 +19,10 @@ TOML = re.compile(r"^```toml\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 def directory(tmp_path):
     """A directory as the reader has it: the shipped masks, my_scheme.toml, and the same with its mistake."""
     (tmp_path / "masks").symlink_to(ROOT / "masks")
-    (mask,) = (body for body in TOML.findall(README.read_text(encoding="utf-8")) if body.startswith("name"))
+    bodies = TOML.findall(README.read_text(encoding="utf-8"))
+    (mask,) = (body for body in bodies if body.startswith("name") and "[mask]" in body)
+    (family,) = (body for body in bodies if "matrices" in body)
+    (tmp_path / "family.toml").write_text(family, encoding="utf-8")
     (tmp_path / "my_scheme.toml").write_text(mask, encoding="utf-8")
     (tmp_path / "mistake.toml").write_text(mask.replace('"1/20"', "1/20"), encoding="utf-8")
     return tmp_path
@@ -62,7 +65,7 @@ def test_the_symbol_in_the_readme_is_the_mask_in_the_readme(directory):
     from subdiv_cli.maskfile import read_text
 
     text = README.read_text(encoding="utf-8")
-    (mask,) = (body for body in TOML.findall(text) if body.startswith("name"))
+    (mask,) = (body for body in TOML.findall(text) if body.startswith("name") and "[mask]" in body)
     (symbol,) = (body for body in TOML.findall(text) if body.startswith("symbol"))
     lines = [line for line in mask.splitlines() if not line.startswith(("start", "coefficients"))]
     lines[lines.index("[mask]")] += "\n" + symbol

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -11,6 +12,9 @@ from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.problems import unreadable
 from subdiv_cli.maskfile.recognise import is_mask
 from subdiv_cli.model import Problem
+
+_PATTERN = re.compile(r"[*?\[]")
+_ANYTHING = re.compile(r"\*\*/?$")
 
 
 class Discovery(NamedTuple):
@@ -25,16 +29,19 @@ class Discovery(NamedTuple):
 def discover(paths: Iterable[str | Path]) -> Discovery:
     """Looks every argument up.
 
-    A directory is searched recursively for `*.toml` that are meant as masks (`is_mask`), sorted by path;
-    hidden files and directories are left out, links are followed once. A file named explicitly is always an entry:
-    whether it is a mask, the reader says (SD016). Problems: SD002 for what is missing or unreadable, SD014 for a
-    directory without masks. Never raises for what is on disk.
+    A directory is searched recursively for `*.toml` that are meant as masks (`is_mask`), sorted by path; hidden files
+    and directories are left out, links are followed once. A pattern (`masks/**/*.toml`) names the files and
+    directories that match. A file named explicitly is always an entry: whether it is a mask, the reader says (SD016).
+    Problems: SD002 for what is missing or unreadable, SD014 for a directory without masks and a pattern that nothing
+    matches. Never raises for what is on disk.
     """
     found = _Found()
     for path in map(str, paths):
         try:
             if path != "-" and Path(path).is_dir():
                 found.search(path)
+            elif _PATTERN.search(path) and not os.path.lexists(path):
+                found.match(path)
             else:
                 found.add(path, _identity(path))
         except OSError as error:
@@ -57,6 +64,21 @@ class _Found:
         if identity not in self._seen:
             self._seen.add(identity)
             self.entries.append(path)
+
+    def match(self, pattern: str) -> None:
+        """Takes what a pattern names, files and directories, by name; or the problem that it names nothing."""
+        from glob import glob
+
+        matches = sorted(glob(pattern, recursive=True))  # noqa: PTH207 (patterns may be absolute)
+        for path in matches:
+            if Path(path).is_dir():
+                if not _ANYTHING.search(pattern):  # its files match too
+                    self.search(path)
+            else:
+                self.add(path, _identity(path))
+        if not any(not Path(path).is_dir() or not _ANYTHING.search(pattern) for path in matches):
+            mend = "patterns are as in a shell, ** for any depth; quote them to have them read here"
+            self.entries.append(Problem(code="SD014", message="no file matches this", help=mend, file=pattern))
 
     def search(self, directory: str) -> None:
         """Takes the masks below a directory, or the problem that there are none."""

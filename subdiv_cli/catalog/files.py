@@ -7,10 +7,10 @@ from contextlib import suppress
 from pathlib import Path
 
 
-def write_whole(file: str | Path, content: str | bytes) -> None:
+def write_whole(file: str | Path, content: str | bytes, *, durable: bool = True) -> None:
     """Write a file so that it is the old one or the new one and never a part; after an OSError it is the old one.
 
-    What is not a plain file (a pipe, /dev/stdout) is written to as it is.
+    What is not a plain file (a pipe, /dev/stdout) is written to as it is. `durable`: whole also after a power cut.
     """
     data = content if isinstance(content, bytes) else content.encode("utf-8", "backslashreplace")
     path = Path(os.path.realpath(file))
@@ -22,7 +22,8 @@ def write_whole(file: str | Path, content: str | bytes) -> None:
         with part.open("xb") as new:
             new.write(data)
             new.flush()
-            os.fsync(new.fileno())
+            if durable:
+                os.fsync(new.fileno())
         if path.exists():
             part.chmod(path.stat().st_mode & 0o7777)
         part.replace(path)

@@ -1,4 +1,4 @@
-"""Many masks through the pipeline: every target gives its results, a bad one its problems, and the rest goes on."""
+"""Many masks: every target gives its results, a bad one its problems, and the rest goes on."""
 
 from __future__ import annotations
 
@@ -8,8 +8,17 @@ from fractions import Fraction
 
 from subdiv_cli.catalog.discovery import discover
 from subdiv_cli.catalog.files import CertificateDirectory
-from subdiv_cli.maskfile import MaskFile, MaskFileError, read_path
-from subdiv_cli.model import DEFAULT_EFFORT, Effort, Problem, Result
+from subdiv_cli.catalog.ordered import Numbered, Order, in_order
+from subdiv_cli.catalog.task import Done, Draw, Settings, Task, invalid, perform
+from subdiv_cli.maskfile import MaskFile, MaskFileError, load_path
+from subdiv_cli.model import DEFAULT_EFFORT, Expectation, Problem, Result
+
+FEWEST = 4
+"""Fewer masks than this for each process are not worth starting it."""
+
+
+def _ignore(_: object) -> None:
+    """Nobody listens."""
 
 
 def check_all(
@@ -19,69 +28,95 @@ def check_all(
     work: int = DEFAULT_EFFORT,
     seconds: float | None = None,
     debug: bool = False,
-    on_skipped: Callable[[int], None] = lambda _: None,
+    on_skipped: Callable[[int], None] = _ignore,
     certificates: str | None = None,
+    required: Sequence[Expectation] = (),
+    cache: str | None = None,
+    jobs: int = 1,
+    cluster: str | None = None,
+    shard: tuple[int, int] | None = None,
+    draw: Draw | None = None,
+    on_total: Callable[[int], None] = _ignore,
+    on_done: Callable[[Done], None] = _ignore,
 ) -> Iterator[Result]:
     """One result for each mask of the targets, in their order; the masks of a directory in the order of their paths.
 
-    `work` and `seconds` are the effort for each question and the time for each mask; `on_skipped` hears how many TOML
-    files of the directories are no masks; `certificates` is a directory for the proofs, made where it is missing.
+    `work` and `seconds` are the effort for each question and the time for each mask; `required` is what every mask is
+    held to beside its own expectations. `certificates` is a directory for the proofs, made where it is missing;
+    `cache` one for results. `jobs` processes work here, or those of the Dask scheduler `cluster`; `shard` (i, n) takes
+    every n-th mask from the i-th on. `on_skipped` hears how many TOML files of the directories are no masks,
+    `on_total` how many masks there are, `on_done` of each when it is done, in whatever order.
+
     Nothing is raised for bad input: its result is `invalid` and holds the problems. An internal error is one too
-    (SD099), unless `debug` lets it through. Raises OSError where a certificate cannot be written.
+    (SD099), unless `debug` lets it through. On Ctrl-C what is done comes, then KeyboardInterrupt. Raises OSError where
+    a certificate cannot be written, ClusterError where the cluster cannot be used.
     """
     directory = None if certificates is None else CertificateDirectory(certificates)
+    settings = Settings(
+        overrides=dict(overrides or {}),
+        work=work,
+        seconds=seconds,
+        debug=debug,
+        required=tuple(required),
+        certificates=directory is not None,
+        cache=cache,
+        draw=draw,
+    )
     found = discover(target for target in targets if isinstance(target, str))
     on_skipped(found.skipped)
-    for entry in (*found.entries, *(target for target in targets if isinstance(target, MaskFile))):
-        if isinstance(entry, Problem):
-            yield _invalid(entry.file or "", (entry,))
-            continue
-        try:
-            mask = entry if isinstance(entry, MaskFile) else read_path(entry)
-        except MaskFileError as error:
-            yield _invalid(str(entry), error.problems)
-            continue
-        yield _check(mask, overrides or {}, Effort(work, seconds), debug, directory)
+    entries = [*found.entries, *(target for target in targets if isinstance(target, MaskFile))]
+    if shard is not None:
+        entries = entries[shard[0] - 1 :: shard[1]]
+    on_total(len(entries))
+    for done in _run(entries, settings, jobs, cluster, on_done):
+        if directory is None or done.certificate is None:
+            yield done.result
+        else:
+            yield replace(done.result, certificate=directory.write(done.result.file, done.certificate))
 
 
-def _check(
-    mask: MaskFile,
-    overrides: Mapping[str, Fraction],
-    effort: Effort,
-    debug: bool,
-    certificates: CertificateDirectory | None,
-) -> Result:
-    from subdiv_cli.pipeline import check  # flint comes with it: a file with errors never loads it
+def _run(
+    entries: Sequence[str | Problem | MaskFile],
+    settings: Settings,
+    jobs: int,
+    cluster: str | None,
+    on_done: Callable[[Done], None],
+) -> Iterator[Done]:
+    """Here, in other processes or on a cluster; always in the order of the entries."""
+    made = [(number, _task(entry)) for number, entry in enumerate(entries)]
+    tasks = [(number, task) for number, task in made if isinstance(task, Task)]
 
+    def stream(order: Order) -> Iterator[tuple[int, Done]]:
+        yield from ((number, done) for number, done in made if isinstance(done, Done))
+        yield from _stream(tasks, settings, jobs, cluster)(order)
+
+    return in_order(stream, on_done)
+
+
+def _task(entry: str | Problem | MaskFile) -> Task | Done:
+    """What is to be done about an entry, or what there is to say of it; standard input is read here."""
+    if isinstance(entry, Problem):
+        return Done(invalid(entry.file or "", (entry,)))
+    if isinstance(entry, MaskFile):
+        return Task(entry.file, mask=entry)
+    if entry != "-":
+        return Task(entry)
     try:
-        parameters, scheme = mask.values(overrides), mask.scheme(overrides)
-        checked = check(scheme, mask.expectations, effort)
+        return Task(entry, data=load_path(entry))
     except MaskFileError as error:
-        return replace(_invalid(mask.file, error.problems), name=mask.name, kind=mask.kind)
-    except Exception as error:
-        if debug:
-            raise
-        return _invalid(mask.file, (_internal(mask.file, error),))
-    text = checked.certificate_text() if certificates is not None else None
-    return replace(
-        checked.result,
-        file=mask.file,
-        name=mask.name,
-        kind=mask.kind,
-        reference=mask.reference,
-        parameters=parameters,
-        certificate=certificates.write(mask.file, text) if certificates is not None and text is not None else None,
-    )
+        return Done(invalid(entry, error.problems))
 
 
-def _invalid(file: str, problems: tuple[Problem, ...]) -> Result:
-    return Result(file=file, status="invalid", problems=problems)
+def _stream(
+    tasks: Numbered, settings: Settings, jobs: int, cluster: str | None
+) -> Callable[[Order], Iterator[tuple[int, Done]]]:
+    if cluster is not None:
+        from subdiv_cli.catalog.cluster import Cluster
 
+        return Cluster(cluster, tasks, settings).stream
+    jobs = min(jobs, max(1, len(tasks) // FEWEST))
+    if jobs > 1 and not settings.debug:
+        from subdiv_cli.catalog.pool import Pool
 
-def _internal(file: str, error: Exception) -> Problem:
-    return Problem(
-        code="SD099",
-        message=f"internal error: {type(error).__name__}: {error}",
-        help="this is a fault of subdiv and not of the mask: please report it with the mask file and `--debug`",
-        file=file,
-    )
+        return Pool(tasks, settings, jobs).stream
+    return lambda _: ((number, perform(task, settings)) for number, task in tasks)

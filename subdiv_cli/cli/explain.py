@@ -6,11 +6,24 @@ import sys
 
 import click
 
+from subdiv_cli.cli.completers import complete_code
 from subdiv_cli.cli.streams import columns, emit, has_colour, speaks_mathematics
 
+_EPILOG = """\b
+Examples:
+  subdiv explain
+  subdiv explain SD301
+  subdiv explain contractivity
 
-@click.command("explain")
-@click.argument("code", required=False)
+\b
+Exit codes:
+  0    the page or the list is printed
+  2    there is no such code
+"""
+
+
+@click.command("explain", epilog=_EPILOG)
+@click.argument("code", required=False, shell_complete=complete_code)
 def command(code: str | None) -> None:
     """Explain a finding CODE: what it means, why it matters, how to mend it, its source.
 

@@ -22,8 +22,12 @@ COMMANDS = {
     "show": ("subdiv_cli.cli.show", "Take a mask apart: symbol, matrices, stencils, Q, error bounds."),
     "plot": ("subdiv_cli.cli.plot", "Draw the refinable function, its derivatives, and curves."),
     "jsr": ("subdiv_cli.cli.jsr", "Joint spectral radius of matrices, with proof."),
+    "list": ("subdiv_cli.cli.list", "The masks that ship with subdiv, and what is proved of them."),
+    "merge": ("subdiv_cli.cli.merge", "Join the JSON reports of the parts of a run."),
     "verify": ("subdiv_cli.cli.verify", "Check certificates independently."),
     "explain": ("subdiv_cli.cli.explain", "Explain a finding code: what it means, why, its source."),
+    "clean": ("subdiv_cli.cli.clean", "Remove the results kept of earlier runs."),
+    "completion": ("subdiv_cli.cli.completion", "Print the completion script of a shell."),
 }
 """Command -> the module that has it as `command`, and what it does in a line."""
 

@@ -103,25 +103,3 @@ def why_not(file: str) -> str | None:
     if path.exists() and not path.is_file():
         return None
     return None if os.access(path.parent, os.W_OK) else f"the directory {path.parent} is not writable"
-
-
-class Progress:
-    """A line on stderr that says how far a long run is; nothing at all unless that is a terminal."""
-
-    def __init__(self, stream: TextIO | None = None) -> None:
-        self.stream = sys.stderr if stream is None else stream
-        self.shown = self.stream.isatty() and os.environ.get("TERM") != "dumb"
-        self.done = 0
-
-    def step(self) -> None:
-        """One more mask is done."""
-        self.done += 1
-        if self.shown and self.done > 1:
-            self.stream.write(f"\r{self.done} masks checked")
-            self.stream.flush()
-
-    def close(self) -> None:
-        """Wipe the line away."""
-        if self.shown and self.done > 1:
-            self.stream.write("\r" + " " * 30 + "\r")
-            self.stream.flush()

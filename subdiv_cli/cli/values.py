@@ -1,12 +1,16 @@
-"""Quantities on the command line: how much work, how long, how close."""
+"""Quantities on the command line: how much work, how long, how close, in how many processes, which part."""
 
 from __future__ import annotations
 
 import math
+import os
 import re
 from fractions import Fraction
 
 import click
+
+MOST_JOBS = 1024
+MOST_SHARDS = 1_000_000
 
 
 class WholeType(click.ParamType[int]):
@@ -58,3 +62,43 @@ class ToleranceType(click.ParamType[Fraction]):
         if number <= 0:
             self.fail(f"{value!r} is not a positive number; write 1e-3 or 1/1000", param, ctx)
         return number
+
+
+class JobsType(click.ParamType[int]):
+    """A positive whole number, or `auto`: the cores that this process may use."""
+
+    name = "number"
+
+    def convert(self, value: str | int, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """Parse."""
+        if value == "auto":
+            return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        try:
+            number = int(value)
+        except ValueError:
+            number = 0
+        if not 1 <= number <= MOST_JOBS:
+            self.fail(f"{value!r} is neither auto nor a number from 1 to {MOST_JOBS}", param, ctx)
+        return number
+
+
+class ShardType(click.ParamType[tuple[int, int]]):
+    """`i/n` with 1 <= i <= n."""
+
+    name = "i/n"
+
+    def convert(
+        self, value: str | tuple[int, int], param: click.Parameter | None, ctx: click.Context | None
+    ) -> tuple[int, int]:
+        """Parse."""
+        if isinstance(value, tuple):
+            return value
+        index, count = _whole(value.partition("/")[0]), _whole(value.partition("/")[2])
+        if not 1 <= index <= count <= MOST_SHARDS:
+            self.fail(f"{value!r} is no part: write 1/4, 2/4, …", param, ctx)
+        return index, count
+
+
+def _whole(text: str) -> int:
+    """A number in plain digits; 0 for anything else."""
+    return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else 0

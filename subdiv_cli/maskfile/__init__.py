@@ -9,6 +9,6 @@ from __future__ import annotations
 
 from subdiv_cli.maskfile.mask import MaskFile, from_scheme
 from subdiv_cli.maskfile.problems import MaskFileError
-from subdiv_cli.maskfile.reader import read_path, read_text
+from subdiv_cli.maskfile.reader import load_path, read_bytes, read_path, read_text
 
-__all__ = ["MaskFile", "MaskFileError", "from_scheme", "read_path", "read_text"]
+__all__ = ["MaskFile", "MaskFileError", "from_scheme", "load_path", "read_bytes", "read_path", "read_text"]

@@ -74,6 +74,16 @@ class MaskFile:
         problems.raise_any()
         return values
 
+    def line_of(self, *path: str) -> int | None:
+        """The 1-based line of a key, `line_of("expect", "holder")`; None where the text does not state it."""
+        if not self.source.toml:
+            return None
+        from subdiv_cli.maskfile.positions import line_and_column
+        from subdiv_cli.maskfile.scanner import scan
+
+        spot = scan(self.source.text).spots.get(path)
+        return None if spot is None else line_and_column(self.source.text, spot.key)[0]
+
     def scheme(self, overrides: Mapping[str, Fraction] | None = None) -> ScalarScheme:
         """The scheme at the parameters' values. Raises MaskFileError as `values` does, SD009 for an all-zero mask."""
         problems = Collector(self.source)

@@ -12,7 +12,7 @@ from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression, rea
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import Expression, number_of, parameter_values
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, Source
-from subdiv_cli.maskfile.reader import text_of
+from subdiv_cli.maskfile.reader import load_path, text_of
 from subdiv_cli.maskfile.toml import load
 from subdiv_cli.maskfile.values import described
 
@@ -48,7 +48,7 @@ class MatrixFile:
 
 def read_matrices(path: str | Path) -> MatrixFile:
     """Reads a file with `matrices`; "-" is standard input. Raises MaskFileError with everything that is wrong."""
-    return read_matrices_text(text_of(path), file=str(path))
+    return read_matrices_text(text_of(load_path(path), str(path)), file=str(path))
 
 
 def read_matrices_text(text: str, *, file: str) -> MatrixFile:

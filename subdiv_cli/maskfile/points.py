@@ -24,7 +24,7 @@ Points = tuple[tuple[Fraction, ...], tuple[Fraction, ...]]
 def read_points(file: str) -> Points:
     """The points of a CSV file; "-" is standard input. A first row without numbers is a header.
 
-    Raises MaskFileError: SD002 where the file cannot be read, SD017 for what is no list of points.
+    Raises MaskFileError: SD002 where the file cannot be read, SD021 for what is no list of points.
     """
     try:
         if file == "-":
@@ -70,4 +70,4 @@ def points(text: str, file: str) -> Points:
 
 
 def _bad(file: str, message: str, mend: str, line: int | None = None) -> MaskFileError:
-    return MaskFileError([Problem(code="SD017", message=message, help=mend, file=file, line=line)])
+    return MaskFileError([Problem(code="SD021", message=message, help=mend, file=file, line=line)])

@@ -27,11 +27,11 @@ BODIES = {"scalar": read_scalar}
 
 def read_path(path: str | Path) -> MaskFile:
     """Reads a mask file; "-" is standard input. Raises MaskFileError, also for what cannot be read (SD002)."""
-    return read_text(text_of(path), file=str(path))
+    return read_bytes(load_path(path), file=str(path))
 
 
-def text_of(path: str | Path) -> str:
-    """The text of a file; "-" is standard input. Raises MaskFileError: SD002 or SD010."""
+def load_path(path: str | Path) -> bytes:
+    """The bytes of a mask file; "-" is standard input. Raises MaskFileError: SD002, or SD010 for a file too large."""
     file = str(path)
     try:
         if file == "-":
@@ -45,6 +45,16 @@ def text_of(path: str | Path) -> str:
         raise MaskFileError([unreadable(file, FileNotFoundError())]) from None
     if len(data) > MAX_FILE_BYTES:
         raise MaskFileError([_too_big(file)])
+    return data
+
+
+def read_bytes(data: bytes, *, file: str) -> MaskFile:
+    """Reads the bytes of a mask file. Raises MaskFileError and nothing else, whatever the bytes."""
+    return read_text(text_of(data, file), file=file)
+
+
+def text_of(data: bytes, file: str) -> str:
+    """The bytes of a file as text. Raises MaskFileError: SD002."""
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

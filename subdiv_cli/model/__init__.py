@@ -196,6 +196,26 @@ class Judgement(NamedTuple):
 
     expectation: Expectation
     verdict: Verdict
+    line: int | None = None
+    """Where the mask file states it, 1-based; looked up only where it is not proved."""
+
+
+class Stencil(NamedTuple):
+    """Σ_i weights[i] f_(first+i): what one new value takes of the data f."""
+
+    first: int
+    weights: tuple[Fraction, ...]
+
+
+class Drawing(NamedTuple):
+    """What a page draws of a mask: data for pictures, on which no verdict depends."""
+
+    rules: tuple[Stencil, ...]
+    """For ε = 0, …, p-1: (S f)_(pk+ε) from f_(k+first), …."""
+    limit: Stencil | None = None
+    """The limit stencil: S^∞f(k) from f_(k+first), …; None where convergence is not proved."""
+    curve: tuple[tuple[float, float], ...] = ()
+    """Points (x, φ(x)), x increasing; each is an exact value rounded once."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -252,6 +272,10 @@ class Result:
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None
     """The file it was written to."""
+    regressions: tuple[str, ...] | None = None
+    """What is worse than in the baseline, which then decides the status; None where the baseline has no such mask."""
+    drawing: Drawing | None = None
+    """Made only for a format that draws it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

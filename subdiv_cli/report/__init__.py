@@ -1,9 +1,11 @@
 """One file per output format: results in, a string out.
 
-`json` is a contract and `concise` is for grep; `text` is for people: `words` says it, `numbers` prints only certain
-digits, `letters` finds ASCII for the mathematics where it must, `layout` puts it into columns, `page` gathers the lines
-and `findings` leaves out what says the same again. `problems` shows what is wrong with a file. `look` is all that a
-format knows of the place it is printed to. A format's module is imported when it is asked for.
+`json` is a contract (schema.json), `jsonl` its lines; `junit`, `sarif`, `github` and `markdown` are for CI servers and
+show what `notices` lists; `html` is a page of `cards` with curves by `svg`. `concise` is for grep; `text` is for
+people: `words` says it, `numbers` prints only certain digits, `letters` finds ASCII for the mathematics where it must,
+`layout` puts it into columns, `page` gathers the lines and `findings` leaves out what says the same again. `problems`
+shows what is wrong with a file. `look` is all that a format knows beside the results. A format's module is imported
+when it is asked for.
 """
 
 from __future__ import annotations
@@ -19,11 +21,23 @@ FORMATS = {
     "text": "subdiv_cli.report.text",
     "concise": "subdiv_cli.report.concise",
     "json": "subdiv_cli.report.json",
+    "jsonl": "subdiv_cli.report.jsonl",
+    "junit": "subdiv_cli.report.junit",
+    "sarif": "subdiv_cli.report.sarif",
+    "github": "subdiv_cli.report.github",
+    "markdown": "subdiv_cli.report.markdown",
+    "html": "subdiv_cli.report.html",
 }
 """Format -> the module whose `render` makes it."""
 
-SUFFIXES = {".json": "json"}
+SUFFIXES = {
+    ".json": "json", ".jsonl": "jsonl", ".ndjson": "jsonl", ".xml": "junit", ".sarif": "sarif", ".md": "markdown",
+    ".markdown": "markdown", ".html": "html", ".htm": "html",
+}  # fmt: skip
 """File suffix -> the format it stands for; .txt and .log stand for none, as two of the formats are text."""
+
+FOR_PEOPLE = ("text", "concise")
+"""Formats in letters that the console can print; the others are UTF-8 wherever they go."""
 
 
 def renderer(name: str) -> Render:

@@ -19,7 +19,7 @@ def render(results: Sequence[Result], look: Look) -> str:
     for result in results:
         allowed = look.allow_undecided and result.status == "undecided"
         if look.verbosity >= 0:
-            lines += _lines(result)
+            lines += _lines(result, look)
         elif result.status != "passed" and not allowed:
             lines += _missed(result)
     if look.verbosity >= 0 and len(results) != 1:
@@ -27,9 +27,9 @@ def render(results: Sequence[Result], look: Look) -> str:
     return "".join(letters(line, look.unicode) + "\n" for line in lines)
 
 
-def _lines(result: Result) -> Iterator[str]:
+def _lines(result: Result, look: Look) -> Iterator[str]:
     yield from _problems(result)
-    for found in result.findings:
+    for found in look.shown(result.findings):
         yield f"{result.file}: {_finding(found)}"
     yield from _judged(result, result.expectations)
     yield from _notes(result)

@@ -19,27 +19,38 @@ _LONG = 10**4000
 
 def render(results: Sequence[Result], look: Look) -> str:
     """The report; how it is to look is of no matter here. ASCII only where a letter is not valid Unicode."""
-    report = {
+    return document([as_data(result, look) for result in results], summary(results), look)
+
+
+def document(results: Sequence[Mapping[str, Any]], counts: Mapping[str, int], look: Look) -> str:
+    """The report of results that are JSON data already: shards that are merged."""
+    report: dict[str, Any] = {
         "format": "subdiv-report",
         "version": 1,
         "tool": {"name": "subdiv", "version": subdiv_cli.__version__},
-        "summary": summary(results),
-        "results": [_result(result) for result in results],
+        "summary": counts,
+        "results": results,
     }
-    return strictly_unicode(json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n")
+    if look.shard is not None:
+        report["shard"] = {"index": look.shard[0], "count": look.shard[1]}
+    if look.missing:
+        report["missing"] = list(look.missing)
+    if look.interrupted:
+        report["interrupted"] = True
+    return valid(json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n")
 
 
-def strictly_unicode(text: str) -> str:
-    """The text without lone surrogates."""
+def valid(text: str) -> str:
+    """JSON text that has bytes: a lone surrogate (a file name that is not UTF-8) has none, its escape has."""
     return text if text.isascii() else "".join(map(_scalar, text))
 
 
 def _scalar(letter: str) -> str:
-    """A lone surrogate (a file name that is not UTF-8) has no bytes; its escape has."""
     return f"\\u{ord(letter):04x}" if "\ud800" <= letter <= "\udfff" else letter
 
 
-def _result(result: Result) -> dict[str, Any]:
+def as_data(result: Result, look: Look) -> dict[str, Any]:
+    """One result as JSON data."""
     return {
         "file": result.file,
         "name": result.name,
@@ -59,11 +70,12 @@ def _result(result: Result) -> dict[str, Any]:
         "generation": result.generation,
         "reproduction": result.reproduction,
         "expectations": [_expectation(result, judged) for judged in result.expectations],
-        "findings": [_finding(finding) for finding in result.findings],
+        "findings": [_finding(finding) for finding in look.shown(result.findings)],
         "certificate": result.certificate,
         "reference": result.reference,
         "refinable_function": {"order": result.refinable.order, "sharp": result.refinable.sharp},
         "hints": list(result.hints),
+        "regressions": None if result.regressions is None else list(result.regressions),
     }
 
 
@@ -96,6 +108,7 @@ def _expectation(result: Result, judged: Judgement) -> dict[str, Any]:
         "expected": expectation.text,
         "verdict": judged.verdict.value,
         "found": found(result, expectation),
+        "line": judged.line,
     }
 
 
@@ -128,8 +141,3 @@ def plain(data: Data) -> Any:
     if isinstance(data, Fraction) or (isinstance(data, int) and abs(data) >= _LONG):
         return exact(data)
     return data
-
-
-def document(result: Result) -> dict[str, Any]:
-    """One result, as it stands in `results`."""
-    return _result(result)

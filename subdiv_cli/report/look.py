@@ -1,15 +1,21 @@
-"""How a report is to look: what the formats need to know of the place they are printed to."""
+"""How a report is to look: what the formats need to know beside the results."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
+
+from subdiv_cli.model import Finding
 
 UNWRAPPED = 1_000_000
 """A width at which nothing is wrapped."""
 
 
 class Look(NamedTuple):
-    """The place a report goes to, as far as a format minds. A file is the default: UTF-8, no colour, 100 columns."""
+    """The place a report goes to, as far as a format minds, and what the reader asked to see.
+
+    A file is the default: UTF-8, no colour, 100 columns.
+    """
 
     width: int = 100
     """Columns; text is wrapped to it, never cut."""
@@ -22,3 +28,23 @@ class Look(NamedTuple):
     """Whether the text report shows what is wrong with an invalid file; the command line puts it on stderr instead."""
     allow_undecided: bool = False
     """Whether undecided counts as passed; it is said in the footer."""
+    select: tuple[str, ...] = ()
+    """Codes, or beginnings of codes, of the findings to be shown; none are all."""
+    ignore: tuple[str, ...] = ()
+    """Codes, or beginnings of codes, of findings not to be shown, among those selected."""
+    shard: tuple[int, int] | None = None
+    """(i, n): this is part i of n, every n-th mask from the i-th on."""
+    missing: tuple[str, ...] = ()
+    """Masks of the baseline that this run has not."""
+    interrupted: bool = False
+    """Not all masks were checked."""
+
+    def shown(self, findings: Sequence[Finding]) -> tuple[Finding, ...]:
+        """The findings the reader asked to see. What a verdict is and the exit code do not hang on it."""
+        if not self.select and not self.ignore:
+            return tuple(findings)
+        return tuple(
+            found
+            for found in findings
+            if (not self.select or found.code.startswith(self.select)) and not found.code.startswith(self.ignore)
+        )

@@ -98,7 +98,7 @@ class _Page(Page):
             self.blank()
             self.table(TITLES, rows)
         self.expectations(result)
-        findings.show(self, result.findings)
+        findings.show(self, self.look.shown(result.findings))
 
     def headline(self, result: Result) -> None:
         sign, role = words.STATUS_MARKS[result.status], words.STATUS_ROLES[result.status]

@@ -9,6 +9,7 @@ from subdiv_cli.report.numbers import data, exact, interval
 
 MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
 ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
+_NO_WORSE = "nothing is worse than in the baseline"
 STATUS_MARKS = {"passed": "✓", "failed": "✗", "undecided": "?", "invalid": "!"}
 STATUS_ROLES = {"passed": "good", "failed": "bad", "undecided": "open", "invalid": "bad"}
 
@@ -194,7 +195,9 @@ def verdict_sentence(result: Result, *, allow_undecided: bool = False) -> str:
     """Why the exit code is what it is, for one mask."""
     if result.status == "invalid":
         return "invalid: the mask was not checked"
-    if not result.expectations:
+    if result.regressions is not None:
+        why = f"worse than in the baseline: {'; '.join(result.regressions)}" if result.regressions else _NO_WORSE
+    elif not result.expectations:
         why = {
             "passed": "convergence proved; the mask states no expectation",
             "failed": "convergence refuted; the mask states no expectation",

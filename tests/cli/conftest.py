@@ -7,6 +7,7 @@ import pytest
 from cli_samples import result
 from click.testing import CliRunner
 
+from subdiv_cli.catalog.task import Done
 from subdiv_cli.cli import main
 
 
@@ -19,8 +20,12 @@ class Catalog:
         self.error = None
 
     def check_all(self, targets, **settings):
+        listeners = {name: settings.pop(name, None) for name in ("on_total", "on_done", "on_skipped")}
         self.asked = (list(targets), settings)
-        yield from self.results
+        listeners["on_total"](len(self.results))
+        for made in self.results:
+            listeners["on_done"](Done(made))
+            yield made
         if self.error is not None:
             raise self.error
 

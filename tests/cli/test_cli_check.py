@@ -1,6 +1,7 @@
 """`subdiv check`, its options, streams and exit codes, against a stand-in for the catalog."""
 
 import json
+import os
 from fractions import Fraction
 from itertools import chain, combinations
 
@@ -10,18 +11,33 @@ from cli_samples import PROBLEM, result
 from subdiv_cli.model import DEFAULT_EFFORT
 from subdiv_cli.schemes.scalar import ScalarScheme
 
+DEFAULTS = {
+    "overrides": {},
+    "work": DEFAULT_EFFORT,
+    "seconds": None,
+    "debug": False,
+    "jobs": len(os.sched_getaffinity(0)),
+    "cache": os.environ["SUBDIV_CACHE_DIR"],
+    "required": (),
+}
+
 
 def test_what_the_catalog_is_asked_by_default(run, catalog):
     assert run("check", "b", "a", "-").exit_code == 0
-    assert catalog.asked == (
-        ["b", "a", "-"],
-        {"overrides": {}, "work": DEFAULT_EFFORT, "seconds": None, "debug": False},
-    )
+    assert catalog.asked == (["b", "a", "-"], DEFAULTS)
 
 
-def test_what_the_catalog_is_asked(run, catalog):
+def test_what_the_catalog_is_asked(run, catalog, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     assert run("check", "a", "--effort", "7", "--budget", "1.5", "--debug").exit_code == 0
-    assert catalog.asked == (["a"], {"overrides": {}, "work": 7, "seconds": 1.5, "debug": True})
+    assert catalog.asked == (["a"], {**DEFAULTS, "work": 7, "seconds": 1.5, "debug": True})
+    options = ("--jobs", "3", "--no-cache", "--shard", "2/5", "--dask", "tcp://x:1", "--require", "C1", "-o", "r.html")
+    assert run("check", "a", *options).exit_code == 0
+    asked = catalog.asked[1]
+    assert asked.pop("required")[0].text == ">= 1"
+    assert asked.pop("draw") == ("subdiv_cli.quantities.curve", "drawing")
+    expected = {**DEFAULTS, "jobs": 3, "cache": None, "shard": (2, 5), "cluster": "tcp://x:1"}
+    assert asked == {key: value for key, value in expected.items() if key != "required"}
 
 
 @pytest.mark.parametrize(
@@ -86,10 +102,10 @@ def test_errors_of_invalid_masks_are_on_stderr_in_the_text_format(run, catalog):
         (["a", "--budget", "inf"], "positive"),
         (["a", "--format", "xml"], "xml"),
         (["a", "-o", "json:"], "names no file"),
-        (["a", "-o", "foo:r.q"], "no format 'foo'; there are text, concise, json"),
-        (["a", "-o", "JSON:r.json"], "no format 'JSON'; there are text, concise, json"),
-        (["a", "-o", "r.yaml"], "no format .yaml; there are text, concise, json"),
-        (["a", "-o", "r.HTML"], "no format .html; there are text, concise, json"),
+        (["a", "-o", "foo:r.q"], "no format 'foo'; there are text, concise, json, jsonl, junit"),
+        (["a", "-o", "JSON:r.json"], "no format 'JSON'; there are text, concise, json, jsonl, junit"),
+        (["a", "-o", "r.yaml"], "no format .yaml; there are text, concise, json, jsonl, junit"),
+        (["a", "-o", "r.PDF"], "no format .pdf; there are text, concise, json"),
         (["a", "-o", "r.csv"], "-o text:r.csv"),
         (["a", "-o", "-"], "names no file"),
         (["a", "-o", "/no/such/place/x.json"], "no directory"),

@@ -147,7 +147,7 @@ def test_show_writes_files(run, tmp_path):
         (["plot", FOUR, "--closed"], "belong to --points"),
         (["plot", FOUR, "--levels", "2"], "belong to --points"),
         (["plot", FOUR, "--points", "none.csv"], "SD002"),
-        (["plot", FOUR, "--points", FOUR], "SD017"),
+        (["plot", FOUR, "--points", FOUR], "SD021"),
         (["plot", FOUR, "-p", "w=1/16", "-p", "v=2"], "SD011"),
         (["plot", FOUR, "--points", "x.csv", "--derivatives", "1"], "leave out --points"),
     ],

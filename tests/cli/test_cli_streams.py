@@ -9,7 +9,6 @@ import pytest
 
 from subdiv_cli.catalog.files import write_whole
 from subdiv_cli.cli.streams import (
-    Progress,
     columns,
     emit,
     has_colour,
@@ -125,14 +124,3 @@ def test_why_not(tmp_path):
     assert why_not(str(tmp_path / "x")) is None
     assert why_not(str(tmp_path)) == "it is a directory"
     assert "no directory" in why_not(str(tmp_path / "no" / "x"))
-
-
-def test_progress_is_for_terminals_only():
-    for terminal in (True, False):
-        made = io.StringIO()
-        made.isatty = lambda terminal=terminal: terminal
-        progress = Progress(made)
-        progress.step()
-        progress.step()
-        progress.close()
-        assert ("2 masks checked" in made.getvalue()) is terminal

@@ -45,7 +45,7 @@ def test_what_is_no_polygon(text, message, line):
     with pytest.raises(MaskFileError) as caught:
         points(text, "a.csv")
     (problem,) = caught.value.problems
-    assert (problem.code, problem.line, problem.file) == ("SD017", line, "a.csv")
+    assert (problem.code, problem.line, problem.file) == ("SD021", line, "a.csv")
     assert message in problem.message
     assert problem.help
 
@@ -55,7 +55,7 @@ def test_files(tmp_path):
     good.write_text("\ufeffx,y\n1,2\n3,4\n", encoding="utf-8")
     bytes_.write_bytes(b"\xff\xfe1\x00")
     assert read_points(str(good)) == ((1, 3), (2, 4))
-    for file, code in ((bytes_, "SD017"), (tmp_path / "none.csv", "SD002"), (tmp_path, "SD002")):
+    for file, code in ((bytes_, "SD021"), (tmp_path / "none.csv", "SD002"), (tmp_path, "SD002")):
         with pytest.raises(MaskFileError) as caught:
             read_points(str(file))
         assert caught.value.problems[0].code == code

@@ -22,7 +22,7 @@ KEYS = {
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
         *("generation", "reproduction", "expectations", "findings", "certificate", "reference"),
-        *("refinable_function", "hints"),
+        *("refinable_function", "hints", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],
     "convergent": ["verdict"],
@@ -32,7 +32,7 @@ KEYS = {
     "sobolev": ["lower", "upper", "exact"],
     "stable": ["verdict"],
     "linearly_independent": ["verdict"],
-    "expectations": ["key", "expected", "verdict", "found"],
+    "expectations": ["key", "expected", "verdict", "found", "line"],
     "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "witness", "claims"],
     "value": ["exact", "lower", "upper"],
 }

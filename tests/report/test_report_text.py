@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from subdiv_cli.model import UNKNOWN, Exponent, Finding, Problem, Result, Verdict
-from subdiv_cli.report import FORMATS, renderer
+from subdiv_cli.report import FOR_PEOPLE, FORMATS, renderer
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.text import render
@@ -276,8 +276,8 @@ def test_any_text_is_printable_anywhere(name, statement, reason, verdict, form):
     ]
     for columns in (20, 80):
         text = renderer(form)(results, Look(width=columns, unicode=False, verbosity=2))
-        text.encode("ascii" if form != "json" else "utf-8")
-        assert form == "json" or not re.search("[\x00-\x09\x0b-\x1f\x7f]", text)
+        text.encode("ascii" if form in FOR_PEOPLE else "utf-8")
+        assert form in ("json", "jsonl") or not re.search("[\x00-\x09\x0b-\x1f\x7f]", text)
         renderer(form)(results, Look(width=columns, verbosity=2)).encode("utf-8")
 
 

@@ -13,7 +13,7 @@ from typing import Any
 import subdiv_cli
 from subdiv_cli.model import Result
 from subdiv_cli.model.anatomy import Anatomy, Curve, Factor, Signal
-from subdiv_cli.report.json import document, plain, strictly_unicode
+from subdiv_cli.report.json import as_data, plain, valid
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.show.formulas import symbol
 
@@ -24,7 +24,7 @@ def render(result: Result, anatomy: Anatomy, picture: Sequence[str], look: Look)
         "format": "subdiv-show",
         "version": 1,
         "tool": {"name": "subdiv", "version": subdiv_cli.__version__},
-        "report": document(result),
+        "report": as_data(result, look),
         "mask": _signal(anatomy.mask),
         "symbol": {
             "text": symbol(anatomy),
@@ -50,7 +50,7 @@ def render(result: Result, anatomy: Anatomy, picture: Sequence[str], look: Look)
         "hermite_bound": _witness(result, "SD512", ("order", "constant")),
         "curve": None if anatomy.curve is None else _curve(anatomy.curve),
     }
-    return strictly_unicode(json.dumps(page, ensure_ascii=False, indent=2, allow_nan=False) + "\n")
+    return valid(json.dumps(page, ensure_ascii=False, indent=2, allow_nan=False) + "\n")
 
 
 def _signal(signal: Signal) -> dict[str, Any]:

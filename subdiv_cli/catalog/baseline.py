@@ -1,0 +1,100 @@
+"""Results held to an earlier report: a mask fails where something is worse than it was there.
+
+Verdicts: proved is better than undecided, undecided than refuted. Orders and degrees must not fall, and an enclosure
+of an exponent must still meet the old one. What a file expects for the first time must be proved.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from subdiv_cli.model import Exponent, Judgement, Result, Verdict
+
+_RANK = {"refuted": 0, "undecided": 1, "skipped": 1, "proved": 2}
+_VERDICTS: tuple[tuple[str, str, Callable[[Result], Verdict]], ...] = (
+    ("convergent", "convergence", lambda r: r.convergent),
+    ("stable", "stability", lambda r: r.stable),
+    ("linearly_independent", "linear independence", lambda r: r.linearly_independent),
+)
+_NUMBERS: tuple[tuple[str, str, Callable[[Result], int | None]], ...] = (
+    ("sum_rule_order", "the sum-rule order", lambda r: r.sum_rule_order),
+    ("generation", "the generation degree", lambda r: r.generation),
+    ("reproduction", "the reproduction degree", lambda r: r.reproduction),
+)
+
+
+class Baseline:
+    """The results of a report, as JSON data, by their files."""
+
+    def __init__(self, results: Sequence[Mapping[str, Any]]) -> None:
+        self._old = {_same(old["file"]): old for old in results}
+        self._seen: set[str] = set()
+
+    def judge(self, result: Result) -> Result:
+        """The result with its regressions, which decide its status; as it is where the baseline knows no such mask."""
+        file = _same(result.file)
+        self._seen.add(file)
+        old = self._old.get(file)
+        if old is None or old["status"] == "invalid" or result.status == "invalid":
+            return result
+        worse = tuple(_worse(result, old))
+        return replace(result, regressions=worse, status="failed" if worse else "passed")
+
+    def missing(self) -> tuple[str, ...]:
+        """The files of the baseline that no result was about."""
+        return tuple(sorted(old["file"] for file, old in self._old.items() if file not in self._seen))
+
+
+def _same(file: str) -> str:
+    return os.path.normpath(file)
+
+
+def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
+    for key, name, of in _VERDICTS:
+        yield from _verdict(name, old[key]["verdict"], of(result))
+    yield from _number("the order of smoothness", old["smoothness"]["order"], result.smoothness.order)
+    for key, name, number in _NUMBERS:
+        yield from _number(name, old[key], number(result))
+    yield from _enclosure("the Hölder exponent", old["holder"], result.holder)
+    yield from _enclosure("the Sobolev exponent", old["sobolev"], result.sobolev)
+    before = {(e["key"], e["expected"]): e["verdict"] for e in old["expectations"]}
+    for judged in result.expectations:
+        yield from _expectation(judged, before.get((judged.expectation.key, judged.expectation.text)))
+
+
+def _verdict(name: str, old: str, new: Verdict) -> Iterator[str]:
+    if _RANK[new.value] < _RANK[old]:
+        yield f"{name} was {old} and is {new.value}"
+
+
+def _number(name: str, old: int | None, new: int | None) -> Iterator[str]:
+    if old is not None and (new is None or new < old):
+        yield f"{name} was {old} and is {'not known' if new is None else new}"
+
+
+def _enclosure(name: str, old: Mapping[str, Any] | None, new: Exponent | None) -> Iterator[str]:
+    """Two certified enclosures of one number have it in common."""
+    if old is None:
+        return
+    if new is None:
+        yield f"{name} was known and is not"
+        return
+    below, above = _or(old["lower"], -1), _or(old["upper"], 1)
+    lower, upper = _or(new.lower, -1), _or(new.upper, 1)
+    if lower > above or upper < below:
+        yield f"{name} was in [{below!r}, {above!r}] and is in [{lower!r}, {upper!r}]"
+
+
+def _or(bound: float | None, sign: int) -> float:
+    return sign * float("inf") if bound is None else bound
+
+
+def _expectation(judged: Judgement, old: str | None) -> Iterator[str]:
+    asked = f"{judged.expectation.key} {judged.expectation.text}"
+    if old is not None:
+        yield from _verdict(f"the expectation {asked}", old, judged.verdict)
+    elif judged.verdict is not Verdict.PROVED:
+        yield f"the new expectation {asked} is {judged.verdict.value}"

@@ -1,0 +1,153 @@
+"""Results of earlier runs, kept in files: an entry is used only where the checker verifies its certificate again.
+
+The key is a hash of the file's bytes, the overrides, the settings that decide what is found, and the version. An entry
+is one compressed file, written whole and replaced at once, so runs at the same time do no harm to each other. Whatever
+is wrong with an entry, it is not used; whatever keeps one from being written, the run goes on.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import zlib
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from fractions import Fraction
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import NamedTuple
+
+import subdiv_cli
+from subdiv_cli.catalog.files import write_whole
+from subdiv_cli.catalog.record import UnreadableRecordError, decode, encode
+from subdiv_cli.model import Expectation, Result
+
+MOST_BYTES = 128 << 20
+"""Of an entry, unpacked: a file that swells to more is none of ours."""
+_SUFFIX = ".entry"
+_TAG = "CACHEDIR.TAG"
+_TAG_TEXT = "Signature: 8a477f597d28d172789f06886806bc55\n# Results of subdiv; `subdiv clean` removes them.\n"
+"""By this line backup programs know a cache."""
+
+
+class Entry(NamedTuple):
+    """A result as the pipeline gave it, before file and name are put in, and the text of its certificate."""
+
+    result: Result
+    certificate: str
+
+
+def directory(told: str | None = None) -> str | None:
+    """Where results are kept: where it is told, else among the user's caches; nowhere for a user without a home."""
+    if told is not None:
+        return told
+    with suppress(RuntimeError):
+        return str(_of_user())
+    return None
+
+
+def _of_user() -> Path:
+    """XDG_CACHE_HOME, or what is usual on the system. Raises RuntimeError without a home."""
+    if told := os.environ.get("XDG_CACHE_HOME"):
+        return Path(told) / "subdiv"
+    if sys.platform == "win32" and (told := os.environ.get("LOCALAPPDATA")):
+        return Path(told) / "subdiv" / "cache"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "subdiv"
+    return Path.home() / ".cache" / "subdiv"
+
+
+def key(
+    data: bytes, overrides: Mapping[str, Fraction], work: int, required: Sequence[Expectation], *, kind: str = "check"
+) -> str:
+    """The name of an entry."""
+    asked = {
+        "kind": kind,
+        "version": _version(),
+        "file": sha256(data).hexdigest(),
+        "overrides": {name: f"{v.numerator:x}/{v.denominator:x}" for name, v in sorted(overrides.items())},
+        "work": work,
+        "required": [f"{e.key} {e.text}" for e in required],
+    }
+    return sha256(json.dumps(asked).encode()).hexdigest()
+
+
+@cache
+def _version() -> str:
+    """The version; in a checkout, where code changes and the version does not, with the dates of the source files."""
+    package = Path(subdiv_cli.__file__).parent
+    if not (package.parent / "pyproject.toml").exists():
+        return subdiv_cli.__version__
+    dates = sha256()
+    for file in sorted(package.rglob("*.py")):
+        with suppress(OSError):
+            status = file.stat()
+            dates.update(f"{file.name} {status.st_size} {status.st_mtime_ns}\n".encode())
+    return f"{subdiv_cli.__version__}+{dates.hexdigest()[:16]}"
+
+
+class Cache:
+    """A directory of entries."""
+
+    def __init__(self, directory: str | Path) -> None:
+        self.directory = Path(directory)
+
+    def _file(self, name: str) -> Path:
+        return self.directory / name[:2] / f"{name}{_SUFFIX}"
+
+    def find(self, name: str) -> Entry | None:
+        """The entry as it was written, or None. The caller has to verify it: `trust.trusted`."""
+        try:
+            packed = self._file(name).read_bytes()
+            unpacker = zlib.decompressobj()
+            data = unpacker.decompress(packed, MOST_BYTES)
+            if not unpacker.eof or unpacker.unused_data:
+                return None
+            head, _, body = data.partition(b"\n")
+            if head.decode("ascii") != _head(name, body):
+                return None
+            first, _, certificate = body.partition(b"\n")
+            result = decode(json.loads(first))
+            return Entry(result, certificate.decode("utf-8")) if isinstance(result, Result) else None
+        except (OSError, ValueError, zlib.error, UnreadableRecordError, RecursionError):
+            return None
+
+    def keep(self, name: str, entry: Entry) -> None:
+        """Write an entry. Raises OSError."""
+        body = json.dumps(encode(entry.result)).encode() + b"\n" + entry.certificate.encode("utf-8")
+        file = self._file(name)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        tag = self.directory / _TAG
+        if not tag.exists():
+            write_whole(tag, _TAG_TEXT, durable=False)
+        write_whole(file, zlib.compress(f"{_head(name, body)}\n".encode("ascii") + body, 1), durable=False)
+
+    def clean(self) -> tuple[int, int]:
+        """Remove every entry, and the directory if nothing else is in it: how many there were, and their bytes.
+
+        Nothing that is not an entry is touched, whatever directory was named. Raises OSError.
+        """
+        count = size = 0
+        for file in self._entries():
+            size += file.stat().st_size
+            file.unlink()
+            count += 1
+        with suppress(OSError):
+            (self.directory / _TAG).unlink()
+        for directory in (*self.directory.glob("[0-9a-f][0-9a-f]"), self.directory):
+            with suppress(OSError):
+                directory.rmdir()
+        return count, size
+
+    def _entries(self) -> Iterator[Path]:
+        """Finished ones, and those a killed run left behind half written."""
+        for directory in sorted(self.directory.glob("[0-9a-f][0-9a-f]")):
+            yield from sorted(directory.glob(f"*{_SUFFIX}"))
+            yield from sorted(directory.glob(f".*{_SUFFIX}.*.part"))
+
+
+def _head(name: str, body: bytes) -> str:
+    """The first line: what this is, the entry's own name, so that a copy under another is none, and a digest."""
+    return f"subdiv-cache 1 {name} {sha256(body).hexdigest()}"

@@ -1,0 +1,202 @@
+"""JSON reports read again: baselines, and the parts of a run that are to be joined."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import Any, NamedTuple, cast
+
+from subdiv_cli.maskfile import MaskFileError
+from subdiv_cli.maskfile.closed import read_closed_form
+from subdiv_cli.maskfile.option import parse_expectation
+from subdiv_cli.maskfile.problems import Fault, unreadable
+from subdiv_cli.maskfile.properties import TRUTHS
+from subdiv_cli.model import (
+    ClosedForm,
+    Expectation,
+    ExpectationKey,
+    Exponent,
+    Finding,
+    Interval,
+    Judgement,
+    Problem,
+    Result,
+    Smoothness,
+    Verdict,
+)
+
+_NEEDED = (
+    "file", "status", "convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent", "generation",
+    "reproduction", "sum_rule_order", "expectations", "findings", "errors",
+)  # fmt: skip
+
+
+class ReportError(Exception):
+    """A file is no report; `problem` says why."""
+
+    def __init__(self, problem: Problem) -> None:
+        super().__init__(problem.message)
+        self.problem = problem
+
+
+class Report(NamedTuple):
+    """A report as JSON data."""
+
+    file: str
+    results: Sequence[Mapping[str, Any]]
+    shard: tuple[int, int] | None = None
+    missing: tuple[str, ...] = ()
+    interrupted: bool = False
+
+
+def read_report(file: str) -> Report:
+    """Read a JSON report. Raises ReportError: SD002 for a file that cannot be read, SD020 for one that is no report."""
+    try:
+        data = json.loads(Path(file).read_bytes())
+    except OSError as error:
+        raise ReportError(unreadable(file, error)) from None
+    except (ValueError, RecursionError):
+        raise _no_report(file, "it is not JSON") from None
+    if not isinstance(data, dict) or data.get("format") != "subdiv-report":
+        raise _no_report(file, "its format is not subdiv-report")
+    if data.get("version") != 1:
+        raise _no_report(file, f"this version of subdiv reads version 1, not {str(data.get('version'))[:20]}")
+    try:
+        results = data["results"]
+        for result in results:
+            for key in _NEEDED:
+                result[key]
+            if result["status"] != "invalid":
+                results_of([result])
+        shard = (int(data["shard"]["index"]), int(data["shard"]["count"])) if "shard" in data else None
+        missing = tuple(map(str, data.get("missing", ())))
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise _no_report(file, f"something is missing or of the wrong kind: {error}"[:120]) from None
+    return Report(file, results, shard, missing, bool(data.get("interrupted", False)))
+
+
+def _no_report(file: str, why: str) -> ReportError:
+    mend = "write one with `subdiv check … --format json -o report.json`"
+    return ReportError(Problem(code="SD020", message=f"no JSON report: {why}", help=mend, file=file))
+
+
+def join(reports: Sequence[Report]) -> tuple[list[Mapping[str, Any]], tuple[int, int] | None]:
+    """All results, and the part they are if they are no whole run.
+
+    The parts of one run are put back into its order; other reports follow one another. A mask that stands in several
+    with the same result is there once. Raises ValueError where parts are missing or come twice, or two results of
+    one mask differ.
+    """
+    ordered = _parts(reports)
+    joined: dict[tuple[Any, ...], Mapping[str, Any]] = {}
+    for result in ordered:
+        key = (result["file"], *sorted(result.get("parameters", {}).items()))
+        if joined.setdefault(key, result) != result:
+            raise ValueError(f"two results for {result['file']} differ")
+    return list(joined.values()), reports[0].shard if len(reports) == 1 else None
+
+
+def _parts(reports: Sequence[Report]) -> list[Mapping[str, Any]]:
+    """The results of all reports, those of the parts of one run in its order: result k is in part k mod n."""
+    counts = {report.shard[1] for report in reports if report.shard is not None}
+    if not counts or len(reports) == 1:
+        return [result for report in reports for result in report.results]
+    if len(counts) > 1 or any(report.shard is None for report in reports):
+        raise ValueError("these are not the parts of one run")
+    (count,) = counts
+    parts = {report.shard[0]: report.results for report in reports if report.shard is not None}
+    if len(parts) < len(reports):
+        raise ValueError("a part comes twice")
+    if absent := [str(i) for i in range(1, count + 1) if i not in parts]:
+        raise ValueError(f"of {count} parts, missing: {', '.join(absent[:20])}")
+    longest = max(map(len, parts.values()))
+    return [parts[i][k] for k in range(longest) for i in range(1, count + 1) if k < len(parts[i])]
+
+
+def results_of(data: Sequence[Mapping[str, Any]]) -> list[Result]:
+    """The results, as far as a report has them: for other formats. Raises KeyError, TypeError or ValueError."""
+    return [_result(result) for result in data]
+
+
+def _result(data: Mapping[str, Any]) -> Result:
+    return Result(
+        file=data["file"],
+        status=data["status"],
+        name=data.get("name"),
+        kind=data.get("kind"),
+        parameters={name: Fraction(value) for name, value in data.get("parameters", {}).items()},
+        reference=data.get("reference"),
+        stopped=data.get("stopped"),
+        problems=tuple(_problem(error, data["file"]) for error in data["errors"]),
+        facts=_data(data.get("facts", {})),
+        hints=tuple(data.get("hints", ())),
+        sum_rule_order=data["sum_rule_order"],
+        convergent=Verdict(data["convergent"]["verdict"]),
+        smoothness=_smoothness(data["smoothness"]),
+        refinable=_smoothness(data.get("refinable_function", data["smoothness"])),
+        holder=_exponent(data["holder"]),
+        sobolev=_exponent(data["sobolev"]),
+        stable=Verdict(data["stable"]["verdict"]),
+        linearly_independent=Verdict(data["linearly_independent"]["verdict"]),
+        generation=data["generation"],
+        reproduction=data["reproduction"],
+        expectations=tuple(_judgement(judged) for judged in data["expectations"]),
+        findings=tuple(_finding(finding) for finding in data["findings"]),
+        certificate=data.get("certificate"),
+        regressions=None if data.get("regressions") is None else tuple(data["regressions"]),
+    )
+
+
+def _problem(data: Mapping[str, Any], file: str) -> Problem:
+    return Problem(
+        code=data["code"], message=data["message"], help=data.get("help"), file=file, key=data.get("key"),
+        line=data.get("line"), column=data.get("column"),
+    )  # fmt: skip
+
+
+def _smoothness(data: Mapping[str, Any]) -> Smoothness:
+    return Smoothness(order=data["order"], sharp=data["sharp"])
+
+
+def _exponent(data: Mapping[str, Any] | None) -> Exponent | None:
+    if data is None:
+        return None
+    return Exponent(data["lower"], data["upper"], _closed(data["exact"]), data.get("attained"))
+
+
+def _closed(text: str | None) -> ClosedForm | None:
+    """A closed form of the expectations' grammar; another stays an enclosure."""
+    if text is None:
+        return None
+    try:
+        return read_closed_form(text)
+    except Fault:
+        return None
+
+
+def _judgement(data: Mapping[str, Any]) -> Judgement:
+    key, said = data["key"], data["expected"]
+    try:
+        expectation = parse_expectation(key, said == "true" if key in TRUTHS else said)
+    except MaskFileError:
+        expectation = Expectation(key=cast(ExpectationKey, key), text=said, lower=False)
+    return Judgement(expectation, Verdict(data["verdict"]), data.get("line"))
+
+
+def _finding(data: Mapping[str, Any]) -> Finding:
+    value = data.get("value")
+    return Finding(
+        code=data["code"], name=data["name"], verdict=Verdict(data["verdict"]), statement=data["statement"],
+        source=data["source"], reason=data.get("reason"),
+        value=None if value is None else Interval(value["lower"], value["upper"], value["exact"]),
+        witness=_data(data.get("witness", {})), claims=tuple(data.get("claims", ())),
+    )  # fmt: skip
+
+
+def _data(value: Any) -> Any:
+    """Lists as tuples, as witnesses have them; fractions stay the strings that they are printed as."""
+    if isinstance(value, list):
+        return tuple(map(_data, value))
+    return {key: _data(item) for key, item in value.items()} if isinstance(value, dict) else value

@@ -1,0 +1,165 @@
+"""One mask, from its file to its result: what a run repeats, here or in another process.
+
+Nothing is raised for bad input: its result is `invalid` and holds the problems.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from subdiv_cli.catalog.cache import Cache, Entry, key
+from subdiv_cli.maskfile import MaskFile, MaskFileError, load_path, read_bytes
+from subdiv_cli.model import DEFAULT_EFFORT, Drawing, Effort, Expectation, Judgement, Problem, Result, Verdict
+
+
+class Draw(NamedTuple):
+    """Who makes the drawings of a page; a module and a function by name, as another process has to import them."""
+
+    module: str
+    function: str
+
+    def __call__(self, scheme: Any, converges: bool) -> Drawing:
+        """The drawing of a scheme, of the kinds that the function knows."""
+        from importlib import import_module
+
+        make: Callable[..., Drawing] = getattr(import_module(self.module), self.function)
+        return make(scheme, converges=converges)
+
+
+class Settings(NamedTuple):
+    """What is the same for all masks of a run."""
+
+    overrides: Mapping[str, Fraction] = {}
+    work: int = DEFAULT_EFFORT
+    seconds: float | None = None
+    debug: bool = False
+    required: tuple[Expectation, ...] = ()
+    """What every mask is held to besides its own expectations."""
+    certificates: bool = False
+    """Whether the texts of the certificates are wanted."""
+    cache: str | None = None
+    """The directory of the cache."""
+    draw: Draw | None = None
+
+
+class Task(NamedTuple):
+    """A mask to be checked: a file, its bytes where they are already read, or a mask that is no file."""
+
+    file: str
+    data: bytes | None = None
+    mask: MaskFile | None = None
+
+
+class Done(NamedTuple):
+    """What came of a task."""
+
+    result: Result
+    certificate: str | None = None
+    seconds: float = 0.0
+    cached: bool = False
+    trouble: str | None = None
+    """Why the cache could not be written."""
+
+
+def perform(task: Task, settings: Settings) -> Done:
+    """Check one mask. Raises nothing, but where `debug` is set what an internal error is."""
+    start = time.perf_counter()
+    try:
+        done = _perform(task, settings)
+    except MaskFileError as error:
+        done = Done(invalid(task.file, error.problems))
+    except Exception as error:
+        if settings.debug:
+            raise
+        done = Done(invalid(task.file, (_internal(task.file, error),)))
+    return done._replace(seconds=time.perf_counter() - start)
+
+
+def _perform(task: Task, settings: Settings) -> Done:
+    data = load_path(task.file) if task.data is None and task.mask is None else task.data
+    mask = task.mask if task.mask is not None else read_bytes(data or b"", file=task.file)
+    try:
+        parameters, scheme = mask.values(settings.overrides), mask.scheme(settings.overrides)
+    except MaskFileError as error:
+        return Done(replace(invalid(mask.file, error.problems), name=mask.name, kind=mask.kind))
+    expectations = (*mask.expectations, *settings.required)
+    done = _kept(data, scheme, expectations, settings)
+    result = done.result
+    return done._replace(
+        result=replace(
+            result,
+            file=mask.file,
+            name=mask.name,
+            kind=mask.kind,
+            reference=mask.reference,
+            parameters=parameters,
+            expectations=tuple(_placed(judged, mask) for judged in result.expectations),
+            drawing=settings.draw and settings.draw(scheme, result.convergent is Verdict.PROVED),
+        ),
+        certificate=done.certificate if settings.certificates else None,
+    )
+
+
+def _kept(data: bytes | None, scheme: Any, expectations: tuple[Expectation, ...], settings: Settings) -> Done:
+    """From the cache if it has this, and then into it."""
+    if settings.cache is None or data is None:
+        return _computed(scheme, expectations, settings)
+    from subdiv_cli.catalog.trust import every_verdict_has_a_claim
+
+    cache = Cache(settings.cache)
+    name = key(data, settings.overrides, settings.work, settings.required)
+    entry = cache.find(name)
+    if entry is not None and _trusted(entry, scheme, expectations):
+        return Done(entry.result, entry.certificate, cached=True)
+    done = _computed(scheme, expectations, settings)
+    if done.certificate is None or done.result.stopped or not every_verdict_has_a_claim(done.result):
+        return done
+    try:
+        cache.keep(name, Entry(done.result, done.certificate))
+    except OSError as error:
+        return done._replace(trouble=error.strerror or type(error).__name__)
+    return done
+
+
+def _trusted(entry: Entry, scheme: Any, expectations: tuple[Expectation, ...]) -> bool:
+    from subdiv_cli.catalog.trust import trusted
+    from subdiv_cli.maskfile.canonical import canonical
+
+    try:
+        mask = canonical(scheme)
+    except ValueError:  # numbers too long to be printed: computed anew each time
+        return False
+    return trusted(entry.result, entry.certificate, mask, expectations)
+
+
+def _computed(scheme: Any, expectations: tuple[Expectation, ...], settings: Settings) -> Done:
+    from subdiv_cli.pipeline import check  # flint comes with it: neither an invalid file nor a cached one loads it
+
+    checked = check(scheme, expectations, Effort(settings.work, settings.seconds))
+    wanted = settings.certificates or settings.cache is not None
+    return Done(checked.result, checked.certificate_text() if wanted else None)
+
+
+def _placed(judged: Judgement, mask: MaskFile) -> Judgement:
+    """With the line where it is stated, if somebody will have to look there."""
+    if judged.verdict is Verdict.PROVED or judged.expectation not in mask.expectations:
+        return judged
+    return judged._replace(line=mask.line_of("expect", judged.expectation.key))
+
+
+def invalid(file: str, problems: tuple[Problem, ...]) -> Result:
+    """The result of what could not be checked."""
+    return Result(file=file, status="invalid", problems=problems)
+
+
+def _internal(file: str, error: Exception) -> Problem:
+    return Problem(
+        code="SD099",
+        message=f"internal error: {type(error).__name__}: {error}",
+        help="this is a fault of subdiv and not of the mask: please report it with the mask file and `--debug`",
+        file=file,
+    )

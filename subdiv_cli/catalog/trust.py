@@ -1,0 +1,112 @@
+"""Whether a result from the cache may be believed: the checker says so anew, of this mask, for every verdict.
+
+A stale, foreign or altered entry must not lie. Its certificate is verified on every hit and is about the mask that the
+file has now; each proved or refuted finding names claims of it that are of the right kind and say the same; and what
+the result says in short must follow from its findings and from the statements proved.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from subdiv_cli.checker import check_text
+from subdiv_cli.model import Expectation, Finding, Result, Verdict
+
+DECIDED = (Verdict.PROVED, Verdict.REFUTED)
+_PROPERTIES = {
+    "SD101": {"residue-sums"},
+    "SD102": {"sum-rules"},
+    "SD103": {"generation"},
+    "SD104": {"reproduction"},
+    "SD105": {"derived", "sum-rules"},
+    "SD201": {"convergent"},
+    "SD202": {"eigen-condition"},
+    "SD302": {"smooth", "not-smooth"},
+    "SD303": {"not-smooth"},
+    "SD304": {"eigen-condition", "sum-rules"},
+    "SD401": {"independent"},
+    "SD402": {"stable"},
+}
+"""What claims of these findings must be about; those of later codes must only be verified."""
+_HOLDS = {"SD201", "SD202", "SD401", "SD402"}
+"""Findings whose claims say whether something holds, proved or refuted."""
+
+
+def every_verdict_has_a_claim(result: Result) -> bool:
+    """Whether the certificate covers all that the result decides; a result without that is not kept."""
+    return all(finding.claims for finding in result.findings if finding.verdict in DECIDED)
+
+
+def trusted(result: Result, certificate: str, mask: Mapping[str, Any], expectations: Sequence[Expectation]) -> bool:
+    """Whether the entry is proved for this mask, in its canonical spelling, and answers these expectations.
+
+    Never raises.
+    """
+    try:
+        return _trusted(result, certificate, mask, expectations)
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError):
+        return False
+
+
+def _trusted(result: Result, certificate: str, mask: Mapping[str, Any], expectations: Sequence[Expectation]) -> bool:
+    if result.stopped or result.problems or tuple(j.expectation for j in result.expectations) != tuple(expectations):
+        return False
+    if not check_text(certificate).verified:
+        return False
+    document = json.loads(certificate)
+    if document["mask"] != mask:
+        return False
+    statements = [claim["statement"] for claim in document["claims"]]
+    return all(_proved(finding, statements) for finding in result.findings) and _follows(result, statements)
+
+
+def _proved(finding: Finding, statements: Sequence[Mapping[str, Any]]) -> bool:
+    """Whether the claims that a decided finding names are there and say the same."""
+    if finding.verdict not in DECIDED:
+        return True
+    said = [statements[number] for number in finding.claims if number >= 0]
+    fitting = _PROPERTIES.get(finding.code)
+    if not said or (fitting is not None and not all(statement["property"] in fitting for statement in said)):
+        return False
+    holds = finding.verdict is Verdict.PROVED
+    return finding.code not in _HOLDS or all(statement["holds"] is holds for statement in said)
+
+
+def _follows(result: Result, statements: Sequence[Mapping[str, Any]]) -> bool:
+    """Whether the short answers are those of the findings, and the orders those of the statements."""
+    found = {finding.code: finding for finding in result.findings}
+    answers = ((result.convergent, "SD201"), (result.stable, "SD402"), (result.linearly_independent, "SD401"))
+    if any(code not in found or found[code].verdict is not verdict for verdict, code in answers):
+        return False
+    if result.smoothness.order is not None and result.convergent is not Verdict.PROVED:
+        return False
+    return all(_orders(result, statements)) and _status(result)
+
+
+def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator[bool]:
+    def largest(name: str, key: str) -> int:
+        return max((s[key] for s in statements if s["property"] == name), default=-1)
+
+    def least(name: str, key: str) -> int:
+        return min((s[key] for s in statements if s["property"] == name), default=1 << 30)
+
+    for smooth in (result.smoothness, result.refinable):
+        if smooth.order is not None:
+            yield largest("smooth", "order") >= smooth.order
+            yield not smooth.sharp or least("not-smooth", "order") <= smooth.order + 1
+    if result.sum_rule_order:
+        yield any(s["property"] == "sum-rules" and s["order"] == result.sum_rule_order for s in statements)
+    for name, degree in (("generation", result.generation), ("reproduction", result.reproduction)):
+        if degree is not None:
+            yield any(s["property"] == name and s["degree"] == degree for s in statements)
+
+
+def _status(result: Result) -> bool:
+    """Whether the status follows from the judgements, as `pipeline` has it."""
+    verdicts = [judged.verdict for judged in result.expectations] or [result.convergent]
+    if Verdict.REFUTED in verdicts:
+        return result.status == "failed"
+    passed = all(verdict is Verdict.PROVED for verdict in verdicts)
+    return result.status == ("passed" if passed else "undecided")

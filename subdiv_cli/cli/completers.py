@@ -1,0 +1,75 @@
+"""What the shell may complete: mask files, finding codes, parameters of the named files, properties."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+
+def complete_code(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """Finding codes, with their names."""
+    from click.shell_completion import CompletionItem
+
+    from subdiv_cli.explain import codes, title
+
+    wanted = incomplete.upper()
+    return [CompletionItem(code, help=title(code)) for code in codes() if code.startswith(wanted)]
+
+
+def complete_property(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """`C0`, `C1`, … and the properties of [expect]."""
+    from click.shell_completion import CompletionItem
+
+    from subdiv_cli.maskfile.properties import KEYS, TRUTHS
+
+    known = [*(f"C{n}" for n in range(4)), *(key if key in TRUTHS else f"{key}>=" for key in KEYS)]
+    return [CompletionItem(name) for name in known if name.startswith(incomplete)]
+
+
+def complete_mask(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """Directories, and files that end in .toml."""
+    from click.shell_completion import CompletionItem
+
+    return [CompletionItem(name) for name in _files(incomplete)]
+
+
+def _files(incomplete: str) -> Iterator[str]:
+    head, slash, tail = incomplete.rpartition("/")
+    directory = Path(f"{head}/" if slash else ".")
+    with suppress(OSError):
+        for path in sorted(directory.iterdir()):
+            if path.name.startswith(tail) and (tail.startswith(".") or not path.name.startswith(".")):
+                if path.is_dir():
+                    yield f"{head}{slash}{path.name}/"
+                elif path.suffix == ".toml":
+                    yield f"{head}{slash}{path.name}"
+
+
+def complete_parameter(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """`w=` for each parameter of the mask files named so far, with its default."""
+    from click.shell_completion import CompletionItem
+
+    from subdiv_cli.maskfile import MaskFileError, read_path
+
+    told: dict[str, str] = {}
+    for word in _words():
+        with suppress(MaskFileError, OSError, ValueError):
+            if Path(word).is_file():
+                for name, default in read_path(word).parameters.items():
+                    told.setdefault(name, "" if default is None else default.text)
+    return [CompletionItem(f"{n}=", help=default) for n, default in told.items() if f"{n}=".startswith(incomplete)]
+
+
+def _words() -> list[str]:
+    """The words of the line that is completed: an option without its value keeps click from parsing it."""
+    from click.shell_completion import split_arg_string
+
+    return split_arg_string(os.environ.get("COMP_WORDS", ""))

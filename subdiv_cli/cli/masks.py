@@ -1,0 +1,118 @@
+"""Which masks `check` is to look at: files, lists of files, `--mask`, and the values of `-p`."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Collection, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+import click
+
+from subdiv_cli.cli.exits import ExitCode
+from subdiv_cli.cli.options import Asked
+from subdiv_cli.cli.printing import complain
+from subdiv_cli.model import Expectation, Problem, Result
+
+if TYPE_CHECKING:
+    from subdiv_cli.maskfile import MaskFile
+
+MOST_BYTES = 64 << 20
+"""Of a list of files."""
+
+
+def usage(asked: Asked) -> None:
+    """Raise a usage error for options that do not go together."""
+    if asked.mask is None and not asked.targets and asked.files_from is None:
+        raise click.UsageError("nothing to check: name a file, as in `subdiv check four-point.toml`")
+    if asked.mask is not None and (asked.targets or asked.files_from is not None):
+        raise click.UsageError("--mask checks one mask from the command line: leave out the files, or --mask")
+    if asked.mask is None and (asked.start is not None or asked.arity is not None):
+        option = "--start" if asked.start is not None else "--arity"
+        raise click.UsageError(f"{option} belongs to --mask; a file says it itself, under [mask]")
+    if asked.quiet and asked.verbose:
+        raise click.UsageError("-q and -v contradict each other")
+    if asked.files_from == "-" and "-" in asked.targets:
+        raise click.UsageError("standard input is either a list of files or a mask, not both")
+
+
+def overrides(parameters: Sequence[str]) -> dict[str, Fraction]:
+    """The values of -p by name. Ends the command, all faults told, where one cannot be read."""
+    if not parameters:
+        return {}
+    from subdiv_cli.maskfile import MaskFileError
+    from subdiv_cli.maskfile.option import parse_override
+
+    values: dict[str, Fraction] = {}
+    problems: list[Problem] = []
+    for text in parameters:
+        try:
+            name, value = parse_override(text)
+        except MaskFileError as error:
+            problems += error.problems
+            continue
+        if values.setdefault(name, value) != value:
+            raise click.UsageError(f"-p gives {name} twice: {values[name]} and {value}")
+    _end(problems)
+    return values
+
+
+def required(properties: Sequence[str]) -> tuple[Expectation, ...]:
+    """The properties of --require. Ends the command, all faults told, where one cannot be read."""
+    if not properties:
+        return ()
+    from dataclasses import replace
+
+    from subdiv_cli.maskfile import MaskFileError
+    from subdiv_cli.maskfile.option import parse_property
+
+    found: list[Expectation] = []
+    problems: list[Problem] = []
+    for text in properties:
+        try:
+            found.append(parse_property(text))
+        except MaskFileError as error:
+            problems += (replace(problem, key="--require") for problem in error.problems)
+    _end(problems)
+    return tuple(dict.fromkeys(found))
+
+
+def _end(problems: Sequence[Problem]) -> None:
+    if problems:
+        complain(problems)
+        raise click.exceptions.Exit(ExitCode.ERROR)
+
+
+def targets(asked: Asked, names: Collection[str]) -> list[str | MaskFile] | Result:
+    """What to check; an invalid Result where --mask cannot be read. `names` are those of -p, which a mask may use."""
+    if asked.mask is None:
+        listed = () if asked.files_from is None else _listed(asked.files_from)
+        return [*asked.targets, *listed]
+    from subdiv_cli.maskfile import MaskFileError
+    from subdiv_cli.maskfile.option import from_option
+
+    try:
+        start, arity = 0 if asked.start is None else asked.start, 2 if asked.arity is None else asked.arity
+        return [from_option(asked.mask, start=start, arity=arity, names=names)]
+    except MaskFileError as error:
+        return Result(file="--mask", status="invalid", problems=tuple(error.problems))
+
+
+def _listed(file: str) -> list[str]:
+    """The names in a list, one a line; with a NUL in it, as `find -print0` writes it, between those."""
+    from os import fsdecode
+    from pathlib import Path
+
+    try:
+        if file == "-":
+            data = sys.stdin.buffer.read(MOST_BYTES + 1)
+        else:
+            with Path(file).open("rb") as stream:
+                data = stream.read(MOST_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise click.UsageError(f"--files-from {file}: cannot be read: {reason}") from None
+    if len(data) > MOST_BYTES:
+        raise click.UsageError(f"--files-from {file}: larger than {MOST_BYTES >> 20} MiB")
+    lines = data.split(b"\0") if b"\0" in data else data.splitlines()
+    return [fsdecode(line) for line in lines if line.strip()]

@@ -1,0 +1,208 @@
+"""The options of `check`, in the sections in which its help shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple, TypeVar
+
+import click
+
+from subdiv_cli.cli.completers import complete_code, complete_mask, complete_parameter, complete_property
+from subdiv_cli.cli.outputs import Output, OutputType
+from subdiv_cli.cli.values import JobsType, SecondsType, ShardType, WholeType
+from subdiv_cli.model import DEFAULT_EFFORT
+from subdiv_cli.report import FORMATS
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class Asked(NamedTuple):
+    """What the command line asks for, under the names of its options."""
+
+    targets: tuple[str, ...]
+    parameters: tuple[str, ...]
+    files_from: str | None
+    mask: str | None
+    start: int | None
+    arity: int | None
+    form: str
+    outputs: tuple[Output, ...]
+    verbose: int
+    quiet: bool
+    select: tuple[str, ...]
+    ignore: tuple[str, ...]
+    certificates: str | None
+    require: tuple[str, ...]
+    baseline: str | None
+    allow_undecided: bool
+    effort: int
+    budget: float | None
+    jobs: int
+    shard: tuple[int, int] | None
+    dask: str | None
+    no_cache: bool
+    cache_dir: str | None
+    debug: bool
+
+    @property
+    def verbosity(self) -> int:
+        """-1 for -q, else how often -v is given."""
+        return -1 if self.quiet else self.verbose
+
+
+class Option(click.Option):
+    """An option that knows the section of the help it belongs to."""
+
+    def __init__(self, *args: Any, section: str, **attributes: Any) -> None:
+        super().__init__(*args, **attributes)
+        self.section = section
+
+
+class SectionedCommand(click.Command):
+    """A command whose help has its options in sections."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write each section."""
+        sections: dict[str, list[tuple[str, str]]] = {}
+        for parameter in self.get_params(ctx):
+            if isinstance(parameter, click.Option) and (record := parameter.get_help_record(ctx)) is not None:
+                sections.setdefault(getattr(parameter, "section", "Other options"), []).append(record)
+        for section, records in sections.items():
+            with formatter.section(section):
+                formatter.write_dl(records)
+
+
+def option(section: str, *names: str, **attributes: Any) -> Callable[[F], F]:
+    """An option in a section; with `variable` as an environment variable, shown in the help."""
+    variable = attributes.pop("variable", None)
+    more = {} if variable is None else {"envvar": f"SUBDIV_{variable}", "show_envvar": True}
+    return click.option(*names, cls=Option, section=section, **attributes, **more)
+
+
+def _masks(f: F) -> F:
+    for decorator in reversed(
+        (
+            click.argument(
+                "targets", nargs=-1, type=click.Path(), metavar="[FILE | DIR | -]...", shell_complete=complete_mask
+            ),
+            option(
+                "Masks", "-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE",
+                shell_complete=complete_parameter, help="Set a mask's parameter: w=1/20. Repeatable.",
+            ),
+            option(
+                "Masks", "--files-from", metavar="FILE", type=click.Path(dir_okay=False, allow_dash=True),
+                help="Read names of files and directories from FILE, one a line (or NUL between); - is stdin.",
+            ),
+            option(
+                "Masks", "--mask", metavar="MASK",
+                help="Check this mask instead of a file: a list, [1, 3, 3, 1]/4, or a symbol, (1+z)^3/4.",
+            ),
+            option(
+                "Masks", "--start", type=int, metavar="INDEX",
+                help="Index of the first coefficient of --mask.  [default: 0]",
+            ),
+            option("Masks", "--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
+        )
+    ):  # fmt: skip
+        f = decorator(f)
+    return f
+
+
+def _report(f: F) -> F:
+    for decorator in reversed(
+        (
+            option(
+                "Report", "--format", "form", type=click.Choice(list(FORMATS)), default="text", show_default=True,
+                variable="FORMAT", help="Format of the report on stdout.",
+            ),
+            option(
+                "Report", "-o", "--output", "outputs", type=OutputType(), multiple=True, metavar="[FORMAT:]FILE",
+                help="Write the report to FILE as well, whole or not at all; FORMAT is told by the suffix (.json, "
+                ".jsonl, .xml, .sarif, .md, .html), else it is --format. Repeatable.",
+            ),
+            option(
+                "Report", "-v", "--verbose", count=True, help="Every report in full; -vv with the witnesses."
+            ),
+            option("Report", "-q", "--quiet", is_flag=True, help="Show only what did not pass."),
+            option(
+                "Report", "--select", multiple=True, metavar="CODE", shell_complete=complete_code,
+                help="Show only findings with this code, or beginning of codes: SD3. Repeatable.",
+            ),
+            option(
+                "Report", "--ignore", multiple=True, metavar="CODE", shell_complete=complete_code,
+                help="Do not show findings with this code. Neither changes the exit code. Repeatable.",
+            ),
+            option(
+                "Report", "--certificate", "certificates", metavar="DIR", type=click.Path(file_okay=False),
+                help="Write the proof of each mask's verdicts into DIR, for `subdiv verify`.",
+            ),
+        )
+    ):  # fmt: skip
+        f = decorator(f)
+    return f
+
+
+def _gate(f: F) -> F:
+    for decorator in reversed(
+        (
+            option(
+                "Gate", "--require", multiple=True, metavar="PROPERTY", shell_complete=complete_property,
+                variable="REQUIRE",
+                help='Hold every mask to this as well: C1, "holder>=1.5", stable. Repeatable.',
+            ),
+            option(
+                "Gate", "--baseline", metavar="REPORT", type=click.Path(dir_okay=False), variable="BASELINE",
+                help="A JSON report: a mask fails if a verdict is worse than there; masks that are new, by what they "
+                "expect.",
+            ),
+            option(
+                "Gate", "--allow-undecided", is_flag=True, variable="ALLOW_UNDECIDED",
+                help="Undecided is not a failure: exit 0 for it.",
+            ),
+        )
+    ):  # fmt: skip
+        f = decorator(f)
+    return f
+
+
+def _run(f: F) -> F:
+    for decorator in reversed(
+        (
+            option(
+                "Run", "--effort", type=WholeType(), default=DEFAULT_EFFORT, show_default=True, metavar="N",
+                variable="EFFORT", help="Work one question may cost. What is found depends on it alone.",
+            ),
+            option(
+                "Run", "--budget", type=SecondsType(), metavar="SECONDS", variable="BUDGET",
+                help="Give up on a mask after so long. Results then depend on the machine.",
+            ),
+            option(
+                "Run", "-j", "--jobs", type=JobsType(), default="auto", show_default=True, metavar="N",
+                variable="JOBS", help="Processes to work in; auto is one for each core, few for few masks.",
+            ),
+            option(
+                "Run", "--shard", type=ShardType(), metavar="I/N",
+                help="Check part I of N only, for a matrix of CI jobs; `subdiv merge` joins their JSON reports.",
+            ),
+            option(
+                "Run", "--dask", metavar="ADDRESS", variable="DASK",
+                help="Work on a Dask cluster, tcp://host:8786 (needs the extra dask).",
+            ),
+            option(
+                "Run", "--no-cache", is_flag=True, variable="NO_CACHE",
+                help="Neither use nor keep results of earlier runs.",
+            ),
+            option(
+                "Run", "--cache-dir", metavar="DIR", type=click.Path(file_okay=False), variable="CACHE_DIR",
+                help="Keep results in DIR instead of the user's cache directory.",
+            ),
+            option("Run", "--debug", is_flag=True, help="Show the traceback of an internal error."),
+        )
+    ):  # fmt: skip
+        f = decorator(f)
+    return f
+
+
+def check_options(f: F) -> F:
+    """All options of `check`."""
+    return _masks(_report(_gate(_run(f))))

@@ -1,0 +1,144 @@
+"""The run of `check`: the catalog is asked, results come in, each is held to the gate and kept for the report."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from subdiv_cli.cli.options import Asked
+from subdiv_cli.cli.printing import complain, put
+from subdiv_cli.cli.progress import Progress
+from subdiv_cli.cli.streams import emit
+from subdiv_cli.model import Result
+from subdiv_cli.report import renderer
+from subdiv_cli.report.look import Look
+
+if TYPE_CHECKING:
+    from subdiv_cli.catalog.baseline import Baseline
+    from subdiv_cli.catalog.task import Done
+    from subdiv_cli.maskfile import MaskFile
+
+DRAWING = ("subdiv_cli.quantities.curve", "drawing")
+
+
+class Run:
+    """One run: its results so far, and how it ended."""
+
+    def __init__(self, asked: Asked, look: Look) -> None:
+        self.asked, self.look = asked, look
+        self.results: list[Result] = []
+        self.interrupted = False
+        self.printed = True
+        self.forms = {asked.form, *(output.format or asked.form for output in asked.outputs)}
+        self.baseline = _baseline(asked.baseline)
+        self._trouble: str | None = None
+        self._progress = Progress()
+
+    def go(self, targets: list[str | MaskFile] | Result, told: Mapping[str, Any]) -> None:
+        """Check them all; afterwards the results are there, and what was streamed is written."""
+        stream = self._checked(targets, told)
+        try:
+            for result in stream:
+                self._take(result)
+        except KeyboardInterrupt:
+            self.interrupted = True
+            self._take_rest(stream)
+        finally:
+            self._progress.close()
+        if self._trouble is not None:
+            emit(f"note: results cannot be kept in the cache: {self._trouble}\n", sys.stderr)
+        if self.asked.verbose:
+            self._progress.tell()
+
+    def missing(self) -> tuple[str, ...]:
+        """The masks of the baseline that a whole run has not."""
+        partial = self.interrupted or self.asked.shard is not None
+        return () if self.baseline is None or partial else self.baseline.missing()
+
+    def _take_rest(self, stream: Generator[Result, None, None]) -> None:
+        """What is done and waited for its turn when Ctrl-C came; nothing if the stream knew of it and has ended."""
+        with suppress(KeyboardInterrupt, StopIteration):
+            self._take(stream.throw(KeyboardInterrupt()))
+            for result in stream:
+                self._take(result)
+
+    def _checked(
+        self, targets: list[str | MaskFile] | Result, told: Mapping[str, Any]
+    ) -> Generator[Result, None, None]:
+        """The results in order."""
+        if isinstance(targets, Result):
+            yield targets
+            return
+        from subdiv_cli.catalog.cluster import ClusterError
+        from subdiv_cli.catalog.run import check_all
+
+        try:
+            yield from check_all(targets, **told, **self._listeners())
+        except ClusterError as error:
+            raise click.ClickException(str(error)) from None
+        except OSError as error:
+            raise click.ClickException(f"certificates cannot be written: {error}") from None
+
+    def _listeners(self) -> dict[str, Any]:
+        told: dict[str, Any] = {"on_total": self._progress.begin, "on_done": self._hear}
+        if self.asked.verbose:
+            told["on_skipped"] = _tell_skipped
+        if "html" in self.forms:
+            from subdiv_cli.catalog.task import Draw
+
+            told["draw"] = Draw(*DRAWING)
+        return told
+
+    def _hear(self, done: Done) -> None:
+        self._progress.step(done)
+        self._trouble = self._trouble or done.trouble
+
+    def _take(self, result: Result) -> None:
+        """Hold it to the baseline, write it where lines are streamed, and keep what the report will need."""
+        if self.baseline is not None:
+            result = self.baseline.judge(result)
+        if self.asked.form == "jsonl":
+            self._progress.close()
+            self.printed &= put(renderer("jsonl")([result], self.look), "jsonl")
+        self.results.append(self._slim(result))
+
+    def _slim(self, result: Result) -> Result:
+        """Without the witnesses where no format shows them: of ten thousand masks they are most of the memory."""
+        written = {output.format or self.asked.form for output in self.asked.outputs}
+        if self.asked.verbose > 1 or written & {"json", "jsonl"} or self.asked.form == "json":
+            return result
+        if self.asked.form == "jsonl" and not written:
+            return replace(result, findings=(), facts={}, drawing=None)
+        return replace(result, findings=tuple(replace(f, witness={}) for f in result.findings))
+
+
+def _tell_skipped(count: int) -> None:
+    if count:
+        emit(f"skipped {count} TOML file{'' if count == 1 else 's'} without kind, mask or matrices\n", sys.stderr)
+
+
+def _baseline(file: str | None) -> Baseline | None:
+    if file is None:
+        return None
+    from subdiv_cli.catalog.baseline import Baseline
+    from subdiv_cli.catalog.reports import ReportError, read_report
+    from subdiv_cli.cli.exits import ExitCode
+
+    try:
+        return Baseline(read_report(file).results)
+    except ReportError as error:
+        complain([error.problem])
+        raise click.exceptions.Exit(ExitCode.ERROR) from None
+
+
+def tell_missing(missing: Sequence[str]) -> None:
+    """Which masks of the baseline were not checked."""
+    if missing:
+        shown = ", ".join(missing[:10]) + (f" and {len(missing) - 10} more" if len(missing) > 10 else "")
+        count = f"{len(missing)} mask{'' if len(missing) == 1 else 's'}"
+        emit(f"note: {count} of the baseline not checked: {shown}\n", sys.stderr)

@@ -1,0 +1,150 @@
+"""`[tool.subdiv]` in pyproject.toml: defaults for `check`, beneath environment variables and the command line.
+
+The nearest pyproject.toml that has the table counts, and it alone: from the directory that all named targets have in
+common upwards.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import click
+from click.core import ParameterSource
+
+from subdiv_cli.model import Problem
+
+MOST_BYTES = 4 << 20
+_PATHS = ("baseline", "cache-dir")
+"""Relative to the directory of the file."""
+
+
+class Key(NamedTuple):
+    """A key of the table: the option it is a default for, and the types its value may have."""
+
+    parameter: str
+    types: tuple[type, ...]
+    mend: str
+
+
+KEYS = {
+    "format": Key("form", (str,), 'write format = "concise"'),
+    "select": Key("select", (list,), 'write select = ["SD3"]'),
+    "ignore": Key("ignore", (list,), 'write ignore = ["SD301"]'),
+    "require": Key("require", (list,), 'write require = ["C1", "holder>=1.5"]'),
+    "baseline": Key("baseline", (str,), 'write baseline = "report.json"'),
+    "allow-undecided": Key("allow_undecided", (bool,), "write allow-undecided = true"),
+    "effort": Key("effort", (int,), "write effort = 20000"),
+    "budget": Key("budget", (int, float), "write budget = 10"),
+    "jobs": Key("jobs", (int, str), 'write jobs = 2 or jobs = "auto"'),
+    "cache": Key("no_cache", (bool,), "write cache = false"),
+    "cache-dir": Key("cache_dir", (str,), 'write cache-dir = ".subdiv_cache"'),
+    "dask": Key("dask", (str,), 'write dask = "tcp://scheduler:8786"'),
+}
+
+
+class SettingsError(Exception):
+    """The table cannot be used; `problem` (SD017) says why."""
+
+    def __init__(self, problem: Problem) -> None:
+        super().__init__(problem.message)
+        self.problem = problem
+
+
+def with_settings(ctx: click.Context, given: Mapping[str, Any]) -> dict[str, Any]:
+    """The parameters of a command, those that neither the command line nor the environment gives from the table.
+
+    Raises SettingsError.
+    """
+    values = dict(given)
+    found = find(given["targets"])
+    if found is None:
+        return values
+    file, text, table = found
+    parameters = {parameter.name: parameter for parameter in ctx.command.params}
+    for key, value in table.items():
+        converted = _checked(file, text, key, value)
+        name = KEYS[key].parameter
+        if ctx.get_parameter_source(name) is not ParameterSource.DEFAULT:
+            continue
+        try:
+            values[name] = parameters[name].process_value(ctx, converted)
+        except click.BadParameter as error:
+            raise _error(file, text, key, error.message, KEYS[key].mend) from None
+    return values
+
+
+def find(targets: Sequence[str]) -> tuple[Path, str, Mapping[str, Any]] | None:
+    """The nearest pyproject.toml with the table: the file, its text, the table. Raises SettingsError."""
+    for directory in _upwards(targets):
+        file = directory / "pyproject.toml"
+        try:
+            with file.open("rb") as stream:
+                data = stream.read(MOST_BYTES)
+        except (OSError, ValueError):
+            continue
+        if b"subdiv" not in data:
+            continue
+        if (table := _table(file, data)) is not None:
+            return file, data.decode("utf-8"), table
+    return None
+
+
+def _upwards(targets: Sequence[str]) -> Iterator[Path]:
+    here = Path.cwd()
+    try:
+        named = [Path(os.path.abspath(target)) for target in targets if target != "-"]  # noqa: PTH100 (links stay)
+        start = Path(os.path.commonpath([p if p.is_dir() else p.parent for p in named])) if named else here
+    except (OSError, ValueError):  # a null character, or two drives
+        start = here
+    yield from (start, *start.parents)
+
+
+def _table(file: Path, data: bytes) -> Mapping[str, Any] | None:
+    from tomllib import TOMLDecodeError, loads
+
+    try:
+        document = loads(data.decode("utf-8"))
+    except (TOMLDecodeError, UnicodeDecodeError, RecursionError, ValueError) as error:
+        raise SettingsError(Problem(code="SD017", message=f"not valid TOML: {error}"[:200], file=str(file))) from None
+    tool = document.get("tool")
+    table = tool.get("subdiv") if isinstance(tool, dict) else None
+    if table is None or isinstance(table, dict):
+        return table
+    raise SettingsError(Problem(code="SD017", message="tool.subdiv must be a table", file=str(file), key="tool.subdiv"))
+
+
+def _checked(file: Path, text: str, key: str, value: object) -> Any:
+    """The value as the option takes it."""
+    known = KEYS.get(key)
+    if known is None:
+        from subdiv_cli.maskfile.problems import near
+
+        guess = near(key, KEYS)
+        mend = f"did you mean {guess}?" if guess else f"there are: {', '.join(KEYS)}"
+        raise _error(file, text, key, f'there is no setting "{key[:40]}"', mend)
+    if not isinstance(value, known.types) or (isinstance(value, bool) and bool not in known.types):
+        raise _error(file, text, key, f"{key} cannot be {type(value).__name__}", known.mend)
+    if isinstance(value, list):
+        if not all(isinstance(item, str) for item in value):
+            raise _error(file, text, key, f"{key} must be a list of strings", known.mend)
+        return tuple(value)
+    if key == "cache":
+        return not value
+    return str(file.parent / str(value)) if key in _PATHS else value
+
+
+def _error(file: Path, text: str, key: str, message: str, mend: str) -> SettingsError:
+    from subdiv_cli.maskfile.positions import line_and_column
+    from subdiv_cli.maskfile.scanner import scan
+
+    spot = scan(text).spots.get(("tool", "subdiv", key))
+    line, column, source = (None, None, None) if spot is None else line_and_column(text, spot.key)
+    return SettingsError(
+        Problem(
+            code="SD017", message=message, help=mend, file=str(file), key=f"tool.subdiv.{key[:40]}", line=line,
+            column=column, source=source,
+        )
+    )  # fmt: skip

@@ -1,0 +1,17 @@
+"""A line of JSON for each mask, as in `results` of the JSON report: for streams, where no end is waited for."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+
+from subdiv_cli.model import Result
+from subdiv_cli.report.json import as_data, valid
+from subdiv_cli.report.look import Look
+
+
+def render(results: Sequence[Result], look: Look) -> str:
+    """The lines of these results; those of a longer run may be rendered one by one."""
+    return "".join(
+        valid(json.dumps(as_data(result, look), ensure_ascii=False, allow_nan=False)) + "\n" for result in results
+    )

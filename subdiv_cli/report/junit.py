@@ -1,0 +1,97 @@
+"""The report as JUnit XML, which CI servers read: a test suite for each mask, a test case for each expectation.
+
+A refuted expectation is a failure, and an undecided one too, unless undecided is allowed: then it is skipped. An
+invalid mask is an error. A mask without expectations has the one test case `convergent`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+from xml.etree import ElementTree as Xml
+
+from subdiv_cli.model import Result, Verdict
+from subdiv_cli.report import words
+from subdiv_cli.report.letters import clean
+from subdiv_cli.report.look import Look
+from subdiv_cli.report.notices import notices
+
+_COUNTED = ("failure", "error", "skipped")
+
+
+class Case(NamedTuple):
+    """A test case: what was asked, and where it was not met how and why."""
+
+    name: str
+    outcome: str | None = None
+    """failure, error or skipped."""
+    kind: str = ""
+    message: str = ""
+
+
+def render(results: Sequence[Result], look: Look) -> str:
+    """The XML document. It has no times: the same results give the same bytes."""
+    root = Xml.Element("testsuites", name="subdiv")
+    totals = dict.fromkeys(("tests", "failures", "errors"), 0)
+    for result in results:
+        cases = list(_cases(result, look))
+        suite = _suite(result, cases)
+        root.append(suite)
+        for key in totals:
+            totals[key] += int(suite.get(key, "0"))
+    for key, count in totals.items():
+        root.set(key, str(count))
+    Xml.indent(root)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + Xml.tostring(root, encoding="unicode") + "\n"
+
+
+def _suite(result: Result, cases: Sequence[Case]) -> Xml.Element:
+    counts = {kind: sum(case.outcome == kind for case in cases) for kind in _COUNTED}
+    suite = Xml.Element(
+        "testsuite",
+        name=clean(words.name(result)),
+        tests=str(len(cases)),
+        failures=str(counts["failure"]),
+        errors=str(counts["error"]),
+        skipped=str(counts["skipped"]),
+    )
+    for case in cases:
+        node = Xml.SubElement(suite, "testcase", classname=clean(result.file or "mask"), name=clean(case.name))
+        if case.outcome is not None:
+            shown = {"message": clean(case.message)}
+            why = Xml.SubElement(node, case.outcome, {"type": case.kind, **shown} if case.kind else shown)
+            why.text = clean(case.message)
+    suite_out = Xml.SubElement(suite, "system-out")
+    suite_out.text = clean(words.headline(result))
+    return suite
+
+
+def _cases(result: Result, look: Look) -> Iterator[Case]:
+    if result.status == "invalid":
+        for notice in notices(result, look):
+            place = "" if notice.line is None else f" (line {notice.line})"
+            yield Case("mask file", "error", notice.code, notice.message + place)
+        return
+    if result.regressions is not None:
+        worse = "; ".join(result.regressions)
+        yield (
+            Case("no worse than the baseline", "failure", "baseline", worse)
+            if worse
+            else Case("no worse than the baseline")
+        )
+        return
+    for judged in result.expectations:
+        name = words.asked(judged.expectation)
+        if judged.verdict is Verdict.PROVED:
+            yield Case(name)
+        else:
+            yield _missed(name, judged.verdict, words.judged(result, judged, judged.verdict.value), look)
+    if not result.expectations:
+        passed = result.convergent is Verdict.PROVED
+        yield Case("convergent") if passed else _missed("convergent", result.convergent, words.headline(result), look)
+
+
+def _missed(name: str, verdict: Verdict, message: str, look: Look) -> Case:
+    if verdict is not Verdict.REFUTED and look.allow_undecided:
+        return Case(name, "skipped", "", message)
+    return Case(name, "failure", verdict.value, message)

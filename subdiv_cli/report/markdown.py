@@ -1,0 +1,84 @@
+"""The report as Markdown, for a comment under a pull request: counts, what did not pass and why, all masks folded away.
+
+A comment has bounds (65,536 characters on GitHub): of long lists the beginning is shown and the rest counted.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from subdiv_cli.model import Result
+from subdiv_cli.report import words
+from subdiv_cli.report.letters import clean
+from subdiv_cli.report.look import Look
+from subdiv_cli.report.notices import Notice, notices
+
+_SIGNS = {"passed": "✅", "failed": "❌", "undecided": "❔", "invalid": "🚫"}
+_SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$@])")
+_TITLES = ("", "mask", "convergence", "smoothness", "Hölder exponent")
+MOST = 50_000
+"""Characters of the two lists together."""
+
+
+def render(results: Sequence[Result], look: Look) -> str:
+    """The comment."""
+    missed = [r for r in results if r.status != "passed" and not (look.allow_undecided and r.status == "undecided")]
+    sign = _SIGNS["failed"] if missed else _SIGNS["passed"]
+    parts = [f"### {sign} subdiv: {words.footer(results, allow_undecided=look.allow_undecided)}\n"]
+    if look.interrupted:
+        parts.append("The run was interrupted: not all masks were checked.\n")
+    room = MOST
+    if missed:
+        shown = _within([_failure(result, look) for result in missed], room)
+        room -= len(shown)
+        parts.append(shown)
+    if look.missing:
+        parts.append("Of the baseline, not checked: " + ", ".join(map(_code, look.missing[:50])) + "\n")
+    rows = _within([_row(result) for result in results], room)
+    header = "| " + " | ".join(_TITLES) + " |\n" + "|---" * len(_TITLES) + "|\n"
+    parts.append(f"<details><summary>All masks</summary>\n\n{header}{rows}\n</details>\n")
+    return "\n".join(parts)
+
+
+def _failure(result: Result, look: Look) -> str:
+    """A mask that did not pass, and why."""
+    head = f"- {_SIGNS[result.status]} **{_text(words.name(result))}** ({_code(result.file)})\n"
+    return head + "".join(f"  - {_notice(notice)}\n" for notice in notices(result, look))
+
+
+def _notice(notice: Notice) -> str:
+    place = "" if notice.line is None else f", line {notice.line}"
+    return f"{_text(notice.message)} ({notice.code}{place})"
+
+
+def _row(result: Result) -> str:
+    if result.status == "invalid":
+        cells = [_text(words.name(result)), words.errors(result), "", ""]
+    else:
+        told = (words.convergence(result), words.smoothness_or_that_of_phi(result), words.holder(result))
+        cells = [_text(words.name(result)), *(_text(text or "") for text in told)]
+    return f"| {_SIGNS[result.status]} {result.status} | " + " | ".join(cells) + " |\n"
+
+
+def _within(pieces: Iterable[str], room: int) -> str:
+    """As many pieces as there is room for, and how many are left out."""
+    kept, left = [], 0
+    for piece in pieces:
+        if room < len(piece) or left:
+            left += 1
+            continue
+        kept.append(piece)
+        room -= len(piece)
+    return "".join(kept) + (f"\n… and {left} more\n" if left else "")
+
+
+def _text(text: str) -> str:
+    """A text in which Markdown and HTML mean nothing."""
+    return _SPECIAL.sub(r"\\\1", clean(text))
+
+
+def _code(text: str) -> str:
+    """A file name as code; one with a backtick in it as text."""
+    text = clean(text)
+    return _text(text) if "`" in text else f"`{text.replace('|', chr(92) + '|')}`"

@@ -1,0 +1,86 @@
+"""What did not pass, as a list: the formats that annotate files or count failures are renderings of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal, NamedTuple
+
+from subdiv_cli.model import Judgement, Problem, Result, Verdict
+from subdiv_cli.report import words
+from subdiv_cli.report.look import Look
+
+Level = Literal["error", "warning", "note"]
+
+CODES = {
+    "convergent": "SD201",
+    "smoothness": "SD302",
+    "holder": "SD311",
+    "generation": "SD103",
+    "reproduction": "SD104",
+    "stable": "SD402",
+}
+"""The finding that an expectation is about."""
+BASELINE = "SD018"
+CONVERGENCE = "SD201"
+NOT_FILES = ("-", "--mask", "")
+
+
+class Notice(NamedTuple):
+    """One thing to be told about a mask: an error fails it, a warning leaves it undecided, a note does neither."""
+
+    level: Level
+    code: str
+    """A finding code, or `expect-` and the property where no code is about it alone."""
+    title: str
+    message: str
+    line: int | None = None
+    column: int | None = None
+
+
+def notices(result: Result, look: Look) -> Iterator[Notice]:
+    """Everything that keeps a mask from passing, then what a reader should know besides."""
+    for problem in result.problems:
+        yield _problem(problem)
+    if result.status != "invalid":
+        yield from _gate(result, look)
+    if result.stopped:
+        yield Notice("note", CONVERGENCE, "stopped", f"stopped by the {result.stopped}: another run may find more")
+    for hint in result.hints:
+        yield Notice("note", CONVERGENCE, "hint", hint)
+
+
+def _gate(result: Result, look: Look) -> Iterator[Notice]:
+    """Against the baseline where there is one, else what the mask is held to."""
+    if result.regressions is not None:
+        for worse in result.regressions:
+            yield Notice("error", BASELINE, "worse than the baseline", worse)
+        return
+    for judged in result.expectations:
+        if judged.verdict is not Verdict.PROVED:
+            yield _missed(result, judged, look)
+    if not result.expectations and result.status != "passed":
+        level: Level = "error" if result.status == "failed" else _open(look)
+        yield Notice(level, CONVERGENCE, "convergence", words.headline(result))
+
+
+def _problem(problem: Problem) -> Notice:
+    message = problem.message + (f" ({problem.help})" if problem.help else "")
+    where = f"{problem.key}: " if problem.key else ""
+    return Notice("error", problem.code, problem.code, where + message, problem.line, problem.column)
+
+
+def _missed(result: Result, judged: Judgement, look: Look) -> Notice:
+    """An expectation that is not proved."""
+    level: Level = "error" if judged.verdict is Verdict.REFUTED else _open(look)
+    key = judged.expectation.key
+    message = words.judged(result, judged, judged.verdict.value)
+    return Notice(level, CODES.get(key, f"expect-{key}"), words.asked(judged.expectation), message, judged.line)
+
+
+def _open(look: Look) -> Level:
+    return "note" if look.allow_undecided else "warning"
+
+
+def is_file(result: Result) -> bool:
+    """Whether the result is about a file that a reader can open: standard input and --mask are none."""
+    return result.file not in NOT_FILES

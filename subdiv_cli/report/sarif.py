@@ -1,0 +1,76 @@
+"""The report as SARIF 2.1.0: a result for each error in a file and each expectation that is not proved."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from hashlib import sha256
+from typing import Any
+from urllib.parse import quote
+
+import subdiv_cli
+from subdiv_cli.model import Result
+from subdiv_cli.report import words
+from subdiv_cli.report.letters import clean
+from subdiv_cli.report.look import Look
+from subdiv_cli.report.notices import BASELINE, Notice, is_file, notices
+
+_LEVELS = {"error": "error", "warning": "warning", "note": "note"}
+
+
+def render(results: Sequence[Result], look: Look) -> str:
+    """A log with one run."""
+    told = [(result, notice) for result in results for notice in notices(result, look)]
+    rules = _rules(results, (notice for _, notice in told))
+    index = {rule["id"]: number for number, rule in enumerate(rules)}
+    run = {
+        "tool": {"driver": {"name": "subdiv", "semanticVersion": subdiv_cli.__version__, "rules": rules}},
+        "columnKind": "unicodeCodePoints",
+        "invocations": [{"executionSuccessful": not look.interrupted}],
+        "results": [_result(result, notice, index) for result, notice in told],
+        "properties": {"summary": words.summary(results)},
+    }
+    log = {"version": "2.1.0", "runs": [run]}
+    return json.dumps(log, ensure_ascii=False, indent=2) + "\n"
+
+
+def _rules(results: Iterable[Result], told: Iterable[Notice]) -> list[dict[str, Any]]:
+    """One for each code that is told of, in their order."""
+    names = {found.code: found.name for result in results for found in result.findings}
+    names[BASELINE] = "baseline"
+    rules = []
+    for code in sorted({notice.code for notice in told}):
+        name = names.get(code, code)
+        more = f"`subdiv explain {code}` says what it means." if code.startswith("SD") else "An expectation of a mask."
+        rules.append({"id": code, "name": name, "shortDescription": {"text": name}, "help": {"text": more}})
+    return rules
+
+
+def _result(result: Result, notice: Notice, index: dict[str, int]) -> dict[str, Any]:
+    name = clean(words.name(result))
+    shown = {
+        "ruleId": notice.code,
+        "ruleIndex": index[notice.code],
+        "kind": "informational" if notice.level == "note" else "fail",
+        "level": "none" if notice.level == "note" else _LEVELS[notice.level],
+        "message": {"text": f"{name}: {clean(notice.message)}"},
+        "partialFingerprints": {"subdiv/v1": _fingerprint(result, notice)},
+    }
+    if is_file(result):
+        shown["locations"] = [{"physicalLocation": _location(result, notice)}]
+    return shown
+
+
+def _location(result: Result, notice: Notice) -> dict[str, Any]:
+    uri = quote(result.file.replace("\\", "/").encode("utf-8", "surrogateescape"), safe="/")
+    location: dict[str, Any] = {"artifactLocation": {"uri": f"file://{uri}" if uri.startswith("/") else uri}}
+    if notice.line is not None:
+        column = {} if notice.column is None else {"startColumn": notice.column}
+        location["region"] = {"startLine": notice.line, **column}
+    return location
+
+
+def _fingerprint(result: Result, notice: Notice) -> str:
+    """The same while the mask fails in the same way, wherever in its file that stands."""
+    parts = (result.file, notice.code, notice.title)
+    return sha256("\0".join(parts).encode("utf-8", "surrogateescape")).hexdigest()[:32]

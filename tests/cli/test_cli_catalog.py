@@ -1,0 +1,143 @@
+"""`list`, `clean` and `completion`, as a person uses them."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+from click.shell_completion import BashComplete, FishComplete, ZshComplete
+from click.testing import CliRunner
+
+from subdiv_cli.catalog.shipped import masks_directory
+from subdiv_cli.cli import main
+from subdiv_cli.cli.group import COMMANDS
+
+SUBDIV = [sys.executable, "-m", "subdiv_cli"]
+
+
+def subdiv(*arguments, **more):
+    return subprocess.run([*SUBDIV, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
+
+
+def test_list_shows_every_shipped_mask_with_what_is_proved():
+    run = subdiv("list", env={**os.environ, "COLUMNS": "200"})
+    assert run.returncode == 0
+    count = len(list(masks_directory().rglob("*.toml")))
+    assert run.stdout.splitlines()[-1] == f"{count} masks"
+    assert re.search(r"four-point scheme +converges +C\^1, not C\^2 +2 +✓ proved +scalar/four_point\.toml", run.stdout)
+    assert run.stdout.count(".toml") == count
+
+
+def test_list_finds_words_in_names_files_and_references():
+    run = subdiv("list", "dyn", "four-point", "--format", "json")
+    names = [result["name"] for result in json.loads(run.stdout)["results"]]
+    assert "four-point scheme" in names
+    assert "Chaikin in z^3" not in names
+    assert all(result["status"] == "passed" for result in json.loads(run.stdout)["results"])
+    assert subdiv("list", "no such mask").returncode == 1
+
+
+def test_clean(tmp_path):
+    cache = tmp_path / "cache"
+    subdiv("check", masks_directory() / "scalar" / "four_point.toml", "--cache-dir", cache)
+    run = subdiv("clean", "--cache-dir", cache)
+    assert re.fullmatch(rf"removed 1 result, 0\.0 MB, from {re.escape(str(cache))}\n", run.stdout)
+    assert not cache.exists()
+    assert subdiv("clean", env={**os.environ, "SUBDIV_CACHE_DIR": str(cache)}).stdout.startswith("removed 0 results, ")
+
+
+def complete(words, cursor_at, shell=BashComplete):
+    """What the shell is given for the word at the cursor."""
+    runner = CliRunner()
+    line = " ".join(words)
+    environment = {"_SUBDIV_COMPLETE": f"{shell.name}_complete", "COMP_WORDS": line, "COMP_CWORD": str(cursor_at)}
+    if shell is FishComplete:
+        environment["COMP_CWORD"] = words[cursor_at] if cursor_at < len(words) else ""
+    shown = runner.invoke(main, [], prog_name="subdiv", env=environment)
+    return shown.output.splitlines()
+
+
+def values(lines):
+    return [line.split(",", 1)[1] for line in lines if line]
+
+
+def test_commands_and_options():
+    assert values(complete(["subdiv", ""], 1)) == list(COMMANDS)
+    assert "plain,--shard" in complete(["subdiv", "check", "--sh"], 2)
+    assert "plain,junit" in complete(["subdiv", "check", "--format", "ju"], 3)
+
+
+def test_codes():
+    assert "SD301" in values(complete(["subdiv", "explain", "sd3"], 2))
+    assert values(complete(["subdiv", "check", "--select", "SD40"], 3)) == ["SD401", "SD402", "SD403"]
+    assert any("contractivity" in line for line in complete(["subdiv", "explain", "SD301"], 2, FishComplete))
+    assert "contractivity" in complete(["subdiv", "explain", "SD301"], 2, ZshComplete)
+
+
+def test_files(tmp_path, monkeypatch):
+    (tmp_path / "masks").mkdir()
+    for name in ("a.toml", "b.txt", "masks/c.toml", ".hidden.toml"):
+        (tmp_path / name).write_text("")
+    monkeypatch.chdir(tmp_path)
+    assert values(complete(["subdiv", "check", ""], 2)) == ["a.toml", "masks/"]
+    assert values(complete(["subdiv", "check", "masks/"], 2)) == ["masks/c.toml"]
+    assert values(complete(["subdiv", "check", "none/"], 2)) == []
+
+
+def test_parameters_of_the_named_files():
+    file = str(masks_directory() / "scalar" / "ternary_four_point_1_9.toml")
+    assert values(complete(["subdiv", "check", file, "-p", ""], 4)) == ["mu="]
+    assert values(complete(["subdiv", "check", "none.toml", "-p", ""], 4)) == []
+
+
+def test_properties():
+    assert values(complete(["subdiv", "check", "--require", "C"], 3)) == ["C0", "C1", "C2", "C3"]
+    assert "holder>=" in values(complete(["subdiv", "check", "--require", "h"], 3))
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_the_script_is_one_the_shell_accepts(shell, tmp_path):
+    run = subdiv("completion", shell)
+    assert run.returncode == 0
+    assert "_SUBDIV_COMPLETE" in run.stdout
+    if (program := shutil.which(shell)) is None:
+        pytest.skip(f"no {shell} here")
+    script = tmp_path / "script"
+    script.write_text(run.stdout)
+    checked = subprocess.run([program, "-n", str(script)], capture_output=True, text=True, check=False)
+    assert (checked.returncode, checked.stderr) == (0, "")
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="no bash")
+def test_a_real_bash_completes(tmp_path):
+    """The printed script, sourced; then its function, called as readline calls it."""
+    program = tmp_path / "subdiv"
+    program.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m subdiv_cli "$@"\n')
+    program.chmod(0o755)
+    script = (
+        "source <(subdiv completion bash)\nCOMP_WORDS=(subdiv explain SD30)\nCOMP_CWORD=2\n"
+        '_subdiv_completion subdiv\necho "${COMPREPLY[@]}"\n'
+    )
+    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    run = subprocess.run(["bash", "-c", script], capture_output=True, text=True, env=environment, check=False)
+    assert run.stdout.split() == ["SD301", "SD302", "SD303", "SD304"], run.stderr
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_help_has_examples_or_exit_codes_and_fits(command):
+    run = subdiv(command, "--help", env={**os.environ, "COLUMNS": "80"})
+    assert run.returncode == 0
+    assert "Usage: subdiv " + command in run.stdout.replace("python -m subdiv_cli", "subdiv")
+    assert "Examples:" in run.stdout or "Exit codes:" in run.stdout or "every shell" in run.stdout
+    assert all(len(line) <= 100 for line in run.stdout.splitlines())
+
+
+def test_the_help_of_check_has_its_options_in_sections():
+    shown = subdiv("check", "--help").stdout
+    assert re.findall(r"^([A-Z]\w+(?: \w+)?):$", shown, re.MULTILINE)[:5] == [
+        "Masks", "Report", "Gate", "Run", "Other options",
+    ]  # fmt: skip
+    assert "SUBDIV_JOBS" in shown

@@ -1,0 +1,90 @@
+"""The curve of φ: closed forms of B-splines, interpolation, partition of unity, and subdivision of δ itself."""
+
+from fractions import Fraction
+from math import comb, factorial
+
+import pytest
+from support import b_spline, corner_cutting, deslauriers_dubuc, four_point, scheme
+
+from subdiv_cli.catalog.shipped import masks_directory
+from subdiv_cli.maskfile import read_path
+from subdiv_cli.model import Stencil, Verdict
+from subdiv_cli.quantities.curve import curve, drawing, integer_values, rule
+from subdiv_cli.schemes.operators import apply, symbol
+
+
+def cardinal_b_spline(degree, x):
+    """N_degree on [0, degree + 1], from its truncated powers."""
+    return sum(
+        (-1) ** j * comb(degree + 1, j) * max(x - j, Fraction(0)) ** degree for j in range(degree + 2)
+    ) / factorial(degree)
+
+
+@pytest.mark.parametrize("degree", [1, 2, 3, 4, 6])
+@pytest.mark.parametrize("arity", [2, 3, 4])
+def test_b_splines(degree, arity):
+    points = curve(b_spline(degree, arity), integer_values(b_spline(degree, arity)))
+    assert len(points) > 100
+    for x, y in points:
+        assert y == float(cardinal_b_spline(degree, Fraction(x).limit_denominator(4**9)))
+
+
+def test_an_interpolatory_scheme_is_delta_at_the_integers():
+    for mask in (four_point("1/16"), deslauriers_dubuc(6)):
+        values = integer_values(mask)
+        assert {x for x, y in values.items() if y} == {0}
+        assert values[0] == 1
+        assert drawing(mask, converges=True).limit == Stencil(0, (Fraction(1),))
+
+
+@pytest.mark.parametrize("mask", [four_point("1/20"), corner_cutting("1/5", "3/4"), b_spline(3, 3)], ids=str)
+def test_subdivision_of_delta_goes_to_the_curve(mask):
+    """S^k δ at ℓ is near φ(ℓ p^-k): the operator itself, not the refinement equation."""
+    data = {0: Fraction(1)}
+    levels = 8 if mask.arity == 2 else 5
+    for _ in range(levels):
+        data = apply(symbol(mask), mask.arity, data)
+    points = dict(curve(mask, integer_values(mask)))
+    fine = mask.arity**levels
+    stencil = drawing(mask, converges=True).limit
+    for x, y in points.items():
+        at = round(x * fine)
+        exact = sum(w * data.get(at + stencil.first + i, 0) for i, w in enumerate(stencil.weights))
+        assert at / fine != x or y == pytest.approx(float(exact), abs=1e-12)
+
+
+def test_a_shift_by_one_index_step_shifts_the_curve():
+    here, there = four_point("1/16"), scheme(four_point("1/16").coefficients, start=4)
+    moved = {x + 7: y for x, y in curve(here, integer_values(here))}
+    assert dict(curve(there, integer_values(there))) == moved
+
+
+def test_rules_are_what_the_operator_does():
+    for mask in (four_point("1/16"), corner_cutting("1/5", "3/4"), scheme([1, 3, 5, 7, 9, 11], start=-7, arity=3)):
+        data = {i: Fraction(i * i + 1, 3) for i in range(-20, 20)}
+        refined = apply(symbol(mask), mask.arity, data)
+        for epsilon in range(mask.arity):
+            first, weights = rule(mask, epsilon)
+            for k in range(-3, 4):
+                expected = sum(w * data[k + first + i] for i, w in enumerate(weights))
+                assert refined[mask.arity * k + epsilon] == expected
+
+
+def test_shipped_masks_form_a_partition_of_unity():
+    from subdiv_cli.catalog.run import check_all
+
+    drawn = 0
+    for result in check_all([str(masks_directory() / "scalar")]):
+        scheme_of = read_path(result.file).scheme()
+        made = drawing(scheme_of, converges=result.convergent is Verdict.PROVED)
+        assert sum(w.count(0) == len(w) for _, w in made.rules) == sum(not w for _, w in made.rules)
+        assert sum(sum(w) for _, w in made.rules) == sum(scheme_of.coefficients)
+        if made.limit is not None:
+            drawn += 1
+            assert sum(made.limit.weights) == 1
+            sums = {}
+            for x, y in made.curve:
+                part = Fraction(x).limit_denominator(4**9) % 1
+                sums[part] = sums.get(part, 0.0) + y
+            assert all(total == pytest.approx(1, abs=1e-9) for total in sums.values())
+    assert drawn >= 80

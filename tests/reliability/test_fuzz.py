@@ -1,0 +1,167 @@
+"""Mutants of the shipped masks, half of them still masks: no crash, nothing proved that the checker does not verify.
+
+Ten thousand in four parts; `SUBDIV_FUZZ_SIZE` asks for another number.
+"""
+
+import json
+import os
+import random
+import re
+from collections import Counter
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from subdiv_cli.catalog.shipped import masks_directory
+from subdiv_cli.catalog.task import Settings, Task, perform
+from subdiv_cli.checker import check_text
+from subdiv_cli.maskfile import read_bytes
+from subdiv_cli.maskfile.canonical import canonical
+from subdiv_cli.model import Verdict
+
+COUNT = int(os.environ.get("SUBDIV_FUZZ_SIZE", "10000"))
+PARTS = 4
+TEXTS = [path.read_bytes() for path in sorted(masks_directory().rglob("*.toml"))]
+NUMBER = re.compile(rb"(?<=[\[\s\"(])-?\d+(?:/\d+)?(?=[\"\],\s)])")
+JUNK = [
+    b"\x00",
+    b"\xff",
+    b'"',
+    b"[",
+    b"]",
+    b"=",
+    b"#",
+    b"1e999",
+    b"nan",
+    b"'''",
+    b"w",
+    b"z^",
+    b"\\u",
+    "ü".encode(),
+    b"\n",
+]
+DECIDED = (Verdict.PROVED, Verdict.REFUTED)
+
+
+def another_number(rng, data):
+    """A number of the mask is another one: a mask as before, mostly a divergent one."""
+    found = [m for m in NUMBER.finditer(data) if data.rfind(b"[mask]", 0, m.start()) >= 0]
+    if not found:
+        return data
+    place = rng.choice(found)
+    old = Fraction(place[0].decode()) if place[0][-2:] != b"/0" else Fraction(0)
+    new = rng.choice([-old, old + 1, old / 2, old * 2, old + Fraction(1, rng.randint(2, 64)), Fraction(0)])
+    quoted = data[place.start() - 1 : place.start()] == b'"'
+    text = str(new).encode() if quoted or new.denominator == 1 else f'"{new}"'.encode()
+    return data[: place.start()] + text + data[place.end() :]
+
+
+def two_numbers(rng, data):
+    """Two are exchanged: the sums stay, the smoothness does not."""
+    found = [m for m in NUMBER.finditer(data) if data.rfind(b"coefficients", 0, m.start()) >= 0]
+    if len(found) < 2:
+        return another_number(rng, data)
+    a, b = sorted(rng.sample(found, 2), key=lambda m: m.start())
+    return data[: a.start()] + b[0] + data[a.end() : b.start()] + a[0] + data[b.end() :]
+
+
+def a_parameter(rng, data):
+    """The parameter has another value."""
+    number = Fraction(rng.randint(-40, 40), rng.choice([1, 2, 3, 16, 64, 100]))
+    default = re.compile(rb'^(\w+) = "[-0-9/]+"$', re.MULTILINE)
+    changed = default.sub(rb'\1 = "' + str(number).encode() + b'"', data, count=1)
+    return changed if changed != data else another_number(rng, data)
+
+
+def without_expectations(rng, data):
+    return another_number(rng, data.partition(b"[expect]")[0])
+
+
+def noise(rng, data):
+    """Bytes that stand for others, are added or are lost."""
+    at = rng.randrange(len(data))
+    if rng.random() < 0.5:
+        return data[:at] + data[at + rng.randint(1, 9) :]
+    return data[:at] + rng.choice(JUNK) + data[at + rng.randint(0, 3) :]
+
+
+def lines(rng, data):
+    """A line twice, none, or elsewhere."""
+    rows = data.split(b"\n")
+    row = rows.pop(rng.randrange(len(rows)))
+    for _ in range(rng.randint(0, 2)):
+        rows.insert(rng.randrange(len(rows) + 1), row)
+    return b"\n".join(rows)
+
+
+def cut(rng, data):
+    return data[: rng.randrange(len(data))]
+
+
+def crossed(rng, data):
+    """The beginning of one file and the end of another."""
+    other = rng.choice(TEXTS)
+    return data[: rng.randrange(len(data))] + other[rng.randrange(len(other)) :]
+
+
+def shifted(rng, data):
+    """The mask begins elsewhere, which changes nothing but its values."""
+    return re.sub(rb"^start = -?\d+", b"start = %d" % rng.randint(-99, 99), data, count=1, flags=re.MULTILINE)
+
+
+KEEP = [shifted, another_number, two_numbers, a_parameter, without_expectations]
+BREAK = [noise, noise, lines, cut, crossed]
+
+
+def mutant(rng):
+    data = rng.choice(TEXTS)
+    for _ in range(rng.choice([1, 1, 1, 2, 3])):
+        data = rng.choice(KEEP)(rng, data)
+    return rng.choice(BREAK)(rng, data) if rng.random() < 0.4 else data
+
+
+def resident():
+    """MiB in memory now."""
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+def hold(data, done):
+    """What must be true of every result."""
+    result = done.result
+    if result.status == "invalid":
+        assert result.problems, data
+        assert all(problem.code != "SD099" for problem in result.problems), (data, result.problems)
+        assert all("Traceback" not in problem.message for problem in result.problems)
+        return
+    decided = [finding for finding in result.findings if finding.verdict in DECIDED]
+    assert done.certificate is not None, data
+    outcome = check_text(done.certificate)
+    assert outcome.verified, (data, outcome.line)
+    document = json.loads(done.certificate)
+    assert document["mask"] == canonical(read_bytes(data, file="x").scheme()), data
+    for finding in decided:
+        assert finding.claims, (data, finding)
+        assert max(finding.claims) < len(document["claims"]), (data, finding)
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_mutants(part, capsys):
+    rng, mix, sizes = random.Random(part), Counter(), []
+    settings = Settings(work=1000, certificates=True)
+    for number in range(COUNT // PARTS):
+        data = mutant(rng)
+        done = perform(Task("mutant.toml", data=data), settings)
+        hold(data, done)
+        mix[done.result.status] += 1
+        mix[done.result.convergent.value] += done.result.status != "invalid"
+        if number % max(1, COUNT // PARTS // 5) == 0:
+            sizes.append(resident())
+    with capsys.disabled():
+        print(f"\n  {COUNT // PARTS} mutants, part {part}: {dict(mix)}, {sizes[1]:.0f} … {sizes[-1]:.0f} MiB")
+    total = COUNT // PARTS
+    assert mix["invalid"] <= total * 0.55, "half of them are still masks"
+    assert mix["invalid"] >= total * 0.25
+    assert mix["proved"] >= total * 0.1
+    assert mix["refuted"] >= total * 0.1
+    assert sizes[-1] < sizes[1] + 40, "memory stays where it is"

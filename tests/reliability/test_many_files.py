@@ -1,0 +1,61 @@
+"""Ten thousand masks: all checked, in order, in bounded memory, and quickly from the cache.
+
+`SUBDIV_MANY_SIZE` asks for another number.
+"""
+
+import json
+import os
+import subprocess
+import sys
+
+from runs import CHAIKIN
+
+COUNT = int(os.environ.get("SUBDIV_MANY_SIZE", "10000"))
+MEASURED = """
+import json, resource, sys, time
+from subdiv_cli.cli import main
+start = time.perf_counter()
+code = None
+try:
+    main({args!r})
+except SystemExit as end:
+    code = end.code
+usage = [resource.getrusage(who).ru_maxrss / 1024 for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+print(json.dumps([code, time.perf_counter() - start, *usage]), file=sys.stderr)
+"""
+
+
+def texts(count):
+    """So many masks, every tenth the first of its kind: the others are found in the cache under another name."""
+    for number in range(count):
+        yield CHAIKIN.format(start=number % max(1, count // 10))
+
+
+def measured(*arguments):
+    """stdout; exit code, seconds, and the most MiB of the process and of the largest of its workers."""
+    code = MEASURED.format(args=list(arguments))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=900)
+    return done.stdout, json.loads(done.stderr.splitlines()[-1])
+
+
+def test_ten_thousand_masks(tmp_path):
+    directory, cache = tmp_path / "masks", str(tmp_path / "cache")
+    directory.mkdir()
+    for number, text in enumerate(texts(COUNT)):
+        (directory / f"m{number:05}.toml").write_text(text)
+    (directory / "m00007.toml").write_text("[mask]\nstart = 0\ncoefficients = [1/2]\n")
+    arguments = ("check", str(directory), "--jobs", "2", "--effort", "500", "--cache-dir", cache)
+    out, (code, cold, own, worker) = measured(*arguments, "--format", "jsonl")
+    names = [json.loads(line)["file"] for line in out.splitlines()]
+    assert names == sorted(str(path) for path in directory.iterdir())
+    assert len(names) == COUNT
+    assert code == 2
+    assert out.count('"status": "passed"') == COUNT - 1
+    assert own < 120 + COUNT / 250, "a few KiB a mask at most"
+    assert worker < 120
+    out, (code, warm, own, worker) = measured(*arguments, "--format", "junit")
+    assert code == 2
+    assert out.count("<testcase ") == COUNT
+    assert own < 150 + COUNT / 40, "the findings of all masks, without their witnesses"
+    print(f"\n  {COUNT} masks: {cold:.1f} s cold, {warm:.1f} s from the cache, {own:.0f} and {worker:.0f} MiB")
+    assert warm < cold

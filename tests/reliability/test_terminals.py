@@ -1,0 +1,96 @@
+"""Every command and format on poor terminals: 40 columns, no colour, ASCII only."""
+
+import os
+import pty
+import re
+import subprocess
+import sys
+
+import pytest
+from runs import SUBDIV, masks
+
+from subdiv_cli.catalog.shipped import masks_directory
+from subdiv_cli.report import FORMATS
+
+SHIPPED = masks_directory() / "scalar"
+SOME = [str(SHIPPED / "four_point.toml"), str(SHIPPED / "counterexamples" / "four_point_1_2.toml")]
+POOR = {"COLUMNS": "40", "NO_COLOR": "1", "PYTHONIOENCODING": "ascii", "TERM": "dumb"}
+COMMANDS = [
+    ["--help"], ["check", "--help"], ["list", "--help"], ["merge", "--help"], ["clean", "--help"], ["verify", "--help"],
+    ["explain", "--help"], ["completion", "--help"], ["explain"], ["explain", "SD301"], ["list"], ["list", "zzz"],
+    ["check", *SOME], ["check", *SOME, "-v"], ["check", *SOME, "-vv"], ["check", *SOME, "-q"],
+    ["check", "nowhere.toml"],    ["check", "--require", "C9", *SOME], ["check", "--require", "nonsense", *SOME],
+    ["merge", "nowhere.json"],
+    ["completion", "bash"],
+]  # fmt: skip
+
+
+def poor(*arguments):
+    environment = {**os.environ, **POOR}
+    return subprocess.run([*SUBDIV, *arguments], capture_output=True, env=environment, check=False, timeout=120)
+
+
+@pytest.mark.parametrize("arguments", COMMANDS, ids=" ".join)
+def test_in_ascii_without_colour(arguments):
+    done = poor(*arguments)
+    assert done.returncode in (0, 1, 2)
+    for text in (done.stdout.decode("ascii"), done.stderr.decode("ascii")):
+        assert "\x1b" not in text
+        assert "Traceback" not in text
+        assert not re.search(r"\\u[0-9a-f]{4}|\\x[0-9a-f]{2}", text) or arguments[0] == "completion"
+
+
+NARROW = [["check", *SOME], ["check", *SOME, "-v"], ["check", SOME[0]], ["list"]]
+
+
+@pytest.mark.parametrize("arguments", NARROW, ids=" ".join)
+def test_forty_columns(arguments):
+    """Nothing is wider, but paths, which are there to be copied."""
+    for line in poor(*arguments).stdout.decode("ascii").splitlines():
+        assert len(line) <= 40 or ".toml" in line or "/" in line, line
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_every_format_has_the_same_bytes_wherever_it_goes(form):
+    rich = subprocess.run([*SUBDIV, "check", *SOME, "--format", form], capture_output=True, check=False)
+    if form in ("text", "concise"):
+        poor("check", *SOME, "--format", form).stdout.decode("ascii")
+    else:
+        assert poor("check", *SOME, "--format", form).stdout == rich.stdout
+
+
+def on_a_terminal(arguments, **environment):
+    """stdout and stderr as a terminal gets them."""
+    leader, follower = pty.openpty()
+    environment = {**os.environ, "COLUMNS": "40", "TERM": "xterm-256color", **environment}
+    process = subprocess.Popen(
+        [*SUBDIV, *arguments], stdin=follower, stdout=follower, stderr=follower, env=environment, close_fds=True
+    )
+    os.close(follower)
+    shown = b""
+    while True:
+        try:
+            piece = os.read(leader, 4096)
+        except OSError:
+            break
+        if not piece:
+            break
+        shown += piece
+    os.close(leader)
+    return process.wait(60), shown.decode("utf-8")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no pseudo-terminals")
+def test_progress_on_a_real_terminal(tmp_path):
+    code, shown = on_a_terminal(["check", str(masks(tmp_path, 120)), "--jobs", "2", "--no-cache", "-q"])
+    assert code == 0
+    assert re.search(r"\r\d+/120 masks, slowest", shown)
+    assert all(len(piece) < 40 for piece in shown.split("\r"))
+    assert shown.endswith("\r"), "the line is wiped away"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no pseudo-terminals")
+def test_colour_on_a_real_terminal_unless_it_is_unwanted():
+    assert "\x1b[" in on_a_terminal(["check", SOME[0]])[1]
+    assert "\x1b[" not in on_a_terminal(["check", SOME[0]], NO_COLOR="1")[1]
+    assert "\x1b[" not in on_a_terminal(["check", SOME[0]], TERM="dumb")[1]
