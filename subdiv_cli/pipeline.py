@@ -13,7 +13,6 @@ from subdiv_cli.model import (
     Effort,
     Expectation,
     Exponent,
-    FamilyRadius,
     Finding,
     Judgement,
     Result,
@@ -21,6 +20,7 @@ from subdiv_cli.model import (
     Status,
     Verdict,
 )
+from subdiv_cli.model.family import FamilyRadius
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.scalar import Analysis, analyse

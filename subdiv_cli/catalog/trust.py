@@ -26,11 +26,16 @@ _PROPERTIES = {
     "SD302": {"smooth", "not-smooth"},
     "SD303": {"not-smooth"},
     "SD304": {"eigen-condition", "sum-rules"},
+    "SD310": {"norm", "product", "family", "radius", "bounded", "radius-upper"},
+    "SD311": {"holder-lower", "holder", "holder-root"},
+    "SD312": {"holder-upper"},
+    "SD313": {"attained"},
+    "SD321": {"sobolev"},
     "SD401": {"independent"},
     "SD402": {"stable"},
 }
 """What claims of these findings must be about; those of later codes must only be verified."""
-_HOLDS = {"SD201", "SD202", "SD401", "SD402"}
+_HOLDS = {"SD201", "SD202", "SD313", "SD401", "SD402"}
 """Findings whose claims say whether something holds, proved or refuted."""
 
 

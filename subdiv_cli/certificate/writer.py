@@ -11,7 +11,8 @@ from subdiv_cli.certificate.claims import Claims, Json, mask_document, matrices_
 from subdiv_cli.certificate.proof import Proof
 from subdiv_cli.certificate.radius import Radii
 from subdiv_cli.certificate.witness import as_rational, as_word
-from subdiv_cli.model import FamilyRadius, Finding, Verdict
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model.family import FamilyRadius
 
 MOST_WORK = 50_000_000
 """What the checker does for one certificate; a longer one is not written."""

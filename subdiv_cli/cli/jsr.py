@@ -11,7 +11,8 @@ import click
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.streams import emit, look_of
 from subdiv_cli.cli.values import SecondsType, WholeType
-from subdiv_cli.model import DEFAULT_EFFORT, Effort, FamilyRadius, Problem
+from subdiv_cli.model import DEFAULT_EFFORT, Effort, Problem
+from subdiv_cli.model.family import FamilyRadius
 
 if TYPE_CHECKING:
     from subdiv_cli.maskfile.matrices import MatrixFile

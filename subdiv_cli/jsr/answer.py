@@ -17,7 +17,8 @@ from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import Product, radius_bound
 from subdiv_cli.jsr.radius import joint_spectral_radius
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.model import Data, Effort, FamilyRadius, Interval, Root, exact_root
+from subdiv_cli.model import Data, Effort, Interval, Root, exact_root
+from subdiv_cli.model.family import FamilyRadius
 
 
 def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> FamilyRadius:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from subdiv_cli.model import FamilyRadius
+from subdiv_cli.model.family import FamilyRadius
 from subdiv_cli.report.letters import clean, letters
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import enclosed

@@ -47,7 +47,9 @@ def test_the_goal_says_what_the_report_says():
     assert {"property": "convergent", "holds": True} in goal
     assert {"property": "smooth", "order": 1} in goal
     assert {"property": "not-smooth", "order": 2} in goal
-    assert {"property": "holder", "level": 1, "norm": "1/4"} in goal
+    root = {"length": 1, "polynomial": ["-1", "4"], "low": "1/4", "high": "1/4"}
+    assert {"property": "holder-root", **root} in goal
+    assert {"property": "attained", "holds": False} in goal
     assert {"property": "stable", "mask": 0, "holds": True} in goal
 
 

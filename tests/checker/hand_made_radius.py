@@ -1,0 +1,117 @@
+"""Certificates of joint spectral radii: of small families whose radius is known, and of masks.
+
+Some are written by hand; of the others, which the package writes, the radius stands beside them.
+"""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+from hand_made import claim
+from support import four_point, scheme
+
+from subdiv_cli.model import Effort
+from subdiv_cli.pipeline import check, joint_spectral_radius
+
+GOLDEN = [[[1, 1], [0, 1]], [[1, 0], [1, 1]]]
+"""JSR (1+√5)/2."""
+ROTATION = [[["3/5", "-4/5"], ["4/5", "3/5"]], [["1/2", "0"], ["0", "1/3"]]]
+"""JSR 1, attained by a rotation."""
+TRIANGULAR = [[[2, 1], [0, 1]], [[1, 5], [0, -3]]]
+"""JSR 3: the blocks are 2, 1 and 1, -3."""
+NO_FINITENESS = [[[1, 1], [0, 1]], [["749326546/1000000000", 0], ["749326546/1000000000", "749326546/1000000000"]]]
+"""Near the parameter for which no product attains the radius: 1.4092472…, an enclosure."""
+NILPOTENT = [[[0, 1], [0, 0]]]
+
+
+def family(matrices):
+    return [[[Fraction(x) for x in row] for row in rows] for rows in matrices]
+
+
+def of_family(matrices):
+    document = joint_spectral_radius(family(matrices), Effort()).document
+    return json.loads(json.dumps(document))
+
+
+def of_mask(mask):
+    return json.loads(json.dumps(check(mask, (), Effort()).document))
+
+
+def golden():
+    return of_family(GOLDEN)
+
+
+def rotation():
+    return of_family(ROTATION)
+
+
+def triangular():
+    return of_family(TRIANGULAR)
+
+
+def nilpotent():
+    return of_family(NILPOTENT)
+
+
+def enclosed():
+    return of_family(NO_FINITENESS)
+
+
+def lower_of_blocks():
+    """By hand: the word 0 of the first block of ((2, 1), (0, 1)) has radius 2, and so the family has."""
+    matrices = [[["2", "1"], ["0", "1"]]]
+    claims = [
+        claim("blocks", family=0, parts=[1, 2], witness={"basis": [["1", "0"], ["0", "1"]], "sizes": [1, 1]}),
+        claim("word", property="radius-lower", family=1, length=1, bound="2", witness={"word": [0]}),
+        claim("lower-of-blocks", [0, 1], property="radius-lower", family=0, length=1, bound="2"),
+    ]
+    return matrices_document(matrices, claims)
+
+
+def matrices_document(matrices, claims):
+    return {
+        "format": "subdiv-certificate",
+        "version": 1,
+        "mask": {"kind": "matrices", "matrices": matrices},
+        "goal": [dict(c["statement"]) for c in claims],
+        "claims": claims,
+    }
+
+
+def swap():
+    """By hand, RADIUS.md's example of `polytope`: a permutation maps the square with corners ±e_1, ±e_2 into itself."""
+    witness = {
+        "symmetry": 0,
+        "bits": 0,
+        "vertices": [["1", "0"], ["0", "1"]],
+        "basis": [0, 1],
+        "weight_bits": 0,
+        "images": [[1, 1], [0, 1]],
+    }
+    bound = claim("polytope", property="radius-upper", family=0, length=1, bound="1", witness=witness)
+    return matrices_document([[["0", "1"], ["1", "0"]]], [bound])
+
+
+def four_point_attained():
+    """α = 2 and not attained; positive-symbol, holder-root, defective, not-attained."""
+    return of_mask(four_point("1/16"))
+
+
+def four_point_polytope():
+    """w = 1/10: a polytope closes, α is a logarithm of a root of degree 4, and attained."""
+    return of_mask(four_point("1/10"))
+
+
+def quadratic():
+    """Chaikin: α = 2, attained by a norm."""
+    return of_mask(scheme([1, 3, 3, 1], over=4))
+
+
+ALL_RADIUS = {
+    make.__name__: make
+    for make in (
+        golden, rotation, triangular, nilpotent, enclosed, lower_of_blocks, swap, four_point_attained,
+        four_point_polytope, quadratic,
+    )
+}  # fmt: skip
