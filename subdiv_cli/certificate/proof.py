@@ -93,7 +93,17 @@ class Proof:
         if "word" not in witness:
             return self.sum_rules(mask)
         word = as_word(witness)
-        return self.product(mask, word, Fraction(1, self.p ** (order * len(word))))
+        return self.product(mask, word, self._radius(mask, word, Fraction(1, self.p ** (order * len(word)))))
+
+    def _radius(self, mask: int, word: Sequence[int], least: Fraction) -> Fraction:
+        """The radius to claim of a product: that of SD312, if it is of this product and large enough, so that one claim
+
+        serves all orders; else the least one that is needed.
+        """
+        witness = self.found["SD312"].witness if "SD312" in self.found and mask == self.last else {}
+        if "radius" not in witness or as_word(witness) != tuple(word):
+            return least
+        return max(least, as_rational(witness["radius"]))
 
     def independent(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
         if "cofactors" not in witness or len(as_tuple(witness["gcd"])) > 1:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.polynomials import Polynomial
-from subdiv_cli.checker.reading import Fields, Rejected, parse, read_object, require, shown
+from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, parse, read_object, require, shown
 
 FORMAT, VERSION = "subdiv-certificate", 1
 MAX_FAMILIES = 1000
@@ -32,6 +32,8 @@ class Outcome(NamedTuple):
     """The statements of the goal as the document has them; none unless verified."""
     claim: int | None = None
     """The number of the claim that fails, where it is one that does."""
+    exhausted: bool = False
+    """Not verified only because it asks too much."""
 
     @property
     def line(self) -> str:
@@ -41,7 +43,7 @@ class Outcome(NamedTuple):
 
 def not_verified(place: str, why: object, claim: int | None = None) -> Outcome:
     line = f"NOT VERIFIED {place}: {why}"
-    return Outcome(False, lambda: line, claim=claim)
+    return Outcome(False, lambda: line, claim=claim, exhausted=isinstance(why, Exhausted))
 
 
 class Proved(NamedTuple):
@@ -127,7 +129,8 @@ class Claim:
     def spend(self, operations: int, bits: int) -> None:
         """More of the operations that are counted, or some of them, on numbers of so many bits."""
         self._subject.size_left -= (1 + operations) * (1 + bits // 512) ** 2
-        require(self._subject.size_left >= 0, "the numbers are too long for so much work")
+        if self._subject.size_left < 0:
+            raise Exhausted("the numbers are too long for so much work")
 
     def use(self, *properties: str, **fields: object) -> Proved:
         """The next claim that is used: it must state one of these properties with these fields."""

@@ -77,6 +77,10 @@ class Rejected(Exception):  # noqa: N818 (an answer, not an error)
     """Why a certificate does not verify."""
 
 
+class Exhausted(Rejected):
+    """It asks more than the checker does: true or not, it is not looked at to the end."""
+
+
 def require(condition: bool, why: str) -> None:
     if not condition:
         raise Rejected(why)

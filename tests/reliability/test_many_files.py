@@ -51,11 +51,11 @@ def test_ten_thousand_masks(tmp_path):
     assert len(names) == COUNT
     assert code == 2
     assert out.count('"status": "passed"') == COUNT - 1
-    assert own < 120 + COUNT / 250, "a few KiB a mask at most"
-    assert worker < 120
+    assert own < 160 + COUNT / 250, "a few KiB a mask at most"
+    assert worker < 160
     out, (code, warm, own, worker) = measured(*arguments, "--format", "junit")
     assert code == 2
     assert out.count("<testcase ") == COUNT
-    assert own < 150 + COUNT / 40, "the findings of all masks, without their witnesses"
+    assert own < 150 + COUNT / 25, "the findings of all masks, without their witnesses"
     print(f"\n  {COUNT} masks: {cold:.1f} s cold, {warm:.1f} s from the cache, {own:.0f} and {worker:.0f} MiB")
     assert warm < cold
