@@ -164,7 +164,10 @@ def _exactly(family: Family, found: Leaders, root: tuple[int, Root], proof: dict
 
 
 def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
-    """The largest radius of the parts: exact where it is of one part and the bounds of the others do not exceed it."""
+    """The largest radius of the parts: exact where it is of one part and the bounds of the others do not exceed it.
+
+    Bounded products are not claimed: of parts with one radius they need not be.
+    """
     parts = [joint_spectral_radius(part, effort) for part in blocks.parts]
     known = [part for part in parts if part is not None]
     if len(known) < len(parts):
@@ -182,11 +185,8 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
         below = [_at_most(part.upper, (length, root.low)) for part in others]
         same = [part.exact == top.exact for part in others]
         if all(x or y for x, y in zip(below, same, strict=True)):
-            strictly = all(
-                not y and _below(part.upper, (length, root.low)) for y, part in zip(same, others, strict=True)
-            )
             said: dict[str, Data] = {"length": length, "root": root_data(root)}
-            return Radius(top.word, top.exact, top.upper, top.bounded and strictly, {**proof, **said})
+            return Radius(top.word, top.exact, top.upper, False, {**proof, **said})
     highest = max(known, key=lambda part: part.ceiling)
     length, bound = highest.upper
     if any(not _at_most(part.upper, (length, bound)) for part in known):
@@ -199,7 +199,3 @@ def _at_most(a: tuple[int, Fraction], b: tuple[int, Fraction]) -> bool:
     """x^(1/n) <= y^(1/m) for (n, x) and (m, y)."""
     common = lcm(a[0], b[0])
     return bool(a[1] ** (common // a[0]) <= b[1] ** (common // b[0]))
-
-
-def _below(a: tuple[int, Fraction], b: tuple[int, Fraction]) -> bool:
-    return _at_most(a, b) and not _at_most(b, a)
