@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from subdiv_cli.catalog.task import Done, Task
 
-WINDOW = 500
+WINDOW = 200
 """So many masks may be done before one that is not, and wait for it."""
 
 Numbered = Sequence[tuple[int, Task]]

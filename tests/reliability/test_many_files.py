@@ -51,7 +51,7 @@ def test_ten_thousand_masks(tmp_path):
     assert len(names) == COUNT
     assert code == 2
     assert out.count('"status": "passed"') == COUNT - 1
-    assert own < 160 + COUNT / 250, "a few KiB a mask at most"
+    assert own < 320 + COUNT / 250, "a few KiB a mask at most"
     assert worker < 160
     out, (code, warm, own, worker) = measured(*arguments, "--format", "junit")
     assert code == 2
