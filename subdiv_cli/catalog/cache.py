@@ -1,8 +1,8 @@
 """Results of earlier runs, kept in files: an entry is used only where the checker verifies its certificate again.
 
 The key is a hash of the file's bytes, the overrides, the settings that decide what is found, and the version. An entry
-is one compressed file, written whole and replaced at once, so runs at the same time do no harm to each other. Whatever
-is wrong with an entry, it is not used; whatever keeps one from being written, the run goes on.
+is a line and a compressed text in one file, written whole and replaced at once, so runs at the same time do no harm to
+each other. Whatever is wrong with an entry, it is not used; whatever keeps one from being written, the run goes on.
 """
 
 from __future__ import annotations
@@ -100,13 +100,12 @@ class Cache:
     def find(self, name: str) -> Entry | None:
         """The entry as it was written, or None. The caller has to verify it: `trust.trusted`."""
         try:
-            packed = self._file(name).read_bytes()
-            unpacker = zlib.decompressobj()
-            data = unpacker.decompress(packed, MOST_BYTES)
-            if not unpacker.eof or unpacker.unused_data:
+            head, _, packed = self._file(name).read_bytes().partition(b"\n")
+            if head != _head(name, packed):
                 return None
-            head, _, body = data.partition(b"\n")
-            if head.decode("ascii") != _head(name, body):
+            unpacker = zlib.decompressobj()
+            body = unpacker.decompress(packed, MOST_BYTES)
+            if not unpacker.eof or unpacker.unused_data:
                 return None
             first, _, certificate = body.partition(b"\n")
             result = decode(json.loads(first))
@@ -117,12 +116,13 @@ class Cache:
     def keep(self, name: str, entry: Entry) -> None:
         """Write an entry. Raises OSError."""
         body = json.dumps(encode(entry.result)).encode() + b"\n" + entry.certificate.encode("utf-8")
+        packed = zlib.compress(body, 1)
         file = self._file(name)
         file.parent.mkdir(parents=True, exist_ok=True)
         tag = self.directory / _TAG
         if not tag.exists():
             write_whole(tag, _TAG_TEXT, durable=False)
-        write_whole(file, zlib.compress(f"{_head(name, body)}\n".encode("ascii") + body, 1), durable=False)
+        write_whole(file, _head(name, packed) + b"\n" + packed, durable=False)
 
     def clean(self) -> tuple[int, int]:
         """Remove every entry, and the directory if nothing else is in it: how many there were, and their bytes.
@@ -148,6 +148,9 @@ class Cache:
             yield from sorted(directory.glob(f".*{_SUFFIX}.*.part"))
 
 
-def _head(name: str, body: bytes) -> str:
-    """The first line: what this is, the entry's own name, so that a copy under another is none, and a digest."""
-    return f"subdiv-cache 1 {name} {sha256(body).hexdigest()}"
+def _head(name: str, packed: bytes) -> bytes:
+    """The first line: what this is, the entry's own name, so that a copy under another is none, and a digest.
+
+    The digest is of the packed bytes: a flipped bit of a deflate stream may well unpack to the same text.
+    """
+    return f"subdiv-cache 2 {name} {sha256(packed).hexdigest()}".encode("ascii")

@@ -102,28 +102,30 @@ def spoiled(data):
     yield bytes(reversed(data))
     yield b"not zlib at all"
     yield zlib.compress(b"")
-    yield zlib.compress(b"no head")
-    for place in range(0, len(data), max(1, len(data) // 40)):
-        yield data[:place] + bytes([data[place] ^ 0x10]) + data[place + 1 :]
-    text = zlib.decompress(data)
-    yield zlib.compress(text.replace(b"Dyn", b"Din"))
-    yield zlib.compress(text.replace(b"subdiv-cache 1", b"subdiv-cache 2"))
-    yield zlib.compress(b"\0" * (2 << 20) + text)
+    for place in range(len(data)):
+        yield data[:place] + bytes([data[place] ^ 1 << place % 8]) + data[place + 1 :]
+    head, _, packed = data.partition(b"\n")
+    text = zlib.decompress(packed)
+    for other in (b"", b"no result", text.replace(b"Dyn", b"Din"), b"\0" * (2 << 20) + text):
+        yield head + b"\n" + zlib.compress(other)
+    yield data.replace(b"subdiv-cache 2", b"subdiv-cache 1")
 
 
 def test_corrupt_entries_are_ignored_and_replaced(store):
     (good,), _ = check([FOUR_POINT], cache=store)
     (entry,) = entries(store)
     data = entry.read_bytes()
-    count = 0
-    for bad in spoiled(data):
+    changed = list(spoiled(data))
+    assert len(set(changed) - {data}) == len(changed) > len(data)
+    for bad in changed:
+        entry.write_bytes(bad)
+        assert Cache(store).find(entry.stem) is None
+    for bad in changed[:: len(changed) // 40]:
         entry.write_bytes(bad)
         (again,), hits = check([FOUR_POINT], cache=store)
         assert again == good
         assert hits == []
         assert entry.read_bytes() == data
-        count += 1
-    assert count > 40
 
 
 def test_a_huge_entry_is_not_unpacked(store, monkeypatch):
