@@ -59,7 +59,10 @@ def _spectral(proof: Proof, nu: int, holds: bool) -> int:
 
 
 def eigen_condition(proof: Proof, finding: Finding) -> list[int]:
-    return [_spectral(proof, 0, finding.verdict is Verdict.PROVED)]
+    """The condition for the largest ν for which it holds contains the one for ν = 0."""
+    if finding.verdict is not Verdict.PROVED:
+        return [_spectral(proof, 0, False)]
+    return [_spectral(proof, _largest(proof), True)]
 
 
 def smoothness_spectrum(proof: Proof, finding: Finding) -> list[int]:
@@ -68,3 +71,8 @@ def smoothness_spectrum(proof: Proof, finding: Finding) -> list[int]:
         return [proof.sum_rules(0)]
     following = [_spectral(proof, largest + 1, False)] if largest + 1 < k else []
     return [_spectral(proof, largest, True), *following] if largest else following
+
+
+def _largest(proof: Proof) -> int:
+    found = proof.found["SD304"]
+    return as_integer(found.witness["nu"]) if "nu" in found.witness else 0

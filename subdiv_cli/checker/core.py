@@ -186,9 +186,6 @@ class _Checker:
         require(parts["format"] == FORMAT, f"the format is not {FORMAT}")
         require(parts["version"] == VERSION, f"the version is not {VERSION}")
         kind, subject = _read_mask(parts["mask"], kinds)
-        self.place = "goal"
-        goal = [self.statement(statement, kind) for statement in parts["goal"]]
-        require(bool(goal), "there is none")
         claims = parts["claims"]
         if type(claims) is not list:
             raise Rejected("the claims are not a list")
@@ -197,9 +194,11 @@ class _Checker:
             self.place = f"claim {self.number}"
             self.proved.append(self.check(claim, kind, subject))
         self.place, self.number = "goal", None
-        statements = {tuple(proved.statement.items()) for proved in self.proved}
+        goal = [self.statement(statement, kind) for statement in parts["goal"]]
+        require(bool(goal), "there is none")
+        same = {id(proved.statement) for proved in self.proved}  # of one spelling, most often
         for statement in goal:
-            if tuple(statement.items()) not in statements:
+            if id(statement) not in same and all(statement != proved.statement for proved in self.proved):
                 raise Rejected(f"no claim proves: {kind.words(statement, subject.letters)}")
 
         def spell() -> str:

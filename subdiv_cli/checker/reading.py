@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import cache, lru_cache, partial
 from math import gcd, lcm
 from typing import Any
 
@@ -69,6 +70,8 @@ _OBJECTS: Mapping[str, Fields] = {
 }
 _LENGTHS = {"vertices[]": MAX_VERTICES, "tie[]": MAX_VERTICES, "flat[]": MAX_VERTICES * MAX_ORDER}
 """Of lists that may have more members than others."""
+_SHORT = 40
+"""Characters of a number that is kept once it is read."""
 _RATIONAL = re.compile(r"-?([0-9]+)(?:/([0-9]+))?")
 _DIGITS = re.compile(r"0|-?[1-9][0-9]*")
 
@@ -104,134 +107,181 @@ def shown(value: object) -> str:
     return ascii(value[:40] if isinstance(value, str) else type(value).__name__)
 
 
+class _Unreadable(Exception):
+    """A value that is not as specified; the places on the way out to it, innermost first, and what is wrong there."""
+
+    def __init__(self, why: str, place: str = "") -> None:
+        self.why, self.place = why, place
+
+
+def _demand(condition: bool, why: str) -> None:
+    if not condition:
+        raise _Unreadable(why)
+
+
 def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
     """The values of an object that has exactly these keys."""
-    if type(value) is not dict:
-        raise Rejected(f"{what} is not an object")
-    if value.keys() != fields.keys():
-        for key in value:
-            require(key in fields, f"{what} has the unknown key {shown(key)}")
-        raise Rejected(f"{what} has no key '{min(fields.keys() - value.keys())}'")
-    return {
-        key: value[key] if kind == "any" else read(kind, value[key], f"'{key}' of {what}")
-        for key, kind in fields.items()
-    }
+    try:
+        return _object_of(value, fields)
+    except _Unreadable as error:
+        raise Rejected(f"{error.place}{what} {error.why}") from None
 
 
 def read(kind: str, value: object, what: str) -> Any:
     """A value of one of the kinds below; a kind that ends in [] is a list."""
+    try:
+        return _reader(kind)(value)
+    except _Unreadable as error:
+        raise Rejected(f"{error.place}{what} {error.why}") from None
+
+
+def _object_of(value: object, fields: Fields) -> dict[str, Any]:
+    if type(value) is not dict:
+        raise _Unreadable("is not an object")
+    if value.keys() != fields.keys():
+        for key in value:
+            _demand(key in fields, f"has the unknown key {shown(key)}")
+        raise _Unreadable(f"has no key '{min(fields.keys() - value.keys())}'")
+    result = {}
+    for key, kind in fields.items():
+        try:
+            result[key] = _reader(kind)(value[key])
+        except _Unreadable as error:
+            raise _Unreadable(error.why, f"{error.place}'{key}' of ") from None
+    return result
+
+
+@cache
+def _reader(kind: str) -> Callable[[Any], Any]:
     if (reader := _READERS.get(kind)) is not None:
-        return reader(value, what)
+        return reader
     if kind in _RANGES:
-        return _integer(*_RANGES[kind], value, what)
+        return partial(_integer, *_RANGES[kind])
     if kind in _OBJECTS:
-        return read_object(value, _OBJECTS[kind], what)
-    value = _list(value, _LENGTHS.get(kind, MAX_LENGTH), what)
-    member, what = kind.removesuffix("[]"), f"a member of {what}"
-    return tuple(read(member, x, what) for x in value)
+        return partial(_object_of, fields=_OBJECTS[kind])
+    return partial(_members, _reader(kind.removesuffix("[]")), _LENGTHS.get(kind, MAX_LENGTH))
 
 
-def _list(value: object, most: int, what: str) -> list[Any]:
+def _members(reader: Callable[[Any], Any], most: int, value: object, of: str = "a member of ") -> tuple[Any, ...]:
+    members = _list(value, most)
+    try:
+        return tuple(map(reader, members))
+    except _Unreadable as error:
+        raise _Unreadable(error.why, error.place + of) from None
+
+
+def _list(value: object, most: int) -> list[Any]:
     if type(value) is not list:
-        raise Rejected(f"{what} is not a list")
-    require(len(value) <= most, f"{what} is too long")
+        raise _Unreadable("is not a list")
+    _demand(len(value) <= most, "is too long")
     return value
 
 
-def _integer(least: int, greatest: int, value: object, what: str) -> int:
+def _integer(least: int, greatest: int, value: object) -> int:
     if type(value) is not int:
-        raise Rejected(f"{what} is not an integer")
-    require(least <= value <= greatest, f"{what} is out of range")
+        raise _Unreadable("is not an integer")
+    _demand(least <= value <= greatest, "is out of range")
     return value
 
 
-def _boolean(value: object, what: str) -> bool:
+def _boolean(value: object) -> bool:
     if type(value) is not bool:
-        raise Rejected(f"{what} is not a boolean")
+        raise _Unreadable("is not a boolean")
     return value
 
 
-def _fraction(value: object, what: str) -> Fraction:
-    return Fraction(*_rational(value, what))
+def _fraction(value: object) -> Fraction:
+    if type(value) is str and len(value) <= _SHORT:
+        return _short_fraction(value)
+    return Fraction(*_ratio(value))
 
 
-def _polynomial(value: object, what: str) -> Polynomial:
-    fields = read_object(value, {"start": "integer", "coefficients": "any"}, what)
-    coefficients = _list(fields["coefficients"], MAX_LENGTH, f"the coefficients of {what}")
-    coefficient = f"a coefficient of {what}"
-    pairs = [_rational(c, coefficient) for c in coefficients]
+def _polynomial(value: object) -> Polynomial:
+    fields = _object_of(value, {"start": "integer", "coefficients": "any"})
+    pairs = _members(_rational, MAX_LENGTH, fields["coefficients"], "a coefficient of ")
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
-        raise Rejected(f"the common denominator of {what} is too large")
+        raise _Unreadable("has a common denominator that is too large")
     return f
 
 
-def _family(value: object, what: str) -> Family:
+def _family(value: object) -> Family:
     """Square matrices of one order, rows of rationals, over one common denominator."""
-    matrices = _list(value, MAX_ORDER, what)
-    require(len(matrices) > 0, f"{what} is empty")
-    order = len(_list(matrices[0], MAX_ORDER, f"a matrix of {what}"))
-    require(order > 0, f"a matrix of {what} is empty")
-    pairs, common = [], 1
-    for matrix in matrices:
-        require(len(_list(matrix, MAX_ORDER, f"a matrix of {what}")) == order, f"{what} has matrices of two orders")
-        for row in matrix:
-            require(len(_list(row, MAX_ORDER, f"a row of {what}")) == order, f"{what} has a row of another length")
-            pairs.append([_rational(x, f"an entry of {what}") for x in row])
-            for _, q in pairs[-1]:
+    matrices = _members(_rows, MAX_ORDER, value, "a matrix of ")
+    _demand(len(matrices) > 0, "is empty")
+    order, common = len(matrices[0]), 1
+    _demand(all(len(rows) == order for rows in matrices), "has matrices of two orders")
+    for rows in matrices:
+        for row in rows:
+            for _, q in row:
                 common = lcm(common, q)
-                require(common.bit_length() <= MAX_DIGITS * 10 // 3, f"the common denominator of {what} is too large")
-    rows = [[p * (common // q) for p, q in row] for row in pairs]
-    return family([rows[i : i + order] for i in range(0, len(rows), order)], common)
+                _demand(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
+    return family([[[p * (common // q) for p, q in row] for row in rows] for rows in matrices], common)
 
 
-def _matrix(value: object, what: str) -> Family:
-    return _family([value], what)
+def _rows(value: object) -> tuple[tuple[tuple[int, int], ...], ...]:
+    rows = _members(partial(_members, _rational, MAX_ORDER, of="an entry of "), MAX_ORDER, value, "a row of ")
+    _demand(len(rows) > 0, "is empty")
+    _demand(all(len(row) == len(rows) for row in rows), "has a row of another length")
+    return rows
 
 
-def _root(value: object, what: str) -> tuple[int, ...]:
+def _matrix(value: object) -> Family:
+    return _family([value])
+
+
+def _root(value: object) -> tuple[int, ...]:
     """The coefficients of an integer polynomial, the constant one first."""
-    members = _list(value, MAX_DEGREE + 1, what)
-    return tuple(_digits(c, MAX_DIGITS, f"a member of {what}") for c in members)
+    return _members(partial(_digits, MAX_DIGITS), MAX_DEGREE + 1, value)
 
 
-def _coordinates(value: object, what: str) -> list[int]:
-    members = _list(value, MAX_ORDER, what)
-    return [_digits(x, MAX_COORDINATE, f"a coordinate of {what}") for x in members]
+def _coordinates(value: object) -> tuple[int, ...]:
+    return _members(partial(_digits, MAX_COORDINATE), MAX_ORDER, value)
 
 
-def _digits(value: object, most: int, what: str) -> int:
+def _digits(most: int, value: object) -> int:
     """`"n"`, an integer without leading zeros."""
     if type(value) is not str:
-        raise Rejected(f"{what} is not a string of digits")
-    require(len(value) <= most + 1, f"{what} has too many digits")
+        raise _Unreadable("is not a string of digits")
+    _demand(len(value) <= most + 1, "has too many digits")
     digits = value.lstrip("-")
-    require(len(digits) <= most and _DIGITS.fullmatch(value) is not None, f"{what} is not an integer: {shown(value)}")
+    _demand(len(digits) <= most and _DIGITS.fullmatch(value) is not None, f"is not an integer: {shown(value)}")
     return -_decimal(digits) if value[0] == "-" else _decimal(digits)
 
 
-def _flat(value: object, what: str) -> list[int]:
+def _flat(value: object) -> list[int]:
     """Integers in a row whose meaning their rule knows."""
-    members: list[int] = _list(value, 2 * MAX_VERTICES, what)
-    require(set(map(type, members)) <= {int}, f"a member of {what} is not an integer")
-    require(not members or -MAX_ENTRY <= min(members) <= max(members) <= MAX_ENTRY, f"a member of {what} is too large")
+    members: list[int] = _list(value, 2 * MAX_VERTICES)
+    _demand(set(map(type, members)) <= {int}, "has a member that is not an integer")
+    _demand(not members or -MAX_ENTRY <= min(members) <= max(members) <= MAX_ENTRY, "has a member that is too large")
     return members
 
 
-def _rational(value: object, what: str) -> tuple[int, int]:
+def _rational(value: object) -> tuple[int, int]:
     """`"p/q"` or `"p"` in lowest terms as (p, q), q > 0."""
+    if type(value) is str and len(value) <= _SHORT:
+        return _short_ratio(value)
+    return _ratio(value)
+
+
+def _ratio(value: object) -> tuple[int, int]:
     if type(value) is not str:
-        raise Rejected(f'{what} is not a string "p/q"')
-    require(len(value) <= 2 * MAX_DIGITS + 2, f"{what} has too many digits")
+        raise _Unreadable('is not a string "p/q"')
+    _demand(len(value) <= 2 * MAX_DIGITS + 2, "has too many digits")
     match = _RATIONAL.fullmatch(value)
     if match is None:
-        raise Rejected(f"{what} is not a rational: {shown(value)}")
+        raise _Unreadable(f"is not a rational: {shown(value)}")
     digits, below = match[1], match[2] or "1"
-    require(max(len(digits), len(below)) <= MAX_DIGITS, f"{what} has too many digits")
+    _demand(max(len(digits), len(below)) <= MAX_DIGITS, "has too many digits")
     p, q = _decimal(digits), _decimal(below)
     canonical = (digits[0] != "0" or value == "0") and below[0] != "0" and match[2] != "1" and gcd(p, q) == 1
-    require(canonical, f"{what} is not in lowest terms")
+    _demand(canonical, "is not in lowest terms")
     return (-p if value[0] == "-" else p), q
+
+
+_short_ratio = lru_cache(4096)(_ratio)
+"""Short numbers come again and again."""
+_short_fraction = lru_cache(4096)(lambda text: Fraction(*_ratio(text)))
 
 
 def _decimal(digits: str) -> int:
@@ -243,8 +293,8 @@ def _decimal(digits: str) -> int:
     return value
 
 
-_READERS: Mapping[str, Callable[[object, str], Any]] = {
-    "any": lambda value, _: value,
+_READERS: Mapping[str, Callable[[Any], Any]] = {
+    "any": lambda value: value,
     "boolean": _boolean,
     "rational": _fraction,
     "polynomial": _polynomial,
