@@ -11,12 +11,12 @@ from typing import Any
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.eigenvectors import Vector, enclosed, leading_eigenvector, slope_bits
+from subdiv_cli.checker.eigenvectors import Vector, enclosed, leading_eigenvector, size_of_leader, slope_bits
 from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.polytopes import body, reflected, weight_count
 from subdiv_cli.checker.reading import Rejected, require
-from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale, isolated_root
+from subdiv_cli.checker.roots import Root, enclose, inverse_scale, isolated_root
 from subdiv_cli.checker.trees import Tree, check_ties, read_tree, ties_work
 
 HEADROOM = 64
@@ -87,15 +87,14 @@ def _leader(c: Claim, family: Family, root: Root, leader: dict[str, Any]) -> Vec
     require(sign != 0 and leader["scale"] > 0, "the sign of a leader is not 1 or -1, or its scale not positive")
     require(leader["column"] < order, "the column of a leader is not there")
     require(2 <= len(g) <= order + 1 and g[-1] != 0, "the annihilator of a leader is not of a degree 1, …, N")
-    bits = len(leader["word"]) * (family.bits + order.bit_length()) + sum(map(fraction_bits, g))
-    c.spend((len(leader["word"]) + 1) * order**3, (order.bit_length() + 1) * bits)
+    for operations, bits in size_of_leader(order, len(leader["word"]), family.bits, g, m):
+        c.spend(operations, bits)
     matrix, denominator = family.product(leader["word"])
     if leader["reflected"]:
         require(c.witness["symmetry"] != 0, "a leader is reflected, and nothing is symmetric")
         matrix = matrix[::-1]
     common = lcm(*(x.denominator for x in g))
     at_sign = [x.numerator * (common // x.denominator) * sign**k for k, x in enumerate(g)]
-    c.spend(order**2, order * (bits + max(map(abs, m)).bit_length()))
     require(not remainder(at_sign, m), "the root's polynomial does not divide the annihilator of a leader")
     x = leading_eigenvector((matrix, denominator), g, sign, leader["column"], leader["scale"], m)
     if x is None:

@@ -17,12 +17,12 @@ from subdiv_cli.checker import matrices
 from subdiv_cli.checker.closing import EXTRA_BITS, HEADROOM, returns_of
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.disc import Disc, modulus_is, read_disc
-from subdiv_cli.checker.eigenvectors import Vector, leading_eigenvector
+from subdiv_cli.checker.eigenvectors import Vector, leading_eigenvector, size_of_leader
 from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.polytopes import Body, body
 from subdiv_cli.checker.reading import Rejected, require
-from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale, isolated_root
+from subdiv_cli.checker.roots import Root, enclose, inverse_scale, isolated_root
 from subdiv_cli.checker.trees import Tree, read_tree
 
 
@@ -56,14 +56,13 @@ def _leader(c: Claim, family: Family, disc: Disc, leader: dict[str, Any]) -> Vec
     order, g, f = family.order, leader["annihilator"], disc.polynomial
     require(leader["scale"] > 0 and leader["column"] < order, "the scale is not positive, or the column not there")
     require(2 <= len(g) <= order + 1 and g[-1] != 0, "the annihilator of a leader is not of a degree 1, …, N")
-    bits = len(leader["word"]) * (family.bits + order.bit_length()) + sum(map(fraction_bits, g))
-    c.spend((len(leader["word"]) + 1) * order**3, (order.bit_length() + 1) * bits)
+    for operations, bits in size_of_leader(order, len(leader["word"]), family.bits, g, f):
+        c.spend(operations, bits)
     matrix, denominator = family.product(leader["word"])
     if leader["reflected"]:
         require(c.witness["symmetry"] != 0, "a leader is reflected, and nothing is symmetric")
         matrix = matrix[::-1]
     common = lcm(*(x.denominator for x in g))
-    c.spend(order**2, order * (bits + max(map(abs, f)).bit_length()))
     integers = [x.numerator * (common // x.denominator) for x in g]
     require(not remainder(integers, f), "the eigenvalue's polynomial does not divide the annihilator of a leader")
     x = leading_eigenvector((matrix, denominator), g, 1, leader["column"], leader["scale"], f)

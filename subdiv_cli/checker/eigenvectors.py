@@ -4,13 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import gcd, lcm
+from math import gcd, isqrt, lcm
 from operator import mul
 from typing import NamedTuple
 
 from subdiv_cli.checker.matrices import Matrix, apply
 from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.roots import Enclosure
+
+
+def size_of_leader(
+    order: int, letters: int, family_bits: int, g: Sequence[Fraction], m: Sequence[int]
+) -> list[tuple[int, int]]:
+    """What a product and its `leading_eigenvector` take: operations, and the bits of their numbers.
+
+    Each step of the eigenvector multiplies long numbers by those of the product, each step modulo m by those of m; of
+    factors of different length the geometric mean counts.
+    """
+    product = letters * (family_bits + order.bit_length())
+    annihilator = sum(x.numerator.bit_length() + x.denominator.bit_length() for x in g)
+    modulus = max(map(abs, m)).bit_length()
+    powers = len(g) * (product + order.bit_length()) + annihilator
+    reduced = powers + len(g) * modulus
+    return [
+        (letters * order**3, isqrt((512 + product) * (512 + family_bits)) - 512),
+        (len(g) * order**2, isqrt((512 + powers) * (512 + product)) - 512),
+        (len(g) ** 2 * order, isqrt((512 + reduced) * (512 + modulus)) - 512),
+        (len(g) ** 2, isqrt((512 + annihilator + len(g) * modulus) * (512 + modulus)) - 512),
+        (len(g) * order, reduced),
+    ]
 
 
 class Vector(NamedTuple):

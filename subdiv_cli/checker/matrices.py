@@ -53,6 +53,15 @@ def section(f: Polynomial, p: int, offset: int, order: int) -> Matrix:
     return [[f.at(offset + i - p * j) for j in range(order)] for i in range(order)]
 
 
+def symmetric_section(b: Sequence[int], p: int, order: int) -> Matrix:
+    """v -> Σ_j b_(i-pj) v_j on symmetric v, b_(-i) = b_i: b_(i-pj) + b_(i+pj), b_i for j = 0, for 0 <= i, j < order."""
+
+    def at(i: int) -> int:
+        return b[abs(i)] if abs(i) < len(b) else 0
+
+    return [[at(i - p * j) + (at(i + p * j) if j else 0) for j in range(order)] for i in range(order)]
+
+
 def multiply(a: Matrix, b: Matrix) -> Matrix:
     columns = list(zip(*b, strict=True))
     return [[sum(map(mul, row, column)) for column in columns] for row in a]

@@ -132,12 +132,13 @@ def _powers_fit(c: Claim, used: Statement, x: Fraction, length: int) -> bool:
 
 
 def positive_symbol(c: Claim) -> None:
-    """JSR = ρ(C) = Λ, C[i][j] the coefficient of z^(i-pj) in q_c(z) = z^-h q(z) >= 0 on |z| = 1.
+    """JSR = ρ(C) = ρ(G) = Λ, C[i][j] the coefficient of z^(i-pj) in q_c(z) = z^-h q(z) >= 0 on |z| = 1.
 
     Π_(j<L) q_c(z^(p^j)) >= 0 there, so its coefficient at 0, (C^L)_00, is its largest, and ‖D^L‖∞ is at most a constant
-    times it; the rows of C^L are rows of D^L. Σ (C^L)_00 x^L has coefficients >= 0, so by Pringsheim's theorem its
-    first pole, 1/ρ(C), is positive, and ρ(C) is the largest real root of f = det(z - C). Where all roots of modulus Λ
-    are simple, C^L is at most a constant times Λ^L.
+    times it; the rows of C^L are rows of D^L. G is C on symmetric sequences, so (C^L)_00 = (G^L)_00 and ρ(G) <= ρ(C).
+    Σ (G^L)_00 x^L has coefficients >= 0, so by Pringsheim's theorem its first pole, 1/ρ(G), is positive, and ρ(G) is
+    the largest real root of f = det(z - G). Where all its roots of modulus Λ are simple, G^L is at most a constant
+    times Λ^L.
     """
     m, low, _ = isolated_root(c)
     family = c.use("family", family=c.statement["family"]).statement
@@ -148,12 +149,11 @@ def positive_symbol(c: Claim) -> None:
     require(q.length % 2 == 1, "the symbol is not of even degree")
     require(q.numerators == q.numerators[::-1], "the symbol is not its own reverse")
     h = q.length // 2
-    reach = h // (p - 1)
-    order = 2 * reach + 1
-    c.count(h**3 + order**4 + order**3, (order.bit_length() + 1) * q.bits)
+    order = h // (p - 1) + 1
+    c.count(h**3 + order**4 + order**3, (order.bit_length() + 2) * q.bits)
     _positive_on_circle(c, q, h)
-    section = matrices.section(q, p, q.start + h + (p - 1) * reach, order)
-    f = [x * q.denominator**k for k, x in enumerate(matrices.characteristic_polynomial(section))]
+    on_symmetric = matrices.symmetric_section(q.numerators[h:], p, order)
+    f = [x * q.denominator**k for k, x in enumerate(matrices.characteristic_polynomial(on_symmetric))]
     bits = max(map(abs, f)).bit_length() + max(map(abs, m)).bit_length()
     c.spend(order**3, order * bits + order * fraction_bits(low))
     require(not remainder(f, m), "the root's polynomial does not divide the characteristic one")

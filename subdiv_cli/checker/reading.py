@@ -107,7 +107,7 @@ def shown(value: object) -> str:
     return ascii(value[:40] if isinstance(value, str) else type(value).__name__)
 
 
-class _Unreadable(Exception):
+class _UnreadableError(Exception):
     """A value that is not as specified; the places on the way out to it, innermost first, and what is wrong there."""
 
     def __init__(self, why: str, place: str = "") -> None:
@@ -116,14 +116,14 @@ class _Unreadable(Exception):
 
 def _demand(condition: bool, why: str) -> None:
     if not condition:
-        raise _Unreadable(why)
+        raise _UnreadableError(why)
 
 
 def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
     """The values of an object that has exactly these keys."""
     try:
         return _object_of(value, fields)
-    except _Unreadable as error:
+    except _UnreadableError as error:
         raise Rejected(f"{error.place}{what} {error.why}") from None
 
 
@@ -131,23 +131,23 @@ def read(kind: str, value: object, what: str) -> Any:
     """A value of one of the kinds below; a kind that ends in [] is a list."""
     try:
         return _reader(kind)(value)
-    except _Unreadable as error:
+    except _UnreadableError as error:
         raise Rejected(f"{error.place}{what} {error.why}") from None
 
 
 def _object_of(value: object, fields: Fields) -> dict[str, Any]:
     if type(value) is not dict:
-        raise _Unreadable("is not an object")
+        raise _UnreadableError("is not an object")
     if value.keys() != fields.keys():
         for key in value:
             _demand(key in fields, f"has the unknown key {shown(key)}")
-        raise _Unreadable(f"has no key '{min(fields.keys() - value.keys())}'")
+        raise _UnreadableError(f"has no key '{min(fields.keys() - value.keys())}'")
     result = {}
     for key, kind in fields.items():
         try:
             result[key] = _reader(kind)(value[key])
-        except _Unreadable as error:
-            raise _Unreadable(error.why, f"{error.place}'{key}' of ") from None
+        except _UnreadableError as error:
+            raise _UnreadableError(error.why, f"{error.place}'{key}' of ") from None
     return result
 
 
@@ -166,27 +166,27 @@ def _members(reader: Callable[[Any], Any], most: int, value: object, of: str = "
     members = _list(value, most)
     try:
         return tuple(map(reader, members))
-    except _Unreadable as error:
-        raise _Unreadable(error.why, error.place + of) from None
+    except _UnreadableError as error:
+        raise _UnreadableError(error.why, error.place + of) from None
 
 
 def _list(value: object, most: int) -> list[Any]:
     if type(value) is not list:
-        raise _Unreadable("is not a list")
+        raise _UnreadableError("is not a list")
     _demand(len(value) <= most, "is too long")
     return value
 
 
 def _integer(least: int, greatest: int, value: object) -> int:
     if type(value) is not int:
-        raise _Unreadable("is not an integer")
+        raise _UnreadableError("is not an integer")
     _demand(least <= value <= greatest, "is out of range")
     return value
 
 
 def _boolean(value: object) -> bool:
     if type(value) is not bool:
-        raise _Unreadable("is not a boolean")
+        raise _UnreadableError("is not a boolean")
     return value
 
 
@@ -201,7 +201,7 @@ def _polynomial(value: object) -> Polynomial:
     pairs = _members(_rational, MAX_LENGTH, fields["coefficients"], "a coefficient of ")
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
-        raise _Unreadable("has a common denominator that is too large")
+        raise _UnreadableError("has a common denominator that is too large")
     return f
 
 
@@ -242,7 +242,7 @@ def _coordinates(value: object) -> tuple[int, ...]:
 def _digits(most: int, value: object) -> int:
     """`"n"`, an integer without leading zeros."""
     if type(value) is not str:
-        raise _Unreadable("is not a string of digits")
+        raise _UnreadableError("is not a string of digits")
     _demand(len(value) <= most + 1, "has too many digits")
     digits = value.lstrip("-")
     _demand(len(digits) <= most and _DIGITS.fullmatch(value) is not None, f"is not an integer: {shown(value)}")
@@ -266,11 +266,11 @@ def _rational(value: object) -> tuple[int, int]:
 
 def _ratio(value: object) -> tuple[int, int]:
     if type(value) is not str:
-        raise _Unreadable('is not a string "p/q"')
+        raise _UnreadableError('is not a string "p/q"')
     _demand(len(value) <= 2 * MAX_DIGITS + 2, "has too many digits")
     match = _RATIONAL.fullmatch(value)
     if match is None:
-        raise _Unreadable(f"is not a rational: {shown(value)}")
+        raise _UnreadableError(f"is not a rational: {shown(value)}")
     digits, below = match[1], match[2] or "1"
     _demand(max(len(digits), len(below)) <= MAX_DIGITS, "has too many digits")
     p, q = _decimal(digits), _decimal(below)

@@ -3,10 +3,11 @@
 Let d(z) = d(1/z) have real values >= 0 on |z| = 1 (a shift of the index aside). Then so has d^[L](z) = Π_(j<L)
 d(z^(p^j)), hence its coefficient at 0 is the largest in modulus, and ‖S^L‖∞, the largest absolute class sum mod p^L,
 is at most a constant times it. With C = [d_(i-pj)], |i|, |j| <= R = ⌊h/(p-1)⌋, 2h the degree, that coefficient is
-(C^L)_00, and the rows of C^L are parts of rows of S^L: the joint spectral radius is ρ(C). As the power series Σ_L
-(C^L)_00 x^L has coefficients >= 0, its radius of convergence 1/ρ(C) is a pole: ρ(C) is an eigenvalue, the largest
-real one. Products are bounded by a constant times ρ(C)^L where all eigenvalues of that modulus are simple.
-Deslauriers-Dubuc schemes, pseudo-splines and B-splines are of this kind.
+(C^L)_00, and the rows of C^L are parts of rows of S^L: the joint spectral radius is ρ(C). C maps symmetric sequences
+to such, by G = [d_(i-pj) + d_(i+pj)], 0 <= i, j <= R (d_i for j = 0), and (C^L)_00 = (G^L)_00: it is ρ(G). As the
+power series Σ_L (G^L)_00 x^L has coefficients >= 0, its radius of convergence 1/ρ(G) is a pole: ρ(G) is an eigenvalue,
+the largest real one. Products are bounded by a constant times ρ(G)^L where all eigenvalues of G of that modulus are
+simple. Deslauriers-Dubuc schemes, pseudo-splines and B-splines are of this kind.
 """
 
 from __future__ import annotations
@@ -23,8 +24,8 @@ from subdiv_cli.jsr.result import Radius, root_data
 from subdiv_cli.model import Data
 from subdiv_cli.schemes.operators import transition_matrices
 
-_LARGEST_ORDER = 80
-"""Of C."""
+_LARGEST_ORDER = 40
+"""Of G."""
 
 
 def positive_radius(d: Laurent, p: int) -> Radius | None:
@@ -35,12 +36,12 @@ def positive_radius(d: Laurent, p: int) -> Radius | None:
     c = list(d.poly)
     h, odd = divmod(len(c) - 1, 2)
     reach = h // (p - 1)
-    if odd or c != c[::-1] or 2 * reach + 1 > _LARGEST_ORDER:
+    if odd or c != c[::-1] or reach + 1 > _LARGEST_ORDER:
         return None
     square = _as_square(in_two_cosine(c[h:]))
     if square is None:
         return None
-    f = _central_matrix(c, p, h, reach).charpoly()
+    f = _symmetric_matrix(c[h:], p, reach).charpoly()
     spectrum = roots(f)
     largest = _largest_real(spectrum)
     letter = h % (p - 1)
@@ -96,9 +97,14 @@ def _vanishes_between(g: fmpz_poly) -> bool:
     return decide(ask)
 
 
-def _central_matrix(c: Sequence[fmpq], p: int, h: int, reach: int) -> fmpq_mat:
-    window = range(-reach, reach + 1)
-    entries = [c[k] if 0 <= (k := h + i - p * j) < len(c) else fmpq(0) for i in window for j in window]
+def _symmetric_matrix(d: Sequence[fmpq], p: int, reach: int) -> fmpq_mat:
+    """G, from d_0, …, d_h."""
+
+    def at(k: int) -> fmpq:
+        return d[abs(k)] if abs(k) < len(d) else fmpq(0)
+
+    window = range(reach + 1)
+    entries = [at(i - p * j) + at(i + p * j) if j else at(i) for i in window for j in window]
     return fmpq_mat(len(window), len(window), entries)
 
 
