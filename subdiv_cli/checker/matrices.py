@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 from math import gcd
 from operator import mul
 from typing import NamedTuple
@@ -105,7 +106,13 @@ def inverse_norm(a: Matrix) -> Fraction | None:
 
 
 def characteristic_polynomial(a: Matrix) -> list[int]:
-    """det(z - A), lowest power first, without divisions (Samuelson & Berkowitz).
+    """det(z - A), lowest power first. The rules of one mask ask for the same matrices."""
+    return list(_characteristic_polynomial(tuple(map(tuple, a))))
+
+
+@lru_cache(8)
+def _characteristic_polynomial(a: tuple[tuple[int, ...], ...]) -> list[int]:
+    """Without divisions (Samuelson & Berkowitz).
 
     With A_r = [[A_(r-1), s], [t, x]] the one of A_r is that of A_(r-1) times z - x - Σ_(i>=0) t A_(r-1)^i s z^(-i-1),
     its polynomial part.

@@ -142,12 +142,13 @@ def _object_of(value: object, fields: Fields) -> dict[str, Any]:
         for key in value:
             _demand(key in fields, f"has the unknown key {shown(key)}")
         raise _UnreadableError(f"has no key '{min(fields.keys() - value.keys())}'")
-    result = {}
-    for key, kind in fields.items():
-        try:
-            result[key] = _reader(kind)(value[key])
-        except _UnreadableError as error:
-            raise _UnreadableError(error.why, f"{error.place}'{key}' of ") from None
+    result = dict(value)
+    try:
+        for key, kind in fields.items():
+            if kind != "any":
+                result[key] = _reader(kind)(value[key])
+    except _UnreadableError as error:
+        raise _UnreadableError(error.why, f"{error.place}'{key}' of ") from None
     return result
 
 
