@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from flint import fmpq_mat
+from flint import fmpq_mat, fmpz_mat
 
 from subdiv_cli.exact.rationals import to_fmpq, to_fraction
 
@@ -38,6 +38,13 @@ def nullspace(a: fmpq_mat) -> tuple[Vector, ...]:
             x[pivot] = -to_fraction(echelon[i, free])
         basis.append(tuple(x))
     return tuple(basis)
+
+
+def reduced(rows: fmpq_mat) -> fmpq_mat:
+    """Independent rows replaced by short integer ones with the same span (Lenstra, Lenstra & Lovász 1982)."""
+    echelon = rows.rref()[0].table()
+    scaled = [fmpq_mat([row]).numer_denom()[0].tolist()[0] for row in echelon]
+    return fmpq_mat(fmpz_mat(scaled).lll())
 
 
 def eigenvectors(a: fmpq_mat, eigenvalue: Fraction | int) -> tuple[Vector, ...]:

@@ -1,7 +1,7 @@
 """The joint spectral radius: enclosed always, exact where an invariant polytope closes.
 
-In order: blocks that a permutation shows; the search for a candidate; an invariant polytope from its leaders, with a
-deeper search and a second look for invariant subspaces where it does not close; and the bound that the polytope, or one
+In order: blocks, as far as the family can be taken apart; the search for candidates; invariant polytopes from their
+leaders, the shortest ones first, with a deeper search where none closes; and the bound that the polytope, or one
 for slightly smaller matrices, proves as it is. What is found depends on the effort alone.
 """
 
@@ -22,12 +22,13 @@ from subdiv_cli.jsr.enclosing import Bound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.polytope import Body, Grown, Start, grow
-from subdiv_cli.jsr.reduce import Blocks, by_pattern, by_subspace
+from subdiv_cli.jsr.reduce import Blocks, decomposed
 from subdiv_cli.jsr.result import Radius, root_data
 from subdiv_cli.jsr.search import candidates
 from subdiv_cli.model import Data, Effort, Root
 
-LARGEST_ORDER = 40
+LARGEST_ORDER = 120
+LARGEST_BLOCK = 40
 """Of matrices for which polytopes are tried."""
 _QUICK, _DEEP = 10, 24
 """Lengths of products in the first and in the second search."""
@@ -40,27 +41,34 @@ _SLACK = (Fraction(1, 32), Fraction(1, 256), Fraction(1, 4096), Fraction(1, 1 <<
 def joint_spectral_radius(family: Family, effort: Effort) -> Radius | None:
     """The radius as far as the effort goes; None where it does not suffice for any bound."""
     if not family.size:
-        return Radius(None, None, (1, Fraction(0)), True, {"rule": "zero", "length": 1, "bound": Fraction(0)})
+        return _zero()
     if family.order > LARGEST_ORDER or not effort.allows(family.order**2):
         return None
-    if (blocks := by_pattern(family)) is not None:
+    if (blocks := decomposed(family)) is not None:
         return _of_blocks(blocks, effort)
     return _of_one_block(family, effort)
 
 
 def _of_one_block(family: Family, effort: Effort) -> Radius | None:
-    """A quick look, a deeper search, a look for invariant subspaces, and then whatever the effort allows."""
+    """A quick look at the shortest candidates, and at all of them; a deeper search, and whatever the effort allows."""
+    if not family.size:
+        return _zero()
+    if family.order > LARGEST_BLOCK:
+        return None
     _, found = candidates(family, _QUICK)
     if not found:
-        blocks = by_subspace(family)
-        return None if blocks is None else _of_blocks(blocks, effort)
+        return None
     quick = Effort(min(_QUICK_WORK, effort.work))
-    if (radius := _Attempt(family, found, quick).closed()) is not None:
-        return radius
-    if (blocks := by_subspace(family)) is not None:
-        return _of_blocks(blocks, effort)
+    shortest = [candidate for candidate in found if len(candidate.word) == len(found[0].word)]
+    for some in (shortest, found) if len(shortest) < len(found) else (found,):
+        if (radius := _Attempt(family, some, quick).closed()) is not None:
+            return radius
     attempt = _Attempt(family, candidates(family, _DEEP)[1], effort)
     return attempt.closed() or attempt.enclosed()
+
+
+def _zero() -> Radius:
+    return Radius(None, None, (1, Fraction(0)), True, {"rule": "zero", "length": 1, "bound": Fraction(0)})
 
 
 class _Attempt:
@@ -168,7 +176,7 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
 
     Bounded products are not claimed: of parts with one radius they need not be.
     """
-    parts = [joint_spectral_radius(part, effort) for part in blocks.parts]
+    parts = [_of_one_block(part, effort) for part in blocks.parts]
     known = [part for part in parts if part is not None]
     if len(known) < len(parts):
         return None
