@@ -7,9 +7,10 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpz_poly
 
-from subdiv_cli.exact.algebraic import AlgebraicNumber, is_reciprocal, isolated_roots
-from subdiv_cli.exact.enclosures import ball, bounds
+from subdiv_cli.exact.algebraic import AlgebraicNumber, is_reciprocal
+from subdiv_cli.exact.enclosures import bounds
 from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.exact.rationals import whole
 
 _LONGEST_EXACT = 24
 _DIGITS = 10
@@ -34,13 +35,13 @@ def truncated(x: Fraction, digits: int = _DIGITS) -> str:
         return "-" + truncated(-x, digits)
     exponent = 0
     if x and not Fraction(1, 10**4) <= x < 10**6:
-        exponent = _decimal_exponent(x)
+        exponent = decimal_exponent(x)
         x /= Fraction(10) ** exponent
     whole, decimals = divmod(x.numerator * 10**digits // x.denominator, 10**digits)
     return f"{whole}.{decimals:0{digits}d}…" + (f"e{exponent}" if exponent else "")
 
 
-def _decimal_exponent(x: Fraction) -> int:
+def decimal_exponent(x: Fraction) -> int:
     """The e with 10^e <= x < 10^(e+1), x > 0: estimated from the bits, then put right."""
     exponent = (x.numerator.bit_length() - x.denominator.bit_length()) * 30103 // 100000
     while x < Fraction(10) ** exponent:
@@ -80,8 +81,8 @@ def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
 
 
 def polynomial(f: fmpz_poly, variable: str = "x") -> str:
-    """`81*x^2-27*x+1`."""
-    return _terms([(i, Fraction(int(c))) for i, c in enumerate(f)][::-1], variable, "*") or "0"
+    """`81*x^2-27*x+1`, every coefficient in full."""
+    return _terms([(i, Fraction(int(c))) for i, c in enumerate(f)][::-1], variable, "*", show=whole) or "0"
 
 
 def laurent(a: Laurent) -> str:
@@ -89,42 +90,27 @@ def laurent(a: Laurent) -> str:
     return _terms([(a.low + i, c) for i, c in enumerate(a.coefficients())], "z", " ", " ") or "0"
 
 
-def _terms(terms: list[tuple[int, Fraction]], variable: str, times: str, space: str = "") -> str:
+def _terms(
+    terms: list[tuple[int, Fraction]],
+    variable: str,
+    times: str,
+    space: str = "",
+    show: Callable[[Fraction], str] = number,
+) -> str:
     text = ""
     for exponent, c in terms:
         if not c:
             continue
         power = "" if exponent == 0 else variable if exponent == 1 else f"{variable}^{exponent}"
-        size = "" if power and abs(c) == 1 else number(abs(c))
+        size = "" if power and abs(c) == 1 else show(abs(c))
         sign = ("-" if c < 0 else "") if not text else f"{space}{'-' if c < 0 else '+'}{space}"
         text += sign + size + (times if size and power else "") + power
     return text
 
 
-def root(x: AlgebraicNumber) -> str:
-    """An algebraic number in the grammar of closed forms: a rational, or `root(x^2-x-1, 1.618, 1.6181)` for a real one.
-
-    Raises ValueError for a number that is not real.
-    """
-    if (exact := x.rational) is not None:
-        return str(exact)
-    if not x.is_real:
-        raise ValueError("not a real number")
-    low, high, _, _ = x.box()
-    real = [z for z in isolated_roots(x.minimal_polynomial) if z.imag.is_zero()]
-    others = [z.real for z in real if not z.overlaps(x.region)]
-    places = 4
-    while True:
-        unit = Fraction(1, 10**places)
-        left, right = (low // unit) * unit, -((-high) // unit) * unit
-        if all(z < ball(left) or z > ball(right) for z in others):
-            return f"root({polynomial(x.minimal_polynomial)}, {decimal(left, places)}, {decimal(right, places)})"
-        places *= 2
-
-
 def decimal(x: Fraction, places: int) -> str:
     """A rational with a denominator dividing 10^places, written out."""
-    digits = f"{abs(x.numerator * 10**places // x.denominator):0{places + 1}d}"
+    digits = whole(abs(x.numerator * 10**places // x.denominator)).rjust(places + 1, "0")
     return ("-" if x < 0 else "") + f"{digits[:-places]}.{digits[-places:]}"
 
 
