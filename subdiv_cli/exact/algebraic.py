@@ -143,6 +143,7 @@ def isolating_interval(x: AlgebraicNumber, digits: int) -> tuple[Fraction, Fract
     """
 
     def ask() -> tuple[Fraction, Fraction] | None:
+        nonlocal digits
         real = [z.real for z in isolated_roots(x.minimal_polynomial) if z.imag.is_zero()]
         mine = [z for z in real if z.overlaps(x.region.real)]
         if len(mine) != 1:
@@ -152,8 +153,12 @@ def isolating_interval(x: AlgebraicNumber, digits: int) -> tuple[Fraction, Fract
         unit = Fraction(10) ** -places
         low, high = low // unit * unit, -(-high // unit) * unit
         others = (z for z in real if z is not mine[0])
-        narrow = high - low <= 3 * unit and low * high > 0
-        return (low, high) if narrow and all(z < ball(low) or z > ball(high) for z in others) else None
+        if high - low > 3 * unit or low * high <= 0:
+            return None
+        if all(z < ball(low) or z > ball(high) for z in others):
+            return low, high
+        digits *= 2
+        return None
 
     return decide(ask)
 
@@ -171,7 +176,8 @@ def isolated(x: AlgebraicNumber) -> Root:
 
 def number_of(root: Root) -> AlgebraicNumber:
     """The algebraic number that plain data describe; the polynomial must be irreducible."""
-    with ctx.workprec(256):
+    ends = (root.low.numerator, root.low.denominator, root.high.numerator, root.high.denominator)
+    with ctx.workprec(128 + 2 * max(x.bit_length() for x in ends)):
         region = ball(root.low).union(ball(root.high))
     return AlgebraicNumber(fmpz_poly(list(root.coefficients)), acb(region))
 

@@ -7,9 +7,9 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpz_poly
 
-from subdiv_cli.exact.algebraic import isolated, isolated_roots, number_of, only_root, same_powers
+from subdiv_cli.exact.algebraic import isolated, isolating_interval, number_of, only_root, same_powers
 from subdiv_cli.exact.enclosures import ball, decide, interval
-from subdiv_cli.exact.text import decimal, decimal_exponent, polynomial
+from subdiv_cli.exact.text import decimal, polynomial
 from subdiv_cli.model import ClosedForm, Interval, Root, RootLog, logarithm, unpowered
 from subdiv_cli.model.closed import spelled
 
@@ -35,16 +35,19 @@ def exponent(p: int, length: int, root: Root) -> ClosedForm:
 
 def root_text(root: Root) -> str:
     """`root(32*x^3+4*x-1, 0.19273, 0.19274)`: decimals that isolate it among the real roots."""
-    f = fmpz_poly(list(root.coefficients))
-    others = [z.real for z in isolated_roots(f) if z.imag.is_zero()]
-    others = [z for z in others if not z.overlaps(number_of(root).region.real)]
-    places = max(1, _SIGNIFICANT - decimal_exponent(root.low))
-    while True:
-        unit = Fraction(1, 10**places)
-        low, high = root.low // unit * unit, -(-root.high // unit) * unit
-        if all(z < ball(low) or z > ball(high) for z in others):
-            return f"root({polynomial(f)}, {decimal(low, places)}, {decimal(high, places)})"
-        places += _SIGNIFICANT
+    low, high = isolating_interval(number_of(root), _SIGNIFICANT)
+    places = max(1, *(_places(x) for x in (low, high)))
+    f = polynomial(fmpz_poly(list(root.coefficients)))
+    return f"root({f}, {decimal(low, places)}, {decimal(high, places)})"
+
+
+def _places(x: Fraction) -> int:
+    """How many decimals a rational takes whose denominator divides a power of ten."""
+    twos = (x.denominator & -x.denominator).bit_length() - 1
+    fives, rest = 0, x.denominator >> twos
+    while rest > 1:
+        fives, rest = fives + 1, rest // 5
+    return max(twos, fives)
 
 
 def closed_ball(x: ClosedForm) -> arb:

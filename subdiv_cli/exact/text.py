@@ -35,13 +35,13 @@ def truncated(x: Fraction, digits: int = _DIGITS) -> str:
         return "-" + truncated(-x, digits)
     exponent = 0
     if x and not Fraction(1, 10**4) <= x < 10**6:
-        exponent = decimal_exponent(x)
+        exponent = _decimal_exponent(x)
         x /= Fraction(10) ** exponent
     whole, decimals = divmod(x.numerator * 10**digits // x.denominator, 10**digits)
     return f"{whole}.{decimals:0{digits}d}…" + (f"e{exponent}" if exponent else "")
 
 
-def decimal_exponent(x: Fraction) -> int:
+def _decimal_exponent(x: Fraction) -> int:
     """The e with 10^e <= x < 10^(e+1), x > 0: estimated from the bits, then put right."""
     exponent = (x.numerator.bit_length() - x.denominator.bit_length()) * 30103 // 100000
     while x < Fraction(10) ** exponent:
