@@ -9,7 +9,7 @@ depth(u) + 1 - depth(k) = ℓ e_k, which is decided modulo the minimal polynomia
 from __future__ import annotations
 
 import cmath
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -17,9 +17,9 @@ from flint import fmpq, fmpq_mat, fmpq_poly
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, negated
 from subdiv_cli.exact.rationals import to_fmpq
+from subdiv_cli.jsr.body import Body
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.leaders import Leader, Leaders
-from subdiv_cli.jsr.polytope import Body
 
 _LARGEST_DENOMINATOR = 64
 _NEGLIGIBLE = 1e-7
@@ -30,7 +30,7 @@ Vector = list[fmpq_poly]
 
 
 class Tie(NamedTuple):
-    """M_letter v / σ = Σ weight · vertex, and Σ |weight| <= 1."""
+    """M_letter v / σ = Σ weight · vertex, or <= it in every coordinate of a monotone body, and Σ |weight| <= 1."""
 
     vertex: int
     letter: int
@@ -45,11 +45,15 @@ class _Term(NamedTuple):
     """e_k."""
 
 
+Smaller = Callable[[int, int, Sequence[tuple[int, Fraction]], int], bool]
+"""Whether a coordinate of M_letter v / σ is proved to be smaller than that of Σ weight · vertex, and that suffices."""
+
+
 class Ties:
     """Exact vertices of one polytope, each computed once when it is asked for."""
 
-    def __init__(self, family: Family, leaders: Leaders, body: Body) -> None:
-        self._family, self._leaders, self._body = family, leaders, body
+    def __init__(self, family: Family, leaders: Leaders, body: Body, smaller: Smaller) -> None:
+        self._family, self._leaders, self._body, self._smaller = family, leaders, body, smaller
         first = leaders.each[0].eigenvalue
         self._gamma = negated(first) if first.is_real and first.region.real < 0 else first
         self._modulus = fmpq_poly(self._gamma.minimal_polynomial)
@@ -61,6 +65,10 @@ class Ties:
         if not terms or sum(abs(term.weight) for term in terms) > 1 or not self._holds(vertex, letter, terms):
             return None
         return Tie(vertex, letter, tuple((term.vertex, term.weight) for term in terms))
+
+    def is_zero(self, leader: int, coordinate: int) -> bool:
+        """Whether a coordinate of a leader is exactly zero."""
+        return not self._vector(leader)[coordinate]
 
     def _terms(self, vertex: int, weights: dict[int, complex]) -> list[_Term]:
         """None at all where some depth does not fit, or a vertex has no exact form."""
@@ -89,14 +97,21 @@ class Ties:
         return cmath.phase(complex(float(region.real.mid()), float(region.imag.mid())))
 
     def _holds(self, vertex: int, letter: int, terms: Sequence[_Term]) -> bool:
-        """The identity times γ^E, E the largest -e_k that is positive."""
+        """The identity; in a monotone body coordinates that are certainly smaller may differ."""
+        left, right = self._sides(vertex, letter, terms)
+        unequal = [i for i, (x, y) in enumerate(zip(left, right, strict=True)) if x != y]
+        weights = [(term.vertex, term.weight) for term in terms]
+        return all(self._smaller(vertex, letter, weights, i) for i in unequal)
+
+    def _sides(self, vertex: int, letter: int, terms: Sequence[_Term]) -> tuple[Vector, Vector]:
+        """Both sides of the identity times γ^E, E the largest -e_k that is positive."""
         lift = max(0, *(-term.exponent for term in terms))
         left = self._times(self._power(lift), self._applied(letter, self._vector(vertex)))
         right = [fmpq_poly()] * self._family.order
         for term in terms:
             turned = self._times(self._power(lift + term.exponent) * to_fmpq(term.weight), self._vector(term.vertex))
             right = [x + y for x, y in zip(right, turned, strict=True)]
-        return left == right
+        return left, right
 
     def _vector(self, number: int) -> Vector:
         """X of an exact vertex; numbers from `size` on are reflections."""
