@@ -66,7 +66,7 @@ class Radii:
             return self._of_blocks(data, family, order)
         if rule == "zero":
             return self._upper("zero", family, 1, Fraction(0), {}, order * order * self._p)
-        if rule == "polytope":
+        if rule in ("polytope", "monotone-polytope"):
             weights = sum(len(as_tuple(flat)) for flat in as_tuple(data["images"])) // 2
             work = self._p * len(as_tuple(data["vertices"])) * order**2 + weights * order + order**3
             witness = {key: spelled(data[key]) for key in ("symmetry", "bits", "basis", "weight_bits", "images")}
@@ -91,7 +91,8 @@ class Radii:
         witness = {key: spelled(data[key]) for key in keys}
         witness["leaders"] = [_leader(cast(Map, leader)) for leader in leaders]
         if "sign" in cast(Map, leaders[0]):
-            return self._exact("closing", "bounded", family, data, {**witness, "ties": spelled(data["ties"])}, work)
+            witness["ties"] = spelled(data["ties"])
+            return self._exact(str(data["rule"]), "bounded", family, data, witness, work)
         return self._exact("complex-closing", "bounded", family, data, witness, 8 * work)
 
     def _of_blocks(self, data: Map, family: int, order: int) -> int:

@@ -6,15 +6,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import lcm
+from operator import mul
 from typing import Any
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.eigenvectors import Vector, enclosed, leading_eigenvector, slope_bits
 from subdiv_cli.checker.matrices import Family
+from subdiv_cli.checker.monotone import MonotoneBody, monotone_body, require_nonnegative
 from subdiv_cli.checker.polynomials import remainder
-from subdiv_cli.checker.polytopes import body, reflected, weight_count
+from subdiv_cli.checker.polytopes import Body, body, reflected, weight_count
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale, isolated_root
 from subdiv_cli.checker.trees import Tree, check_ties, read_tree, ties_work
@@ -32,16 +35,73 @@ def closing(c: Claim) -> None:
     M_i v_u / σ is a vertex (an edge of the tree), ± a leader (a return), a combination Σ c_k v_k with Σ |c_k| <= 1 (a
     tie, exactly so), or enclosed inside P.
     """
-    family, root = c.family(), isolated_root(c)
-    tree = read_tree(c, family)
-    _count(c, family, root, tree)
-    returns = returns_of(c, tree, c.statement["length"])
-    ties = _tied(c, tree, returns)
-    leaders = [_leader(c, family, root, leader) for leader in c.witness["leaders"]]
-    images = _Enclosures(c, family, root, tree, leaders)
-    _check_insides(c, family, images, tree, {*tree.children, *returns, *ties})
-    if ties:
-        check_ties(c, family, root, tree, leaders)
+    polytope = _Polytope(c)
+    polytope.check_insides(body)
+    polytope.check_ties(lambda *_: False)
+
+
+def monotone_closing(c: Claim) -> None:
+    """The same with the monotone hull P of the v >= 0: |M_i z| <= M_i |z| is in σ P for all z in P.
+
+    Every M_i v_u / σ is a vertex, a leader, enclosed inside P, or a tie: at most Σ c_k v_k with c >= 0, Σ c_k <= 1, in
+    every coordinate, exactly so or certainly.
+    """
+    require_nonnegative(c.family())
+    require(all(leader["sign"] == 1 for leader in c.witness["leaders"]), "a leader has the sign -1")
+    require(all(x >= 0 for v in c.witness["extras"] for x in v), "an extra vertex has a negative coordinate")
+    shares = [share for tie in c.witness["ties"] for share in tie["weights"]]
+    require(all(share["weight"] >= 0 for share in shares), "a weight of a tie is negative")
+    polytope = _Polytope(c)
+    polytope.require_nonnegative_leaders()
+    polytope.check_insides(monotone_body)
+    polytope.check_ties(polytope.is_smaller)
+
+
+class _Polytope:
+    """Tree, returns, ties, leaders and enclosures of the vertices: what is checked of them all."""
+
+    def __init__(self, c: Claim) -> None:
+        self._c, self._family, self._root = c, c.family(), isolated_root(c)
+        self._tree = read_tree(c, self._family)
+        _count(c, self._family, self._root, self._tree)
+        self._returns = returns_of(c, self._tree, c.statement["length"])
+        self._ties = _tied(c, self._tree, self._returns)
+        self._leaders = [_leader(c, self._family, self._root, leader) for leader in c.witness["leaders"]]
+        self._images = _Enclosures(c, self._family, self._root, self._tree, self._leaders)
+        self._vertices = reflected(c, self._family, self._images.vertices)
+        self._errors = self._images.errors * (len(self._vertices) // len(self._images.errors))
+
+    def require_nonnegative_leaders(self) -> None:
+        """Each coordinate is certainly positive, or zero: m, of a degree above that of its polynomial, divides it."""
+        for x, v, error in zip(self._leaders, self._images.vertices, self._images.errors, strict=False):
+            positive = (y > error or not any(power[i] for power in x.powers) for i, y in enumerate(v))
+            require(all(positive), "a coordinate of a leader may be negative")
+
+    def check_insides(self, make: Callable[..., Body | MonotoneBody]) -> None:
+        """All images but edges, returns and ties lie inside, by their weights."""
+        w, tree = self._c.witness, self._tree
+        taken = {*tree.children, *self._returns, *self._ties}
+        hull = make(self._c, self._vertices, self._errors, w["basis"], w["weight_bits"], w["bits"] + HEADROOM)
+        insides = [image for image in range(len(tree.parents) * tree.letters) if image not in taken]
+        require(len(insides) == len(w["images"]), f"there are {len(insides)} images inside, not as many as weights")
+        for image, weights in zip(insides, w["images"], strict=True):
+            u, letter = divmod(image, tree.letters)
+            middle, error = self._images.of(u, letter)
+            where = f"the image of vertex {u} by letter {letter}"
+            require(hull.contains(middle, 1, error, weights), f"{where} is not inside")
+
+    def check_ties(self, smaller: Callable[[dict[str, Any], int], bool]) -> None:
+        if self._ties:
+            check_ties(self._c, self._family, self._root, self._tree, self._leaders, smaller)
+
+    def is_smaller(self, tie: dict[str, Any], coordinate: int) -> bool:
+        """Whether this coordinate of the image is certainly at most that of the combination."""
+        middle, error = self._images.of(tie["vertex"], tie["letter"])
+        ks = [share["vertex"] for share in tie["weights"]]
+        least = [self._vertices[k][coordinate] - self._errors[k] for k in ks]
+        weights = [share["weight"] for share in tie["weights"]]
+        self._c.spend(len(ks), self._c.witness["bits"] + HEADROOM + sum(map(fraction_bits, weights)))
+        return bool(sum(map(mul, weights, least)) >= middle[coordinate] + error)
 
 
 def _count(c: Claim, family: Family, root: Root, tree: Tree) -> None:
@@ -101,20 +161,6 @@ def _leader(c: Claim, family: Family, root: Root, leader: dict[str, Any]) -> Vec
     if x is None:
         raise Rejected("the annihilator of a leader does not vanish on its column")
     return x
-
-
-def _check_insides(c: Claim, family: Family, images: _Enclosures, tree: Tree, taken: set[int]) -> None:
-    """All images but those taken lie inside, by their weights."""
-    w = c.witness
-    vertices = reflected(c, family, images.vertices)
-    errors = images.errors * (len(vertices) // len(images.errors))
-    ball = body(c, vertices, errors, w["basis"], w["weight_bits"], w["bits"] + HEADROOM)
-    insides = [image for image in range(len(tree.parents) * tree.letters) if image not in taken]
-    require(len(insides) == len(w["images"]), f"there are {len(insides)} images inside, not as many as weights")
-    for image, weights in zip(insides, w["images"], strict=True):
-        u, letter = divmod(image, tree.letters)
-        middle, error = images.of(u, letter)
-        require(ball.contains(middle, 1, error, weights), f"the image of vertex {u} by letter {letter} is not inside")
 
 
 class _Enclosures:

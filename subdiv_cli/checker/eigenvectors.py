@@ -87,8 +87,9 @@ def enclosed(x: Vector, at: Enclosure, bits: int) -> tuple[list[int], int]:
     return [(sum(map(mul, c, values)) << bits) // below for c in coordinates], (steepest << bits) // below + 2
 
 
-def vanishes(terms: Sequence[tuple[Fraction, int, Vector]], m: Sequence[int]) -> bool:
-    """Whether m divides every coordinate of Σ c z^e x(z), over terms (c, e, x), e >= 0: then it is zero at Λ."""
+def nonzero_coordinates(terms: Sequence[tuple[Fraction, int, Vector]], m: Sequence[int]) -> list[int]:
+    """Which coordinates of Σ c z^e x(z), over terms (c, e, x), e >= 0, m does not divide: others are zero at Λ."""
+    unequal = []
     common = lcm(*(c.denominator * x.denominator for c, _, x in terms))
     length = max(e for _, e, _ in terms) + len(m)
     for i in range(len(terms[0][2].powers[0])):
@@ -100,5 +101,5 @@ def vanishes(terms: Sequence[tuple[Fraction, int, Vector]], m: Sequence[int]) ->
         while total and not total[-1]:
             total.pop()
         if total and remainder(total, m):
-            return False
-    return True
+            unequal.append(i)
+    return unequal

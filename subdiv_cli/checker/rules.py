@@ -42,7 +42,11 @@ RADIUS_RULES = {
     "word": Rule(("radius-lower",), {}, ({"word": "natural[]"},), radius.word),
     "zero": Rule(("radius-upper",), {}, _NONE, radius.zero),
     "polytope": Rule(("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.polytope),
+    "monotone-polytope": Rule(
+        ("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.monotone_polytope
+    ),
     "closing": Rule(("radius", "bounded"), {}, (_CLOSING,), closing.closing),
+    "monotone-closing": Rule(("radius", "bounded"), {}, (_CLOSING,), closing.monotone_closing),
     "complex-closing": Rule(("radius", "bounded"), {}, (_COMPLEX,), complex_closing.complex_closing),
     "radius-of-blocks": Rule(("radius",), {}, _NONE, radius.radius_of_blocks),
     "upper-of-blocks": Rule(("radius-upper",), {}, _NONE, radius.upper_of_blocks),

@@ -43,7 +43,7 @@ _PUSHES = (2.0**-7, 2.0**-10, 2.0**-14)
 
 
 def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dict[str, Data] | None:
-    """The rule, `closing` or `monotone-closing`, and its witness; None where some image is not proved to lie in the hull.
+    """The rule, `closing` or `monotone-closing`, and its witness; None where some image is not proved to lie inside.
 
     Where images on the boundary are no ties, the body grows by vertices beyond them.
     """

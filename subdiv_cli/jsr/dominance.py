@@ -62,6 +62,8 @@ def _by_one(columns: Array, target: Array) -> Covered | None:
     with np.errstate(divide="ignore", invalid="ignore"):
         sizes = np.where(needed, target[:, None] / np.maximum(columns, 0.0), 0.0).max(axis=0)
     k = int(sizes.argmin())
+    if not sizes[k]:
+        return 0.0, (), ()
     return (float(sizes[k]), (k,), (float(sizes[k]),)) if sizes[k] <= 1 - 1e-3 else None
 
 

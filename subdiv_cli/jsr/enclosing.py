@@ -2,7 +2,8 @@
 
 With rational vertices that span, a rational x > 0 and for every image a rational combination such that Σ|c| + κ ‖M v
 / x - Σ c v‖₁ <= 1, κ = ‖V_B^(-1)‖₁ for a basis V_B of vertices, the matrices map the hull of ±V into x times itself:
-JSR <= x. This is the rule `polytope` of certificate/RADIUS.md.
+JSR <= x. This is the rule `polytope` of certificate/RADIUS.md. A monotone body,
+of vectors that are not negative, proves the same with inequalities: rule `monotone-polytope`.
 """
 
 from __future__ import annotations

@@ -10,6 +10,8 @@ from subdiv_cli.report.numbers import enclosed
 _METHODS = {
     "closing": "an invariant polytope of {n} vertices, closed at exactly this radius",
     "polytope": "an invariant polytope of {n} vertices",
+    "monotone-closing": "a monotone invariant polytope of {n} vertices, closed at exactly this radius",
+    "monotone-polytope": "a monotone invariant polytope of {n} vertices",
     "blocks": "a common block triangular form, and the largest radius of its blocks",
     "zero": "all matrices are zero",
 }
