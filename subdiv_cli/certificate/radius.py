@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, cast
 
@@ -86,12 +86,17 @@ class Radii:
         weights = sum(len(as_tuple(flat)) for flat in as_tuple(data["images"])) // 2
         work = self._p * vertices * order**2 + weights * order + order**3 + len(leaders) * (length + 1) * order**3
         if ties := as_tuple(data["ties"]):
-            work += vertices * degree * order**2 + len(ties) * order * (degree + vertices) ** 2
+            longest = max((len(as_tuple(weight)) for weight in _weights(ties)), default=1)
+            work += vertices * degree * order**2 + len(ties) * order * (degree + vertices + longest) ** 2
+            if "sigma" in data:
+                work += (length + len(ties) * (1 + order) * vertices) * degree**2
         keys = ("symmetry", "bits", "extras", "tree", "basis", "weight_bits", "images")
         witness = {key: spelled(data[key]) for key in keys}
         witness["leaders"] = [_leader(cast(Map, leader)) for leader in leaders]
         if "sign" in cast(Map, leaders[0]):
             witness["ties"] = spelled(data["ties"])
+            if "sigma" in data:
+                witness["sigma"] = spelled(data["sigma"])
             return self._exact(str(data["rule"]), "bounded", family, data, witness, work)
         return self._exact("complex-closing", "bounded", family, data, witness, 8 * work)
 
@@ -129,6 +134,14 @@ class Radii:
     ) -> int:
         statement = {"property": "radius-upper", "family": family, "length": length, "bound": rational(bound)}
         return self._claims.add(rule, statement, witness, uses or [], work)
+
+
+def _weights(ties: Iterable[Data]) -> Iterator[Data]:
+    """Of all ties, those that are polynomials."""
+    for tie in ties:
+        for share in as_tuple(cast(Map, tie)["weights"]):
+            if isinstance(weight := cast(Map, share)["weight"], tuple):
+                yield weight
 
 
 def _leader(leader: Map) -> Json:

@@ -6,9 +6,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 from math import lcm
-from operator import mul
 from typing import Any
 
 from subdiv_cli.checker import matrices
@@ -20,7 +20,7 @@ from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.polytopes import Body, body, reflected, weight_count
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale, isolated_root
-from subdiv_cli.checker.trees import Tree, check_ties, read_tree, ties_work
+from subdiv_cli.checker.trees import Smaller, Ties, Tree, read_tree, ties_work
 
 HEADROOM = 64
 """A coordinate is below 2^64."""
@@ -37,7 +37,7 @@ def closing(c: Claim) -> None:
     """
     polytope = _Polytope(c)
     polytope.check_insides(body)
-    polytope.check_ties(lambda *_: False)
+    polytope.check_ties(None)
 
 
 def monotone_closing(c: Claim) -> None:
@@ -49,8 +49,6 @@ def monotone_closing(c: Claim) -> None:
     require_nonnegative(c.family())
     require(all(leader["sign"] == 1 for leader in c.witness["leaders"]), "a leader has the sign -1")
     require(all(x >= 0 for v in c.witness["extras"] for x in v), "an extra vertex has a negative coordinate")
-    shares = [share for tie in c.witness["ties"] for share in tie["weights"]]
-    require(all(share["weight"] >= 0 for share in shares), "a weight of a tie is negative")
     polytope = _Polytope(c)
     polytope.require_nonnegative_leaders()
     polytope.check_insides(monotone_body)
@@ -90,18 +88,23 @@ class _Polytope:
             where = f"the image of vertex {u} by letter {letter}"
             require(hull.contains(middle, 1, error, weights), f"{where} is not inside")
 
-    def check_ties(self, smaller: Callable[[dict[str, Any], int], bool]) -> None:
-        if self._ties:
-            check_ties(self._c, self._family, self._root, self._tree, self._leaders, smaller)
+    def check_ties(self, smaller: Smaller | None) -> None:
+        if not self._ties:
+            return
+        ties = Ties(self._c, self._family, self._root, self._tree, self._leaders, self._images.at)
+        for tie in self._c.witness["ties"]:
+            ties.check(tie, smaller)
 
-    def is_smaller(self, tie: dict[str, Any], coordinate: int) -> bool:
-        """Whether this coordinate of the image is certainly at most that of the combination."""
+    def is_smaller(self, tie: dict[str, Any], weights: Sequence[tuple[Fraction, Fraction]], coordinate: int) -> bool:
+        """Whether this coordinate of the image is certainly at most that of the combination; weights are enclosed."""
         middle, error = self._images.of(tie["vertex"], tie["letter"])
-        ks = [share["vertex"] for share in tie["weights"]]
-        least = [self._vertices[k][coordinate] - self._errors[k] for k in ks]
-        weights = [share["weight"] for share in tie["weights"]]
-        self._c.spend(len(ks), self._c.witness["bits"] + HEADROOM + sum(map(fraction_bits, weights)))
-        return bool(sum(map(mul, weights, least)) >= middle[coordinate] + error)
+        bits = sum(fraction_bits(x) for pair in weights for x in pair)
+        self._c.spend(len(weights), self._c.witness["bits"] + HEADROOM + bits)
+        total = Fraction(0)
+        for share, (low, high) in zip(tie["weights"], weights, strict=True):
+            least = self._vertices[share["vertex"]][coordinate] - self._errors[share["vertex"]]
+            total += min(low * least, high * least)
+        return total >= middle[coordinate] + error
 
 
 def _count(c: Claim, family: Family, root: Root, tree: Tree) -> None:
@@ -169,7 +172,7 @@ class _Enclosures:
     def __init__(self, c: Claim, family: Family, root: Root, tree: Tree, leaders: list[Vector]) -> None:
         bits, d = c.witness["bits"], len(root.polynomial) - 1
         tiny = max(0, root.low.denominator.bit_length() - root.low.numerator.bit_length() + 1)
-        at = enclose(c, root, bits + 2 * tiny + 2 + max(slope_bits(x, root.high) for x in leaders))
+        self.at = at = enclose(c, root, bits + 2 * tiny + 2 + max(slope_bits(x, root.high) for x in leaders))
         scale = inverse_scale(c, at, c.statement["length"], bits)
         self._matrices, self._value, self._error = family.matrices, scale.value, scale.error
         self._below = family.denominator << bits

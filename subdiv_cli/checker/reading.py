@@ -65,7 +65,7 @@ _OBJECTS: Mapping[str, Fields] = {
         "distance": "rational",
     },
     "tie": {"vertex": "vertex", "letter": "natural", "weights": "share[]"},
-    "share": {"vertex": "vertex", "weight": "rational"},
+    "share": {"vertex": "vertex", "weight": "element"},
 }
 _LENGTHS = {"vertices[]": MAX_VERTICES, "tie[]": MAX_VERTICES, "flat[]": MAX_VERTICES * MAX_ORDER}
 """Of lists that may have more members than others."""
@@ -195,6 +195,13 @@ def _root(value: object, what: str) -> tuple[int, ...]:
     return tuple(_digits(c, MAX_DIGITS, f"a member of {what}") for c in members)
 
 
+def _element(value: object, what: str) -> list[Fraction]:
+    """A number, or a polynomial in Λ, the constant first."""
+    if type(value) is not list:
+        return [_fraction(value, what)]
+    return [_fraction(x, f"a member of {what}") for x in _list(value, MAX_DEGREE, what)]
+
+
 def _coordinates(value: object, what: str) -> list[int]:
     members = _list(value, MAX_ORDER, what)
     return [_digits(x, MAX_COORDINATE, f"a coordinate of {what}") for x in members]
@@ -250,6 +257,7 @@ _READERS: Mapping[str, Callable[[object, str], Any]] = {
     "polynomial": _polynomial,
     "family": _family,
     "matrix": _matrix,
+    "element": _element,
     "root": _root,
     "vertices": _coordinates,
     "flat": _flat,

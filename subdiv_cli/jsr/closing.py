@@ -24,7 +24,7 @@ from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.leaders import Ball, Balls, Leaders, vector
 from subdiv_cli.jsr.measure import independent_columns
 from subdiv_cli.jsr.polytope import Grown, push_out
-from subdiv_cli.jsr.ties import Tie, Ties
+from subdiv_cli.jsr.ties import Tie, Ties, Weight, coefficients
 from subdiv_cli.model import Data, Effort
 
 _WEIGHT_BITS = (14, 26, 39)
@@ -155,7 +155,7 @@ class _Closing:
                 return tie
         return self._inside(image, weights, bits)
 
-    def _smaller(self, vertex: int, letter: int, weights: Sequence[tuple[int, Fraction]], coordinate: int) -> bool:
+    def _smaller(self, vertex: int, letter: int, weights: Sequence[tuple[int, arb]], coordinate: int) -> bool:
         return False
 
     def _weights(self, image: Image) -> dict[int, complex]:
@@ -194,6 +194,7 @@ class _Closing:
         parents = [parent for parent in self._body.parents if parent is not None]
         ties = [tie for tie in decided if isinstance(tie, Tie)]
         return {
+            **({"sigma": self._ties.sigma} if any(tie.by_sigma for tie in ties) else {}),
             "rule": "monotone-closing" if self._body.monotone else "closing",
             "symmetry": self._family.symmetry,
             "bits": places,
@@ -207,7 +208,7 @@ class _Closing:
                 {
                     "vertex": tie.vertex,
                     "letter": tie.letter,
-                    "weights": tuple({"vertex": k, "weight": c} for k, c in tie.weights),
+                    "weights": tuple({"vertex": k, "weight": _plain(c)} for k, c in tie.weights),
                 }
                 for tie in ties
             ),
@@ -251,10 +252,18 @@ class _Monotone(_Closing):
         parts = [x.max(arb(0)) / floor for x, floor in zip(rest, self._floors, strict=True)]
         return sum(parts, arb(0))
 
-    def _smaller(self, vertex: int, letter: int, weights: Sequence[tuple[int, Fraction]], coordinate: int) -> bool:
+    def _smaller(self, vertex: int, letter: int, weights: Sequence[tuple[int, arb]], coordinate: int) -> bool:
         image = self._image(self._vertices[vertex], letter)[coordinate, 0]
-        bound = sum((self._vertex(k)[coordinate] * ball(c) for k, c in weights), arb(0))
+        bound = sum((self._vertex(k)[coordinate] * c for k, c in weights), arb(0))
         return bool(image < bound)
+
+
+def _plain(weight: Weight) -> Data:
+    """A number, or the coefficients of a polynomial in Λ."""
+    if isinstance(weight, Fraction):
+        return weight
+    found = coefficients(weight)
+    return found[0] if len(found) == 1 else found
 
 
 def _disc(eigenvalue: AlgebraicNumber) -> dict[str, Data]:
