@@ -103,7 +103,7 @@ FORGED = [
     ("golden", "closing", set_in("witness", "basis", [0, 0])),
     ("golden", "closing", set_in("witness", "basis", [0])),
     ("golden", "closing", set_in("witness", "tree", [])),
-    ("golden", "closing", set_in("witness", "extras", [])),
+    ("golden", "closing", set_in("witness", "extras", [[1, 1]])),
     ("golden", "closing", lambda c: c["witness"]["images"].pop()),
     ("golden", "closing", lambda c: c["witness"]["images"].append([0, 1])),
     ("golden", "closing", lambda c: weights(c).__setitem__(1, weights(c)[1] + (1 << c["witness"]["weight_bits"]))),
