@@ -74,7 +74,7 @@ def _decode(data: Any) -> Any:
 def _known(name: str) -> Any:
     """The class of `model` with this name. Raises TypeError where there is none."""
     found = getattr(model, name, None)
-    if not isinstance(found, type) or found.__module__ != model.__name__:
+    if not isinstance(found, type) or not found.__module__.startswith(model.__name__):
         raise TypeError(f"there is no {name} in the model")
     return found
 

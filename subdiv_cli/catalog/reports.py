@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -24,8 +23,6 @@ from subdiv_cli.model import (
     Judgement,
     Problem,
     Result,
-    Root,
-    RootLog,
     Smoothness,
     Verdict,
 )
@@ -173,27 +170,10 @@ def _closed(text: str | None) -> ClosedForm | None:
     """A closed form of the reports' grammar; another stays an enclosure."""
     if text is None:
         return None
-    if (found := _ROOT_LOG.fullmatch(text)) is not None:
-        root = Root(_coefficients(found["polynomial"]), Fraction(found["low"]), Fraction(found["high"]))
-        return RootLog(int(found["base"]), root, int(found["divisor"] or 1), text)
     try:
         return read_closed_form(text)
     except Fault:
         return None
-
-
-_ROOT_LOG = re.compile(
-    r"-log(?P<base>\d+)\(root\((?P<polynomial>[-+*^x\d]+), (?P<low>[\d.]+), (?P<high>[\d.]+)\)\)(/(?P<divisor>\d+))?"
-)
-_TERM = re.compile(r"([+-]?\d*)\*?(?:(x)(?:\^(\d+))?)?")
-
-
-def _coefficients(polynomial: str) -> tuple[int, ...]:
-    """Of `32*x^3+4*x-1`, the lowest power first."""
-    terms: dict[int, int] = {}
-    for size, variable, power in (m.groups() for m in _TERM.finditer(polynomial) if m[0]):
-        terms[int(power or 1) if variable else 0] = int(size + "1" if size in ("", "+", "-") else size)
-    return tuple(terms.get(i, 0) for i in range(max(terms) + 1))
 
 
 def _judgement(data: Mapping[str, Any]) -> Judgement:

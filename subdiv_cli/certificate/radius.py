@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, cast
 
@@ -66,7 +66,7 @@ class Radii:
             return self._of_blocks(data, family, order)
         if rule == "zero":
             return self._upper("zero", family, 1, Fraction(0), {}, order * order * self._p)
-        if rule == "polytope":
+        if rule in ("polytope", "monotone-polytope"):
             weights = sum(len(as_tuple(flat)) for flat in as_tuple(data["images"])) // 2
             work = self._p * len(as_tuple(data["vertices"])) * order**2 + weights * order + order**3
             witness = {key: spelled(data[key]) for key in ("symmetry", "bits", "basis", "weight_bits", "images")}
@@ -86,12 +86,18 @@ class Radii:
         weights = sum(len(as_tuple(flat)) for flat in as_tuple(data["images"])) // 2
         work = self._p * vertices * order**2 + weights * order + order**3 + len(leaders) * (length + 1) * order**3
         if ties := as_tuple(data["ties"]):
-            work += vertices * degree * order**2 + len(ties) * order * (degree + vertices) ** 2
+            longest = max((len(as_tuple(weight)) for weight in _weights(ties)), default=1)
+            work += vertices * degree * order**2 + len(ties) * order * (degree + vertices + longest) ** 2
+            if "sigma" in data:
+                work += (length + len(ties) * (1 + order) * vertices) * degree**2
         keys = ("symmetry", "bits", "extras", "tree", "basis", "weight_bits", "images")
         witness = {key: spelled(data[key]) for key in keys}
         witness["leaders"] = [_leader(cast(Map, leader)) for leader in leaders]
         if "sign" in cast(Map, leaders[0]):
-            return self._exact("closing", "bounded", family, data, {**witness, "ties": spelled(data["ties"])}, work)
+            witness["ties"] = spelled(data["ties"])
+            if "sigma" in data:
+                witness["sigma"] = spelled(data["sigma"])
+            return self._exact(str(data["rule"]), "bounded", family, data, witness, work)
         return self._exact("complex-closing", "bounded", family, data, witness, 8 * work)
 
     def _of_blocks(self, data: Map, family: int, order: int) -> int:
@@ -128,6 +134,14 @@ class Radii:
     ) -> int:
         statement = {"property": "radius-upper", "family": family, "length": length, "bound": rational(bound)}
         return self._claims.add(rule, statement, witness, uses or [], work)
+
+
+def _weights(ties: Iterable[Data]) -> Iterator[Data]:
+    """Of all ties, those that are polynomials."""
+    for tie in ties:
+        for share in as_tuple(cast(Map, tie)["weights"]):
+            if isinstance(weight := cast(Map, share)["weight"], tuple):
+                yield weight
 
 
 def _leader(leader: Map) -> Json:

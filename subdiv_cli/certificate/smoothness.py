@@ -91,7 +91,8 @@ def _fitting(word: tuple[int, ...], length: int, power: Fraction) -> tuple[tuple
 
 def holder_upper(proof: Proof, finding: Finding) -> list[int]:
     if "word" in finding.witness:
-        return _above(proof, as_word(finding.witness), as_rational(finding.witness["radius"]))
+        claims = _above(proof, as_word(finding.witness), as_rational(finding.witness["radius"]))
+        return claims if (exactly := _exactly(proof)) is None else [exactly, *claims]
     k = as_integer(finding.witness["difference_order"])
     statement = {"length": 1, "radius": rational(Fraction(1, proof.p**k))}
     uses = [proof.sum_rules(proof.last), *proof.reductions]

@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from fractions import Fraction
 from math import lcm
 from typing import Any
 
@@ -13,11 +15,12 @@ from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.eigenvectors import Vector, enclosed, leading_eigenvector, size_of_leader, slope_bits
 from subdiv_cli.checker.matrices import Family
+from subdiv_cli.checker.monotone import MonotoneBody, monotone_body, require_nonnegative
 from subdiv_cli.checker.polynomials import remainder
-from subdiv_cli.checker.polytopes import body, reflected, weight_count
+from subdiv_cli.checker.polytopes import Body, body, reflected, weight_count
 from subdiv_cli.checker.reading import Rejected, require
-from subdiv_cli.checker.roots import Root, enclose, inverse_scale, isolated_root
-from subdiv_cli.checker.trees import Tree, check_ties, read_tree, ties_work
+from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale, isolated_root
+from subdiv_cli.checker.trees import Smaller, Ties, Tree, read_tree, ties_work
 
 HEADROOM = 64
 """A coordinate is below 2^64."""
@@ -32,16 +35,76 @@ def closing(c: Claim) -> None:
     M_i v_u / σ is a vertex (an edge of the tree), ± a leader (a return), a combination Σ c_k v_k with Σ |c_k| <= 1 (a
     tie, exactly so), or enclosed inside P.
     """
-    family, root = c.family(), isolated_root(c)
-    tree = read_tree(c, family)
-    _count(c, family, root, tree)
-    returns = returns_of(c, tree, c.statement["length"])
-    ties = _tied(c, tree, returns)
-    leaders = [_leader(c, family, root, leader) for leader in c.witness["leaders"]]
-    images = _Enclosures(c, family, root, tree, leaders)
-    _check_insides(c, family, images, tree, {*tree.children, *returns, *ties})
-    if ties:
-        check_ties(c, family, root, tree, leaders)
+    polytope = _Polytope(c)
+    polytope.check_insides(body)
+    polytope.check_ties(None)
+
+
+def monotone_closing(c: Claim) -> None:
+    """The same with the monotone hull P of the v >= 0: |M_i z| <= M_i |z| is in σ P for all z in P.
+
+    Every M_i v_u / σ is a vertex, a leader, enclosed inside P, or a tie: at most Σ c_k v_k with c >= 0, Σ c_k <= 1, in
+    every coordinate, exactly so or certainly.
+    """
+    require_nonnegative(c.family())
+    require(all(leader["sign"] == 1 for leader in c.witness["leaders"]), "a leader has the sign -1")
+    require(all(x >= 0 for v in c.witness["extras"] for x in v), "an extra vertex has a negative coordinate")
+    polytope = _Polytope(c)
+    polytope.require_nonnegative_leaders()
+    polytope.check_insides(monotone_body)
+    polytope.check_ties(polytope.is_smaller)
+
+
+class _Polytope:
+    """Tree, returns, ties, leaders and enclosures of the vertices: what is checked of them all."""
+
+    def __init__(self, c: Claim) -> None:
+        self._c, self._family, self._root = c, c.family(), isolated_root(c)
+        self._tree = read_tree(c, self._family)
+        _count(c, self._family, self._root, self._tree)
+        self._returns = returns_of(c, self._tree, c.statement["length"])
+        self._ties = _tied(c, self._tree, self._returns)
+        self._leaders = [_leader(c, self._family, self._root, leader) for leader in c.witness["leaders"]]
+        self._images = _Enclosures(c, self._family, self._root, self._tree, self._leaders)
+        self._vertices = reflected(c, self._family, self._images.vertices)
+        self._errors = self._images.errors * (len(self._vertices) // len(self._images.errors))
+
+    def require_nonnegative_leaders(self) -> None:
+        """Each coordinate is certainly positive, or zero: m, of a degree above that of its polynomial, divides it."""
+        for x, v, error in zip(self._leaders, self._images.vertices, self._images.errors, strict=False):
+            positive = (y > error or not any(power[i] for power in x.powers) for i, y in enumerate(v))
+            require(all(positive), "a coordinate of a leader may be negative")
+
+    def check_insides(self, make: Callable[..., Body | MonotoneBody]) -> None:
+        """All images but edges, returns and ties lie inside, by their weights."""
+        w, tree = self._c.witness, self._tree
+        taken = {*tree.children, *self._returns, *self._ties}
+        hull = make(self._c, self._vertices, self._errors, w["basis"], w["weight_bits"], w["bits"] + HEADROOM)
+        insides = [image for image in range(len(tree.parents) * tree.letters) if image not in taken]
+        require(len(insides) == len(w["images"]), f"there are {len(insides)} images inside, not as many as weights")
+        for image, weights in zip(insides, w["images"], strict=True):
+            u, letter = divmod(image, tree.letters)
+            middle, error = self._images.of(u, letter)
+            where = f"the image of vertex {u} by letter {letter}"
+            require(hull.contains(middle, 1, error, weights), f"{where} is not inside")
+
+    def check_ties(self, smaller: Smaller | None) -> None:
+        if not self._ties:
+            return
+        ties = Ties(self._c, self._family, self._root, self._tree, self._leaders, self._images.at)
+        for tie in self._c.witness["ties"]:
+            ties.check(tie, smaller)
+
+    def is_smaller(self, tie: dict[str, Any], weights: Sequence[tuple[Fraction, Fraction]], coordinate: int) -> bool:
+        """Whether this coordinate of the image is certainly at most that of the combination; weights are enclosed."""
+        middle, error = self._images.of(tie["vertex"], tie["letter"])
+        bits = sum(fraction_bits(x) for pair in weights for x in pair)
+        self._c.spend(len(weights), self._c.witness["bits"] + HEADROOM + bits)
+        total = Fraction(0)
+        for share, (low, high) in zip(tie["weights"], weights, strict=True):
+            least = self._vertices[share["vertex"]][coordinate] - self._errors[share["vertex"]]
+            total += min(low * least, high * least)
+        return total >= middle[coordinate] + error
 
 
 def _count(c: Claim, family: Family, root: Root, tree: Tree) -> None:
@@ -102,27 +165,13 @@ def _leader(c: Claim, family: Family, root: Root, leader: dict[str, Any]) -> Vec
     return x
 
 
-def _check_insides(c: Claim, family: Family, images: _Enclosures, tree: Tree, taken: set[int]) -> None:
-    """All images but those taken lie inside, by their weights."""
-    w = c.witness
-    vertices = reflected(c, family, images.vertices)
-    errors = images.errors * (len(vertices) // len(images.errors))
-    ball = body(c, vertices, errors, w["basis"], w["weight_bits"], w["bits"] + HEADROOM)
-    insides = [image for image in range(len(tree.parents) * tree.letters) if image not in taken]
-    require(len(insides) == len(w["images"]), f"there are {len(insides)} images inside, not as many as weights")
-    for image, weights in zip(insides, w["images"], strict=True):
-        u, letter = divmod(image, tree.letters)
-        middle, error = images.of(u, letter)
-        require(ball.contains(middle, 1, error, weights), f"the image of vertex {u} by letter {letter} is not inside")
-
-
 class _Enclosures:
     """Vertices as integers / 2^bits, each with one error for all its coordinates, in units of 2^-bits."""
 
     def __init__(self, c: Claim, family: Family, root: Root, tree: Tree, leaders: list[Vector]) -> None:
         bits, d = c.witness["bits"], len(root.polynomial) - 1
         tiny = max(0, root.low.denominator.bit_length() - root.low.numerator.bit_length() + 1)
-        at = enclose(c, root, bits + 2 * tiny + 2 + max(slope_bits(x, root.high) for x in leaders))
+        self.at = at = enclose(c, root, bits + 2 * tiny + 2 + max(slope_bits(x, root.high) for x in leaders))
         scale = inverse_scale(c, at, c.statement["length"], bits)
         self._matrices, self._value, self._error = family.matrices, scale.value, scale.error
         self._below = family.denominator << bits

@@ -109,18 +109,21 @@ def enclosed(x: Vector, at: Enclosure, bits: int) -> tuple[list[int], int]:
     return [(sum(map(mul, c, values)) << bits) // below for c in coordinates], (steepest << bits) // below + 2
 
 
-def vanishes(terms: Sequence[tuple[Fraction, int, Vector]], m: Sequence[int]) -> bool:
-    """Whether m divides every coordinate of Σ c z^e x(z), over terms (c, e, x), e >= 0: then it is zero at Λ."""
-    common = lcm(*(c.denominator * x.denominator for c, _, x in terms))
-    length = max(e for _, e, _ in terms) + len(m)
-    for i in range(len(terms[0][2].powers[0])):
+def nonzero_coordinates(terms: Sequence[tuple[Sequence[Fraction], Vector]], m: Sequence[int]) -> list[int]:
+    """Which coordinates of Σ c(z) x(z), over terms (c, x), m does not divide: the others are zero at Λ."""
+    unequal = []
+    common = lcm(*(c.denominator * x.denominator for cs, x in terms for c in cs))
+    length = max(len(cs) for cs, _ in terms) + len(m)
+    factors = [([c.numerator * (common // (c.denominator * x.denominator)) for c in cs], x) for cs, x in terms]
+    for i in range(len(terms[0][1].powers[0])):
         total = [0] * length
-        for c, e, x in terms:
-            factor = c.numerator * (common // (c.denominator * x.denominator))
-            for k, v in enumerate(x.powers, e):
-                total[k] += factor * v[i]
+        for cs, x in factors:
+            for j, c in enumerate(cs):
+                if c:
+                    for k, v in enumerate(x.powers, j):
+                        total[k] += c * v[i]
         while total and not total[-1]:
             total.pop()
         if total and remainder(total, m):
-            return False
-    return True
+            unequal.append(i)
+    return unequal

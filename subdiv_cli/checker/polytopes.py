@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from operator import mul
 from typing import NamedTuple
@@ -10,6 +10,7 @@ from typing import NamedTuple
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.matrices import Family
+from subdiv_cli.checker.monotone import MonotoneBody, monotone_body, require_nonnegative
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import fraction_bits
 
@@ -77,6 +78,18 @@ def weight_count(c: Claim) -> int:
 
 def polytope(c: Claim) -> None:
     """JSR <= x: the hull P of all ±v has M_i P ⊂ x P, also by M_i J v = ± J M_(p-1-i) v where P = J P."""
+    check_images(c, body)
+
+
+def monotone_polytope(c: Claim) -> None:
+    """JSR <= x: |M_i z| <= M_i |z| is in x P for all z in the monotone hull P."""
+    require_nonnegative(c.family())
+    require(all(x >= 0 for v in c.witness["vertices"] for x in v), "a vertex has a negative coordinate")
+    check_images(c, monotone_body)
+
+
+def check_images(c: Claim, make: Callable[..., Body | MonotoneBody]) -> None:
+    """All images of the vertices, divided by x, lie in the body that `make` makes of them."""
     family, x, w = c.family(), c.statement["bound"], c.witness
     given, images, p, order = w["vertices"], w["images"], len(family.matrices), family.order
     require(c.statement["length"] == 1 and x > 0, "the length is not 1, or the bound is not positive")
@@ -85,7 +98,7 @@ def polytope(c: Claim) -> None:
     bits = max(max(map(abs, v)) for v in given).bit_length()
     c.count(p * len(given) * order**2 + weight_count(c) * order + order**3, bits + family.bits + fraction_bits(x))
     vertices = reflected(c, family, given)
-    ball = body(c, vertices, [0] * len(vertices), w["basis"], w["weight_bits"], bits)
+    ball = make(c, vertices, [0] * len(vertices), w["basis"], w["weight_bits"], bits)
     over = family.denominator * x.numerator
     for number, weights in enumerate(images):
         u, letter = divmod(number, p)

@@ -66,7 +66,7 @@ _OBJECTS: Mapping[str, Fields] = {
         "distance": "rational",
     },
     "tie": {"vertex": "vertex", "letter": "natural", "weights": "share[]"},
-    "share": {"vertex": "vertex", "weight": "rational"},
+    "share": {"vertex": "vertex", "weight": "element"},
 }
 _LENGTHS = {"vertices[]": MAX_VERTICES, "tie[]": MAX_VERTICES, "flat[]": MAX_VERTICES * MAX_ORDER}
 """Of lists that may have more members than others."""
@@ -236,6 +236,11 @@ def _root(value: object) -> tuple[int, ...]:
     return _members(partial(_digits, MAX_DIGITS), MAX_DEGREE + 1, value)
 
 
+def _element(value: object) -> tuple[Fraction, ...]:
+    """A number, or a polynomial in Λ, the constant first."""
+    return _members(_fraction, MAX_DEGREE, value) if type(value) is list else (_fraction(value),)
+
+
 def _coordinates(value: object) -> tuple[int, ...]:
     return _members(partial(_digits, MAX_COORDINATE), MAX_ORDER, value)
 
@@ -301,6 +306,7 @@ _READERS: Mapping[str, Callable[[Any], Any]] = {
     "polynomial": _polynomial,
     "family": _family,
     "matrix": _matrix,
+    "element": _element,
     "root": _root,
     "vertices": _coordinates,
     "flat": _flat,

@@ -34,7 +34,8 @@ RADIUS_PROPERTIES = {
     "bounded": {**_FAMILY, **_ROOT},
     "defective": {**_FAMILY, "length": "length", "value": "rational"},
 }
-_CLOSING = {**_HULL, "leaders": "leader[]", "extras": "flat[]", "tree": "flat", "ties": "tie[]"}
+_PLAIN = {**_HULL, "leaders": "leader[]", "extras": "flat[]", "tree": "flat", "ties": "tie[]"}
+_CLOSING = (_PLAIN, {**_PLAIN, "sigma": "rational[]"})
 _COMPLEX = {**_HULL, "leaders": "complex_leader[]", "extras": "flat[]", "tree": "flat"}
 _CHAIN = {"word": "natural[]", "sign": "sign", "vector": "rational[]"}
 RADIUS_RULES = {
@@ -42,7 +43,11 @@ RADIUS_RULES = {
     "word": Rule(("radius-lower",), {}, ({"word": "natural[]"},), radius.word),
     "zero": Rule(("radius-upper",), {}, _NONE, radius.zero),
     "polytope": Rule(("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.polytope),
-    "closing": Rule(("radius", "bounded"), {}, (_CLOSING,), closing.closing),
+    "monotone-polytope": Rule(
+        ("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.monotone_polytope
+    ),
+    "closing": Rule(("radius", "bounded"), {}, _CLOSING, closing.closing),
+    "monotone-closing": Rule(("radius", "bounded"), {}, _CLOSING, closing.monotone_closing),
     "complex-closing": Rule(("radius", "bounded"), {}, (_COMPLEX,), complex_closing.complex_closing),
     "radius-of-blocks": Rule(("radius",), {}, _NONE, radius.radius_of_blocks),
     "upper-of-blocks": Rule(("radius-upper",), {}, _NONE, radius.upper_of_blocks),

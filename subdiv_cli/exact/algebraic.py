@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from flint import acb, arb, ctx, fmpq, fmpq_poly, fmpz_poly
+from flint import acb, arb, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 
 from subdiv_cli.exact.enclosures import ball, bounds, decide
-from subdiv_cli.exact.rationals import to_fraction
+from subdiv_cli.exact.rationals import to_fmpq, to_fraction
 from subdiv_cli.model import Root
 
 
@@ -143,6 +143,7 @@ def isolating_interval(x: AlgebraicNumber, digits: int) -> tuple[Fraction, Fract
     """
 
     def ask() -> tuple[Fraction, Fraction] | None:
+        nonlocal digits
         real = [z.real for z in isolated_roots(x.minimal_polynomial) if z.imag.is_zero()]
         mine = [z for z in real if z.overlaps(x.region.real)]
         if len(mine) != 1:
@@ -152,8 +153,12 @@ def isolating_interval(x: AlgebraicNumber, digits: int) -> tuple[Fraction, Fract
         unit = Fraction(10) ** -places
         low, high = low // unit * unit, -(-high // unit) * unit
         others = (z for z in real if z is not mine[0])
-        narrow = high - low <= 3 * unit and low * high > 0
-        return (low, high) if narrow and all(z < ball(low) or z > ball(high) for z in others) else None
+        if high - low > 3 * unit or low * high <= 0:
+            return None
+        if all(z < ball(low) or z > ball(high) for z in others):
+            return low, high
+        digits *= 2
+        return None
 
     return decide(ask)
 
@@ -171,9 +176,65 @@ def isolated(x: AlgebraicNumber) -> Root:
 
 def number_of(root: Root) -> AlgebraicNumber:
     """The algebraic number that plain data describe; the polynomial must be irreducible."""
-    with ctx.workprec(256):
+    ends = (root.low.numerator, root.low.denominator, root.high.numerator, root.high.denominator)
+    with ctx.workprec(128 + 2 * max(x.bit_length() for x in ends)):
         region = ball(root.low).union(ball(root.high))
     return AlgebraicNumber(fmpz_poly(list(root.coefficients)), acb(region))
+
+
+def only_root(root: Root) -> AlgebraicNumber:
+    """The algebraic number that plain data describe, whatever the polynomial: it has one root in [low, high]."""
+    low, high = to_fmpq(root.low), to_fmpq(root.high)
+    for f, _ in fmpz_poly(list(root.coefficients)).factor()[1]:
+        if f.degree() == 1 and low <= fmpq(-f[0], f[1]) <= high:
+            return AlgebraicNumber(f, acb(ball(to_fraction(fmpq(-f[0], f[1])))))
+        if f.degree() > 1 and fmpq_poly(f)(low) * fmpq_poly(f)(high) < 0:
+            return AlgebraicNumber(f, _only_between(f, root.low, root.high))
+    raise ValueError("no root between the bounds")
+
+
+def _only_between(f: fmpz_poly, low: Fraction, high: Fraction) -> acb:
+    def ask() -> acb | None:
+        real = [z for z in isolated_roots(f) if z.imag.is_zero()]
+        inside = [z for z in real if not z.real < ball(low) and not z.real > ball(high)]
+        return inside[0] if len(inside) == 1 else None
+
+    return decide(ask)
+
+
+_LARGEST_POWER = 4_000_000
+"""degree² · exponent · bits of a polynomial whose roots are raised to a power."""
+
+
+def same_powers(x: AlgebraicNumber, m: int, y: AlgebraicNumber, n: int) -> bool | None:
+    """Whether x^m = y^n, for real x, y > 0; None where the polynomials are too large."""
+    f, g = _of_power(x.minimal_polynomial, m), _of_power(y.minimal_polynomial, n)
+    if f is None or g is None:
+        return None
+    if f != g:
+        return False
+
+    def ask() -> bool | None:
+        powers = [x.enclosure().real ** m, y.enclosure().real ** n]
+        found = [[i for i, z in enumerate(isolated_roots(f)) if z.overlaps(acb(power))] for power in powers]
+        return found[0] == found[1] if [len(each) for each in found] == [1, 1] else None
+
+    return decide(ask)
+
+
+def _of_power(f: fmpz_poly, m: int) -> fmpz_poly | None:
+    """The minimal polynomial of the m-th power of a root of an irreducible f; that of a companion matrix's power is a
+
+    power of it.
+    """
+    if m == 1:
+        return f
+    if f.degree() ** 2 * m * f.height_bits() > _LARGEST_POWER:
+        return None
+    n = f.degree()
+    rows = [[fmpq(int(j == i + 1)) for j in range(n)] for i in range(n - 1)]
+    companion = fmpq_mat([*rows, [fmpq(-f[j], f[n]) for j in range(n)]])
+    return (companion**m).charpoly().numer().factor()[1][0][0]
 
 
 def _separated(z: acb, r: Fraction) -> int | None:

@@ -7,20 +7,27 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpz_poly
 
-from subdiv_cli.exact.algebraic import isolated_roots, number_of
-from subdiv_cli.exact.enclosures import ball, interval
+from subdiv_cli.exact.algebraic import isolated, isolating_interval, number_of, only_root, same_powers
+from subdiv_cli.exact.enclosures import ball, decide, interval
 from subdiv_cli.exact.text import decimal, polynomial
-from subdiv_cli.model import ClosedForm, Interval, Log, Root, RootLog, logarithm, unpowered
+from subdiv_cli.model import ClosedForm, Interval, Root, RootLog, logarithm, unpowered
+from subdiv_cli.model.closed import spelled
 
 _LONGEST = 160
 """Characters of a closed form that is still read with profit."""
 _SIGNIFICANT = 5
+_PRECISION = 256
 
 
 def exponent(p: int, length: int, root: Root) -> ClosedForm:
-    """-log_p(Λ)/length for a root Λ > 0 of an irreducible polynomial: rational where it can be."""
-    if len(root.coefficients) == 2:
-        return logarithm(p, 1 / Fraction(-root.coefficients[0], root.coefficients[1]), length)
+    """-log_p(Λ)/length for a root Λ > 0 of an irreducible polynomial: without roots where that can be.
+
+    A power of Λ is rational iff the polynomial is c x^n - a: if Λ^n = q with the smallest n, |N(Λ)|^n = q^d for the
+    degree d <= n of Λ, so Λ^d = |N(Λ)| is rational and d = n.
+    """
+    first, *between, last = root.coefficients
+    if not any(between):
+        return logarithm(p, Fraction(abs(last), abs(first)), length * (len(between) + 1))
     base, divisor = unpowered(p, length)
     text = f"-log{base}({root_text(root)})" + (f"/{divisor}" if divisor > 1 else "")
     return RootLog(base, root, divisor, text)
@@ -28,16 +35,19 @@ def exponent(p: int, length: int, root: Root) -> ClosedForm:
 
 def root_text(root: Root) -> str:
     """`root(32*x^3+4*x-1, 0.19273, 0.19274)`: decimals that isolate it among the real roots."""
-    f = fmpz_poly(list(root.coefficients))
-    others = [z.real for z in isolated_roots(f) if z.imag.is_zero()]
-    others = [z for z in others if not z.overlaps(number_of(root).region.real)]
-    places = max(1, _SIGNIFICANT - math.floor(math.log10(root.low)))
-    while True:
-        unit = Fraction(1, 10**places)
-        low, high = root.low // unit * unit, -(-root.high // unit) * unit
-        if all(z < ball(low) or z > ball(high) for z in others):
-            return f"root({polynomial(f)}, {decimal(low, places)}, {decimal(high, places)})"
-        places += _SIGNIFICANT
+    low, high = isolating_interval(number_of(root), _SIGNIFICANT)
+    places = max(1, *(_places(x) for x in (low, high)))
+    f = polynomial(fmpz_poly(list(root.coefficients)))
+    return f"root({f}, {decimal(low, places)}, {decimal(high, places)})"
+
+
+def _places(x: Fraction) -> int:
+    """How many decimals a rational takes whose denominator divides a power of ten."""
+    twos = (x.denominator & -x.denominator).bit_length() - 1
+    fives, rest = 0, x.denominator >> twos
+    while rest > 1:
+        fives, rest = fives + 1, rest // 5
+    return max(twos, fives)
 
 
 def closed_ball(x: ClosedForm) -> arb:
@@ -50,16 +60,54 @@ def closed_ball(x: ClosedForm) -> arb:
 
 
 def closed_interval(x: ClosedForm) -> Interval:
-    """Outward doubles around a closed form, and its text where that is not too long to read."""
+    """Outward doubles around a closed form, and its text where expectations can read that."""
     if isinstance(x, Fraction):
         return interval(x)
     with ctx.workprec(128):
-        return interval(closed_ball(x), str(x) if is_readable(x) else None)
+        return interval(closed_ball(x), spelled(x))
 
 
-def is_readable(x: ClosedForm) -> bool:
-    """Whether its text is short enough for a report."""
-    if isinstance(x, RootLog):
-        return len(x.text) <= _LONGEST
-    parts = (x.argument if isinstance(x, Log) else x).as_integer_ratio()
-    return max(part.bit_length() for part in parts) <= 1024
+def readable(x: ClosedForm) -> str | None:
+    """Its text where that is short enough for a sentence."""
+    text = spelled(x)
+    return text if text is not None and len(text) <= _LONGEST else None
+
+
+def compare(x: ClosedForm, y: ClosedForm) -> int | None:
+    """The sign of x - y, exactly; None where x and y are closer than 256 bits tell and their equality is not decided.
+
+    Logarithms to one base (as all are of one scheme) are decided up to the size of polynomials: a rational or the
+    logarithm of a rational never equals that of a Λ without rational powers, canonical logarithms of rationals are
+    equal iff they are alike, and log(Λ)/d = log(M)/e iff Λ^e = M^d.
+    """
+    x, y = _canonical(x), _canonical(y)
+    if x == y:
+        return 0
+    with ctx.workprec(_PRECISION):
+        if (sign := _sign(x, y)) is not None:
+            return sign
+    if isinstance(x, Fraction) or isinstance(y, Fraction):
+        return decide(lambda: _sign(x, y))
+    if x.base != y.base:
+        return None
+    if isinstance(x, RootLog) and isinstance(y, RootLog):
+        common = math.gcd(x.divisor, y.divisor)
+        equal = same_powers(number_of(x.root), y.divisor // common, number_of(y.root), x.divisor // common)
+        if equal is not False:
+            return 0 if equal else None
+    return decide(lambda: _sign(x, y))
+
+
+def _sign(x: ClosedForm, y: ClosedForm) -> int | None:
+    a, b = closed_ball(x), closed_ball(y)
+    return 1 if a > b else -1 if a < b else None
+
+
+def _canonical(x: ClosedForm) -> ClosedForm:
+    """The same number over the minimal polynomial of its root, or without a root."""
+    if not isinstance(x, RootLog):
+        return x
+    number = only_root(x.root)
+    if (rational := number.rational) is not None:
+        return logarithm(x.base, 1 / rational, x.divisor)
+    return exponent(x.base, x.divisor, isolated(number))

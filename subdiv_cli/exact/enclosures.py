@@ -12,7 +12,7 @@ from typing import TypeVar
 
 from flint import arb, ctx
 
-from subdiv_cli.exact.rationals import to_fmpq
+from subdiv_cli.exact.rationals import to_fmpq, whole
 from subdiv_cli.model import Interval
 
 Answer = TypeVar("Answer")
@@ -75,7 +75,7 @@ def interval(x: arb | Fraction, exact: str | None = None) -> Interval:
     """Outward doubles around a ball or a rational, which then is `exact` too."""
     low, high = (x, x) if isinstance(x, Fraction) else bounds(x)
     if exact is None and isinstance(x, Fraction):
-        exact = str(x)
+        exact = whole(x)
     doubles = lower_double(low), upper_double(high)
     lower, upper = (d if math.isfinite(d) else None for d in doubles)
     return Interval(lower=lower, upper=upper, exact=exact)

@@ -11,5 +11,10 @@ def to_fmpq(x: Fraction | int) -> fmpq:
     return fmpq(x.numerator, x.denominator)
 
 
+def whole(x: Fraction | int) -> str:
+    """`p/q`, of any length: Python itself refuses to print integers beyond 4300 digits."""
+    return str(to_fmpq(x))
+
+
 def to_fraction(x: fmpq) -> Fraction:
     return Fraction(int(x.p), int(x.q))

@@ -7,9 +7,10 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpz_poly
 
-from subdiv_cli.exact.algebraic import AlgebraicNumber, is_reciprocal, isolated_roots
-from subdiv_cli.exact.enclosures import ball, bounds
+from subdiv_cli.exact.algebraic import AlgebraicNumber, is_reciprocal
+from subdiv_cli.exact.enclosures import bounds
 from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.exact.rationals import whole
 
 _LONGEST_EXACT = 24
 _DIGITS = 10
@@ -80,8 +81,8 @@ def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
 
 
 def polynomial(f: fmpz_poly, variable: str = "x") -> str:
-    """`81*x^2-27*x+1`."""
-    return _terms([(i, Fraction(int(c))) for i, c in enumerate(f)][::-1], variable, "*") or "0"
+    """`81*x^2-27*x+1`, every coefficient in full."""
+    return _terms([(i, Fraction(int(c))) for i, c in enumerate(f)][::-1], variable, "*", show=whole) or "0"
 
 
 def laurent(a: Laurent) -> str:
@@ -89,42 +90,27 @@ def laurent(a: Laurent) -> str:
     return _terms([(a.low + i, c) for i, c in enumerate(a.coefficients())], "z", " ", " ") or "0"
 
 
-def _terms(terms: list[tuple[int, Fraction]], variable: str, times: str, space: str = "") -> str:
+def _terms(
+    terms: list[tuple[int, Fraction]],
+    variable: str,
+    times: str,
+    space: str = "",
+    show: Callable[[Fraction], str] = number,
+) -> str:
     text = ""
     for exponent, c in terms:
         if not c:
             continue
         power = "" if exponent == 0 else variable if exponent == 1 else f"{variable}^{exponent}"
-        size = "" if power and abs(c) == 1 else number(abs(c))
+        size = "" if power and abs(c) == 1 else show(abs(c))
         sign = ("-" if c < 0 else "") if not text else f"{space}{'-' if c < 0 else '+'}{space}"
         text += sign + size + (times if size and power else "") + power
     return text
 
 
-def root(x: AlgebraicNumber) -> str:
-    """An algebraic number in the grammar of closed forms: a rational, or `root(x^2-x-1, 1.618, 1.6181)` for a real one.
-
-    Raises ValueError for a number that is not real.
-    """
-    if (exact := x.rational) is not None:
-        return str(exact)
-    if not x.is_real:
-        raise ValueError("not a real number")
-    low, high, _, _ = x.box()
-    real = [z for z in isolated_roots(x.minimal_polynomial) if z.imag.is_zero()]
-    others = [z.real for z in real if not z.overlaps(x.region)]
-    places = 4
-    while True:
-        unit = Fraction(1, 10**places)
-        left, right = (low // unit) * unit, -((-high) // unit) * unit
-        if all(z < ball(left) or z > ball(right) for z in others):
-            return f"root({polynomial(x.minimal_polynomial)}, {decimal(left, places)}, {decimal(right, places)})"
-        places *= 2
-
-
 def decimal(x: Fraction, places: int) -> str:
     """A rational with a denominator dividing 10^places, written out."""
-    digits = f"{abs(x.numerator * 10**places // x.denominator):0{places + 1}d}"
+    digits = whole(abs(x.numerator * 10**places // x.denominator)).rjust(places + 1, "0")
     return ("-" if x < 0 else "") + f"{digits[:-places]}.{digits[-places:]}"
 
 

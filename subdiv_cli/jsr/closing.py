@@ -19,10 +19,12 @@ from flint import acb, acb_mat, arb, arb_mat, ctx, fmpz
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber
 from subdiv_cli.exact.enclosures import ball, bounds
+from subdiv_cli.jsr.body import EXTRA_BITS, Image
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.leaders import Ball, Balls, Leaders, vector
-from subdiv_cli.jsr.polytope import EXTRA_BITS, Grown, Image, independent_columns, push_out
-from subdiv_cli.jsr.ties import Tie, Ties
+from subdiv_cli.jsr.measure import independent_columns
+from subdiv_cli.jsr.polytope import Grown, push_out
+from subdiv_cli.jsr.ties import Tie, Ties, Weight, coefficients
 from subdiv_cli.model import Data, Effort
 
 _WEIGHT_BITS = (14, 26, 39)
@@ -41,14 +43,14 @@ _PUSHES = (2.0**-7, 2.0**-10, 2.0**-14)
 
 
 def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dict[str, Data] | None:
-    """The witness of the rule `closing`; None where some image is not proved to lie in the hull.
+    """The rule, `closing` or `monotone-closing`, and its witness; None where some image is not proved to lie inside.
 
     Where images on the boundary are no ties, the body grows by vertices beyond them.
     """
     for by in (*_PUSHES, None):
         places = _places(family, leaders, grown)
         with ctx.workprec(places + 64):
-            proof = _Closing(family, leaders, grown)
+            proof = (_Monotone if grown.body.monotone else _Closing)(family, leaders, grown)
             if not proof.spans:
                 return None
             for bits in _WEIGHT_BITS:
@@ -81,7 +83,7 @@ class _Closing:
 
     def __init__(self, family: Family, leaders: Leaders, grown: Grown) -> None:
         self._family, self._leaders, self._body = family, leaders, grown.body
-        self._ties = Ties(family, leaders, grown.body)
+        self._ties = Ties(family, leaders, grown.body, self._smaller)
         self._found: dict[tuple[int, int], Tie | None] = {}
         self._kind = arb_mat if leaders.is_real else acb_mat
         self._sigma = leaders.sigma()
@@ -153,6 +155,9 @@ class _Closing:
                 return tie
         return self._inside(image, weights, bits)
 
+    def _smaller(self, vertex: int, letter: int, weights: Sequence[tuple[int, arb]], coordinate: int) -> bool:
+        return False
+
     def _weights(self, image: Image) -> dict[int, complex]:
         """Weights by the certificate's vertex numbers, copies of one vertex added up."""
         body, total = self._body, dict[int, complex]()
@@ -177,15 +182,20 @@ class _Closing:
             c = _scaled(parts, bits)
             total += abs(c) + (ball(1) / (1 << bits) if self._body.complex else 0)
             rest = [x - c * y for x, y in zip(rest, self._vertex(number), strict=True)]
-        assert self._kappa is not None
-        distance = self._kappa * _norm(rest) * (1 + ball(1) / (1 << 20))
-        room = 1 - ball(1) / (1 << _ROOM) - total - distance * (2 if self._body.complex else 1)
+        room = 1 - ball(1) / (1 << _ROOM) - total - self._distance(rest) * (1 + ball(1) / (1 << 20))
         return tuple(flat) if room > 0 else None
+
+    def _distance(self, rest: Sequence[Ball]) -> arb:
+        """A multiple of the hull that this vector is in."""
+        assert self._kappa is not None
+        return self._kappa * _norm(rest) * (2 if self._body.complex else 1)
 
     def witness(self, places: int, bits: int, decided: Sequence[tuple[int, ...] | Tie]) -> dict[str, Data]:
         parents = [parent for parent in self._body.parents if parent is not None]
         ties = [tie for tie in decided if isinstance(tie, Tie)]
         return {
+            **({"sigma": self._ties.sigma} if any(tie.by_sigma for tie in ties) else {}),
+            "rule": "monotone-closing" if self._body.monotone else "closing",
             "symmetry": self._family.symmetry,
             "bits": places,
             "leaders": tuple(self._leader(number) for number in range(len(self._leaders.each))),
@@ -198,7 +208,7 @@ class _Closing:
                 {
                     "vertex": tie.vertex,
                     "letter": tie.letter,
-                    "weights": tuple({"vertex": k, "weight": c} for k, c in tie.weights),
+                    "weights": tuple({"vertex": k, "weight": _plain(c)} for k, c in tie.weights),
                 }
                 for tie in ties
             ),
@@ -216,6 +226,44 @@ class _Closing:
         if leader.eigenvalue.is_real:
             return {**data, "sign": 1 if leader.eigenvalue.region.real > 0 else -1}
         return {**data, **_disc(leader.eigenvalue)}
+
+
+class _Monotone(_Closing):
+    """The same in a monotone hull: `basis` has for each coordinate a vertex where it is large, and a vector r is below
+
+    Σ_k max(r_k, 0)/(coordinate k of basis vertex k) times a convex combination of these.
+    """
+
+    def _independent(self) -> list[int]:
+        size, copies = self._body.size, self._body.copies
+        return [int(j) // copies + size * (int(j) % copies) for j in self._body.columns.argmax(axis=1)]
+
+    def _condition(self) -> arb | None:
+        """Something, where these coordinates are positive and those of the leaders proved to be zero or positive."""
+        self._floors = [self._vertex(number)[k] for k, number in enumerate(self._basis)]
+        proved = all(
+            bool(x > 0) or self._ties.is_zero(u, k)
+            for u in range(len(self._leaders.each))
+            for k, x in enumerate(self._vertices[u].entries())
+        )
+        return arb(1) if proved and all(x > 0 for x in self._floors) else None
+
+    def _distance(self, rest: Sequence[Ball]) -> arb:
+        parts = [x.max(arb(0)) / floor for x, floor in zip(rest, self._floors, strict=True)]
+        return sum(parts, arb(0))
+
+    def _smaller(self, vertex: int, letter: int, weights: Sequence[tuple[int, arb]], coordinate: int) -> bool:
+        image = self._image(self._vertices[vertex], letter)[coordinate, 0]
+        bound = sum((self._vertex(k)[coordinate] * c for k, c in weights), arb(0))
+        return bool(image < bound)
+
+
+def _plain(weight: Weight) -> Data:
+    """A number, or the coefficients of a polynomial in Λ."""
+    if isinstance(weight, Fraction):
+        return weight
+    found = coefficients(weight)
+    return found[0] if len(found) == 1 else found
 
 
 def _disc(eigenvalue: AlgebraicNumber) -> dict[str, Data]:

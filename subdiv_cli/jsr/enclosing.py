@@ -2,11 +2,14 @@
 
 With rational vertices that span, a rational x > 0 and for every image a rational combination such that Σ|c| + κ ‖M v
 / x - Σ c v‖₁ <= 1, κ = ‖V_B^(-1)‖₁ for a basis V_B of vertices, the matrices map the hull of ±V into x times itself:
-JSR <= x. This is the rule `polytope` of certificate/RADIUS.md.
+JSR <= x. This is the rule `polytope` of certificate/RADIUS.md. A monotone body,
+of vectors that are not negative, proves the same with inequalities: rule `monotone-polytope`.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -14,7 +17,8 @@ from flint import arb, arb_mat, ctx
 
 from subdiv_cli.exact.enclosures import ball
 from subdiv_cli.jsr.family import Family
-from subdiv_cli.jsr.polytope import Grown, independent_columns
+from subdiv_cli.jsr.measure import independent_columns
+from subdiv_cli.jsr.polytope import Grown
 from subdiv_cli.model import Data
 
 _PLACES = 60
@@ -26,7 +30,7 @@ _PRECISION = 192
 
 
 class Bound(NamedTuple):
-    """JSR <= `upper`, and the witness of the rule `polytope`."""
+    """JSR <= `upper`, and the rule, `polytope` or `monotone-polytope`, with its witness."""
 
     upper: Fraction
     witness: dict[str, Data]
@@ -37,10 +41,10 @@ def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
 
     None where roundings spoil it, or vertices are complex.
     """
-    if grown.body.complex:
+    if grown.body.complex or not math.isfinite(grown.value):
         return None
     with ctx.workprec(_PRECISION):
-        proof = _Enclosing(family, grown)
+        proof = (_Monotone if grown.body.monotone else _Enclosing)(family, grown)
         for slack in _SLACK:
             x = _short(sigma * max(Fraction(1), Fraction(grown.value)) * (1 + Fraction(1, 1 << slack)))
             if (images := proof.images(float(sigma / x), x)) is not None:
@@ -61,10 +65,22 @@ class _Enclosing:
         self._integers = [[round(x * (1 << _PLACES)) for x in column] for column in plain.T.tolist()]
         self._vertices = [arb_mat([[ball(Fraction(x, 1 << _PLACES))] for x in column]) for column in self._integers]
         self._matrices = [arb_mat(m) for m in family.matrices]
-        size, copies = self._body.size, self._body.copies
-        self._basis = [j // copies + size * (j % copies) for j in independent_columns(self._body.columns)]
+        self._condition()
+
+    def _condition(self) -> None:
+        """A basis of vertices, and κ."""
+        self._basis = self._numbers(independent_columns(self._body.columns))
         inverse = arb_mat([list(row) for row in zip(*map(self._vertex, self._basis), strict=True)]).inv()
         self._kappa = arb(max(sum(map(abs, column), arb(0)).upper() for column in zip(*inverse.table(), strict=True)))
+
+    def _numbers(self, columns: Iterable[int]) -> list[int]:
+        """Columns of the body as certificates number vertices."""
+        size, copies = self._body.size, self._body.copies
+        return [j // copies + size * (j % copies) for j in columns]
+
+    def _distance(self, rest: Sequence[arb]) -> arb:
+        """A multiple of the hull that this vector is in."""
+        return self._kappa * sum(map(abs, rest), arb(0))
 
     def _vertex(self, number: int) -> list[arb]:
         entries = self._vertices[number % self._body.size].entries()
@@ -87,8 +103,7 @@ class _Enclosing:
     def _flat(self, u: int, letter: int, shrink: float) -> list[int]:
         if (u, letter) in self._body.images:
             image = self._body.images[u, letter]
-            size, copies = self._body.size, self._body.copies
-            numbers = [column // copies + size * (column % copies) for column in image.columns]
+            numbers = self._numbers(image.columns)
             weights = [weight.real for weight in image.weights]
         else:
             numbers, weights = [self._body.target(u, letter)[0]], [self._body.target(u, letter)[1]]
@@ -103,11 +118,11 @@ class _Enclosing:
             c = arb(weight) / (1 << _WEIGHT_BITS)
             total += abs(c)
             rest = [y - c * z for y, z in zip(rest, self._vertex(number), strict=True)]
-        norm = sum(map(abs, rest), arb(0))
-        return bool(total + self._kappa * norm < 1)
+        return bool(total + self._distance(rest) < 1)
 
     def witness(self, images: list[tuple[int, ...]]) -> dict[str, Data]:
         return {
+            "rule": "monotone-polytope" if self._body.monotone else "polytope",
             "symmetry": self._family.symmetry if self._body.symmetric else 0,
             "bits": _PLACES,
             "vertices": tuple(tuple(column) for column in self._integers),
@@ -115,3 +130,14 @@ class _Enclosing:
             "weight_bits": _WEIGHT_BITS,
             "images": tuple(images),
         }
+
+
+class _Monotone(_Enclosing):
+    """The same in a monotone hull, where `basis` has for each coordinate a vertex where it is large."""
+
+    def _condition(self) -> None:
+        self._basis = self._numbers(int(j) for j in self._body.columns.argmax(axis=1))
+        self._floors = [self._vertex(number)[k] for k, number in enumerate(self._basis)]
+
+    def _distance(self, rest: Sequence[arb]) -> arb:
+        return sum((x.max(arb(0)) / floor for x, floor in zip(rest, self._floors, strict=True)), arb(0))

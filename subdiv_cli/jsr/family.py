@@ -62,6 +62,11 @@ class Family:
         return -1 if tables == [[[-x for x in row] for row in table] for table in turned] else 0
 
     @cached_property
+    def is_nonnegative(self) -> bool:
+        """Whether no entry is negative."""
+        return all(x >= 0 for m in self.matrices for x in m.entries())
+
+    @cached_property
     def size(self) -> Fraction:
         """The largest absolute entry; 0 for a family of zeros."""
         return max((abs(to_fraction(x)) for m in self.matrices for x in m.entries()), default=Fraction(0))

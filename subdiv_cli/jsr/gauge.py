@@ -49,6 +49,14 @@ class Gauges(NamedTuple):
     weights: Array
     """M×d; value is the sum of their absolute values."""
 
+    def chosen(self, targets: Integers) -> Gauges:
+        """Those of some of the targets."""
+        return Gauges(self.value[targets], self.bases.chosen(targets), self.weights[targets])
+
+    def shares(self, k: int) -> tuple[tuple[int, ...], tuple[complex, ...]]:
+        """Columns and weights of one of them."""
+        return tuple(self.bases.numbers[k].tolist()), tuple((self.weights[k] * self.bases.turns[k]).tolist())
+
 
 def gauges(columns: Numbers, targets: Numbers, bases: Bases, *, inside: float, outside: float) -> Gauges:
     """The gauges of M targets (rows) in the hull of the n columns, from M bases.

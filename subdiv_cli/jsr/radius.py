@@ -17,11 +17,13 @@ from flint import ctx
 from subdiv_cli.exact.enclosures import bounds
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.arrays import Numbers
+from subdiv_cli.jsr.body import Body, Start
 from subdiv_cli.jsr.closing import close
 from subdiv_cli.jsr.enclosing import Bound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import Leader, Leaders, leaders, vector
-from subdiv_cli.jsr.polytope import Body, Grown, Start, grow
+from subdiv_cli.jsr.measure import gauge
+from subdiv_cli.jsr.polytope import Grown, grow
 from subdiv_cli.jsr.reduce import Blocks, decomposed
 from subdiv_cli.jsr.result import Radius, root_data
 from subdiv_cli.jsr.search import candidates
@@ -34,6 +36,7 @@ _QUICK, _DEEP = 10, 24
 """Lengths of products in the first and in the second search."""
 _QUICK_WORK = 1000
 """Gauges in the first polytope."""
+_ROUNDING = 1e-9
 _SLACK = (Fraction(1, 32), Fraction(1, 256), Fraction(1, 4096), Fraction(1, 1 << 20))
 """By how much the matrices are scaled down where the polytope at the candidate itself does not close."""
 
@@ -86,6 +89,7 @@ class _Attempt:
         with ctx.workprec(128):
             self.sigma = to_fraction_of_ball(self.leaders)
         starts = [_start(self.family, leader) for leader in self.leaders.each]
+        self.monotone = self.family.is_nonnegative and all(_is_nonnegative(start.vector) for start in starts)
         if len(starts) > 1 and not self.family.symmetry:
             starts = self._balanced(starts)
         self.grown = grow(self._body(starts, self.sigma), self.effort)
@@ -94,11 +98,17 @@ class _Attempt:
             return None
         if (witness := close(self.family, self.leaders, self.grown, self.effort)) is None:
             return None
-        return _exactly(self.family, self.leaders, root, {"rule": "closing", **witness})
+        return _exactly(self.family, self.leaders, root, witness)
 
     def _body(self, starts: Sequence[Start], sigma: Fraction) -> Body:
+        if self.monotone:
+            starts = [start._replace(vector=np.maximum(start.vector, 0.0)) for start in starts]
         return Body(
-            self.family.floats, float(sigma / self.family.unit), symmetric=bool(self.family.symmetry), starts=starts
+            self.family.floats,
+            float(sigma / self.family.unit),
+            symmetric=bool(self.family.symmetry),
+            starts=starts,
+            monotone=self.monotone,
         )
 
     def _balanced(self, starts: list[Start]) -> list[Start]:
@@ -122,7 +132,7 @@ class _Attempt:
     def _gauge_of(self, vector: Numbers, start: Start) -> float:
         body = self._body([start], self.sigma)
         grown = grow(body, Effort(min(200, self.effort.work)))
-        return grown.body.gauge(vector)
+        return gauge(grown.body, vector)
 
     def enclosed(self) -> Radius | None:
         """The best bound of a polytope that is not closed, or that is for matrices scaled down a little."""
@@ -144,7 +154,7 @@ class _Attempt:
     def _at_most(self, bound: Bound) -> Radius:
         assert self.leaders is not None
         word = self.family.full_word(self.leaders.each[0].candidate)
-        proof: dict[str, Data] = {"rule": "polytope", "length": 1, "bound": bound.upper, **bound.witness}
+        proof: dict[str, Data] = {"length": 1, "bound": bound.upper, **bound.witness}
         return Radius(word, None, (1, bound.upper), False, proof)
 
 
@@ -162,6 +172,11 @@ def _start(family: Family, leader: Leader) -> Start:
         return Start(
             leader.candidate.word, np.array([complex(float(x.real.mid()), float(x.imag.mid())) for x in entries])
         )
+
+
+def _is_nonnegative(vector: Numbers) -> bool:
+    """As floats see it."""
+    return not np.iscomplexobj(vector) and bool(vector.min() >= -_ROUNDING * np.abs(vector).max())
 
 
 def _exactly(family: Family, found: Leaders, root: tuple[int, Root], proof: dict[str, Data]) -> Radius:

@@ -19,10 +19,6 @@ MAX_MATRICES = 64
 MAX_MATRIX_ORDER = 64
 MAX_ORDER = 1000
 """An expected smoothness, generation or reproduction degree."""
-MAX_LOG_BASE = 1024
-MAX_LOG_DIVISOR = 256
-MAX_LOG_BITS = 1024
-"""Bits of a closed form's numbers, `log2(64/9)`, also once powers are gathered into the argument."""
 MAX_WORK = 2_000_000
 """Products of small integers that all expressions of a file together may cost: about a second."""
 MAX_PROBLEMS = 50

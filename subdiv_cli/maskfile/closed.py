@@ -1,70 +1,132 @@
-"""Closed forms in expectations: numbers and logarithms to one base, gathered into one `Log`, and their order."""
+"""Closed forms in expectations: numbers and logarithms to one base, gathered into one `Log`, and their order.
+
+A logarithm of a root of a polynomial is one `RootLog`; it is divided, and its root multiplied, by numbers.
+"""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
-from subdiv_cli.maskfile.bounds import MAX_LOG_BASE, MAX_LOG_BITS, MAX_LOG_DIVISOR
-from subdiv_cli.maskfile.grammar import Logarithm, Name, Node, Number, Product, Sum, parse
-from subdiv_cli.maskfile.problems import Fault
-from subdiv_cli.model import Log, LogForm, logarithm
+from subdiv_cli.maskfile.evaluate import evaluate
+from subdiv_cli.maskfile.grammar import ROOT_FORM, parse
+from subdiv_cli.maskfile.laurent import Work
+from subdiv_cli.maskfile.nodes import Logarithm, Name, Node, Number, Product, RootOf, Sum
+from subdiv_cli.maskfile.problems import Fault, shown_number
+from subdiv_cli.maskfile.roots import inverse, multiplied, roots_between
+from subdiv_cli.model.closed import (
+    MAX_LOG_BASE,
+    MAX_LOG_BITS,
+    MAX_LOG_DIVISOR,
+    MAX_ROOT_BITS,
+    MAX_ROOT_DEGREE,
+    ClosedForm,
+    Log,
+    Root,
+    RootLog,
+    logarithm,
+    unpowered,
+)
 
 _GRID = 16
 """Logarithms are enclosed to 1/16 of their divisor: enough for every comparison with a multiple of that."""
+_LOG = f"write log2(64/9) or -log2({ROOT_FORM})"
+
+_Value = ClosedForm | Root
 
 
-def read_closed_form(text: str, at: int = 0) -> LogForm:
-    """`2`, `1.99`, `log2(64/9)`, `log3(11)/2`, `2 - log2(3)`, exactly and in canonical form. Raises Fault."""
-    return _value(parse(text, (), logarithms=True, at=at))
+def read_closed_form(text: str, at: int = 0) -> ClosedForm:
+    """`2`, `1.99`, `log2(64/9)`, `2 - log2(3)`, `-log2(root(x^2-x-1, 1.61, 1.62))/2`, exactly. Raises Fault.
+
+    Those without roots come in canonical form.
+    """
+    value = _value(parse(text, (), logarithms=True, at=at))
+    if isinstance(value, Root):
+        raise Fault("SD012", "a root is no exponent, its logarithm is", f"write -log2({ROOT_FORM})", at)
+    return value._replace(text=text.strip()) if isinstance(value, RootLog) else value
 
 
-def _value(node: Node) -> LogForm:
+def _value(node: Node) -> _Value:
     if isinstance(node, Number):
         return _bounded(node.value, node.at)
     if isinstance(node, Logarithm):
         return _logarithm(node)
+    if isinstance(node, RootOf):
+        return _root(node)
     if isinstance(node, Sum):
-        result: LogForm = Fraction(0)
-        for sign, term in node.terms:
-            result = _plus(result, _times(_value(term), Fraction(sign), node.at), node.at)
-        return result
+        return _sum(node)
     if isinstance(node, Product):
         return _product(node)
     assert not isinstance(node, Name), "expectations have no names"
-    base = _value(node.base)
-    if not isinstance(base, Fraction):
-        raise Fault("SD012", "a power of a logarithm is no closed form", "write it as log2(64/9)", node.at)
-    return _power(base, node.exponent, node.at)
+    return _power(_rational(_value(node.base), "a power", node.at), node.exponent, node.at)
 
 
-def _product(node: Product) -> LogForm:
-    result: LogForm = Fraction(1)
-    for factor in node.factors:
-        value = _value(factor.node)
-        if factor.divides:
-            if not isinstance(value, Fraction):
-                mend = "logarithms are added and multiplied by numbers; write log2(9)/log2(3) as a number"
-                raise Fault("SD012", "a quotient by a logarithm is no closed form", mend, factor.at)
-            if not value:
-                raise Fault("SD007", "division by zero", "write a divisor that is not zero", factor.at)
-            value = 1 / value
-        if isinstance(result, Fraction):
-            result = _times(value, result, factor.at)
-        elif isinstance(value, Fraction):
-            result = _times(result, value, factor.at)
-        else:
-            raise Fault("SD012", "a product of logarithms is no closed form", "write it as log2(64/9)", factor.at)
+def _sum(node: Sum) -> _Value:
+    result: _Value = Fraction(0)
+    for sign, term in node.terms:
+        value = _times(_value(term), Fraction(sign), node.at)
+        result = _plus(result, value, node.at) if len(node.terms) > 1 else value
     return result
 
 
-def _logarithm(node: Logarithm) -> LogForm:
+def _product(node: Product) -> _Value:
+    result: _Value = Fraction(1)
+    for factor in node.factors:
+        value = _value(factor.node)
+        if factor.divides:
+            if isinstance(value, Root):
+                value = inverse(value)
+            else:
+                divisor = _rational(value, "a quotient", factor.at)
+                if not divisor:
+                    raise Fault("SD007", "division by zero", "write a divisor that is not zero", factor.at)
+                value = 1 / divisor
+        if isinstance(result, Fraction):
+            result = _times(value, result, factor.at)
+        else:
+            result = _times(result, _rational(value, "a product", factor.at), factor.at)
+    return result
+
+
+def _rational(value: _Value, what: str, at: int) -> Fraction:
+    """A value that must be a number. Raises Fault."""
+    if isinstance(value, Fraction):
+        return value
+    name = "roots" if isinstance(value, Root) else "logarithms"
+    raise Fault("SD012", f"{what} of {name} is no closed form", _LOG, at)
+
+
+def _root(node: RootOf) -> _Value:
+    """The root of a polynomial between two bounds, as a number where the polynomial is of degree 1."""
+    low, high = (_rational(_value(end), "a bound", end.at) for end in (node.low, node.high))
+    if low > high or low <= 0 <= high:
+        mend = f"write the smaller one first, both of one sign: {ROOT_FORM}"
+        raise Fault("SD012", f"{shown_number(low)} and {shown_number(high)} are no bounds of a root", mend, node.low.at)
+    numerators = evaluate(node.polynomial, {}, Work()).numerators
+    first, last = min(numerators, default=0), max(numerators, default=0)
+    coefficients = tuple(numerators.get(k, 0) for k in range(first, min(last, first + MAX_ROOT_DEGREE) + 1))
+    if last - first > MAX_ROOT_DEGREE or max(map(int.bit_length, coefficients)) > MAX_ROOT_BITS:
+        message = f"the polynomial of a root is too large; the limit is degree {MAX_ROOT_DEGREE}"
+        raise Fault("SD010", message, "write its irreducible factor, the minimal polynomial", node.polynomial.at)
+    count = roots_between(coefficients, low, high) if len(coefficients) > 1 else 0
+    if count != 1:
+        what = {0: "no root", None: "more than one root, or a multiple one,"}.get(count, f"{count} roots")
+        message = f"the polynomial has {what} between {shown_number(low)} and {shown_number(high)}"
+        mend = f"write bounds between which it has one simple root: {ROOT_FORM}"
+        raise Fault("SD012", message, mend, node.polynomial.at)
+    return Fraction(-coefficients[0], coefficients[1]) if len(coefficients) == 2 else Root(coefficients, low, high)
+
+
+def _logarithm(node: Logarithm) -> ClosedForm:
     argument = _value(node.argument)
     if not 2 <= node.base <= MAX_LOG_BASE:
         raise Fault("SD012", f"the base of a logarithm must be 2 to {MAX_LOG_BASE}", "write log2(64/9)", node.at)
-    if not isinstance(argument, Fraction):
-        raise Fault("SD012", "a logarithm of a logarithm is no closed form", "write log2(64/9)", node.at)
-    if argument <= 0:
-        raise Fault("SD012", "the argument of a logarithm must be positive", "write log2(64/9)", node.at)
+    if isinstance(argument, Log | RootLog):
+        raise Fault("SD012", "a logarithm of a logarithm is no closed form", _LOG, node.at)
+    if (argument.low if isinstance(argument, Root) else argument) <= 0:
+        raise Fault("SD012", "the argument of a logarithm must be positive", _LOG, node.at)
+    if isinstance(argument, Root):
+        base, divisor = unpowered(node.base, 1)
+        return RootLog(base, inverse(argument), divisor, "")
     return logarithm(node.base, argument)
 
 
@@ -86,18 +148,27 @@ def _power(base: Fraction, exponent: int, at: int) -> Fraction:
     return _bounded(Fraction(base**exponent), at)
 
 
-def _times(x: LogForm, factor: Fraction, at: int) -> LogForm:
+def _times(x: _Value, factor: Fraction, at: int) -> _Value:
     if isinstance(x, Fraction):
         return _bounded(x * factor, at)
+    if isinstance(x, Root):
+        return multiplied(x, factor) if factor else factor
     divisor = x.divisor * factor.denominator
     if divisor > MAX_LOG_DIVISOR:
         raise Fault("SD010", f"the divisor of a logarithm is beyond {MAX_LOG_DIVISOR}", "use a smaller divisor", at)
+    if isinstance(x, RootLog):
+        if abs(factor.numerator) != 1:
+            mend = "divide it by integers, and write multiples as a logarithm of another root"
+            raise Fault("SD012", "a multiple of the logarithm of a root is no closed form", mend, at)
+        return x._replace(root=x.root if factor > 0 else inverse(x.root), divisor=divisor)
     return logarithm(x.base, _power(x.argument, factor.numerator, at), divisor)
 
 
-def _plus(x: LogForm, y: LogForm, at: int) -> LogForm:
+def _plus(x: _Value, y: _Value, at: int) -> _Value:
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return _bounded(x + y, at)
+    if isinstance(x, Root | RootLog) or isinstance(y, Root | RootLog):
+        raise Fault("SD012", "a sum with a root in it is no closed form", _LOG, at)
     if isinstance(x, Fraction):
         x, y = y, x
     assert isinstance(x, Log)
@@ -111,7 +182,7 @@ def _plus(x: LogForm, y: LogForm, at: int) -> LogForm:
     return logarithm(x.base, argument, x.divisor * y.divisor)
 
 
-def certainly_less(x: LogForm, y: LogForm) -> bool:
+def certainly_less(x: ClosedForm, y: ClosedForm) -> bool:
     """Whether x < y, where that is seen exactly: both rational, one base, or apart on a grid; False is unknown."""
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return x < y
@@ -120,10 +191,14 @@ def certainly_less(x: LogForm, y: LogForm) -> bool:
     return _enclosure(x)[1] <= _enclosure(y)[0]
 
 
-def _enclosure(x: LogForm) -> tuple[Fraction, Fraction]:
+def _enclosure(x: ClosedForm) -> tuple[Fraction, Fraction]:
     """lower < x < upper for an irrational logarithm; x itself twice for a number."""
     if isinstance(x, Fraction):
         return x, x
+    if isinstance(x, RootLog):
+        ends = (logarithm(x.base, 1 / end, x.divisor) for end in (x.root.high, x.root.low))
+        (least, _), (_, most) = map(_enclosure, ends)
+        return least, most
     argument = x.argument**_GRID
     low, high = -1, 1
     while Fraction(x.base) ** low > argument:

@@ -8,9 +8,10 @@ from collections.abc import Collection, Iterable, Mapping
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.characters import mended
 from subdiv_cli.maskfile.evaluate import evaluate, names_in
-from subdiv_cli.maskfile.grammar import Number, parse
+from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import Expression
+from subdiv_cli.maskfile.nodes import Number
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, near, shown
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.maskfile.values import Decimal, described

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from subdiv_cli.maskfile import laurent
-from subdiv_cli.maskfile.grammar import Name, Node, Number, Power, Product, Sum
 from subdiv_cli.maskfile.laurent import Laurent, TooLargeError, Work
+from subdiv_cli.maskfile.nodes import Logarithm, Name, Node, Number, Power, Product, RootOf, Sum
 from subdiv_cli.maskfile.problems import Fault, shown, shown_number
 
 _Z = Laurent({1: 1})
@@ -23,7 +23,8 @@ def names_in(node: Node) -> frozenset[str]:
         return frozenset().union(*(names_in(term) for _, term in node.terms))
     if isinstance(node, Product):
         return frozenset().union(*(names_in(factor.node) for factor in node.factors))
-    return names_in(node.base if isinstance(node, Power) else node.argument)
+    assert not isinstance(node, Logarithm | RootOf), "these stand in expectations only"
+    return names_in(node.base)
 
 
 def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:

@@ -1,6 +1,7 @@
 """Expressions as trees, and the recursive descent that reads them. Each function's docstring is its grammar line.
 
-    -w      1/2 + w      z^-3 (1+z)^2 (z^2/2 - w (z-1)^2 (1+z^2))      log2(64/9)   (expectations only)
+    -w      1/2 + w      z^-3 (1+z)^2 (z^2/2 - w (z-1)^2 (1+z^2))
+    log2(64/9)      -log2(root(x^2-x-1, 1.61, 1.62))/2      (expectations only)
 
 Sums and products read left to right; `-z^2` is -(z^2). Juxtaposition multiplies, but directly after the operand of a
 `/` it is refused, since 1/2 w has two readings. The trees have no binary chains, so their depth is that of the
@@ -10,90 +11,13 @@ parentheses, which is bounded.
 from __future__ import annotations
 
 from collections.abc import Collection
-from fractions import Fraction
 
 from subdiv_cli.maskfile.bounds import MAX_EXPONENT, MAX_NESTING
+from subdiv_cli.maskfile.nodes import Factor, Logarithm, Name, Node, Number, Power, Product, RootOf, Sum
 from subdiv_cli.maskfile.problems import Fault, shown
 from subdiv_cli.maskfile.tokens import Token, number, tokens
 
-
-class _Node:
-    """A node of a tree, never changed: equal to another of its class with the same content, wherever each stands."""
-
-    __slots__ = ("at",)
-
-    at: int
-    """Where it starts in the text."""
-
-    def _content(self) -> tuple[object, ...]:
-        return tuple(getattr(self, name) for name in self.__slots__)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Node) and type(self) is type(other) and self._content() == other._content()
-
-    def __hash__(self) -> int:
-        return hash((type(self), self._content()))
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}{self._content()}"
-
-
-class Number(_Node):
-    __slots__ = ("value",)
-
-    def __init__(self, value: Fraction, at: int = 0) -> None:
-        self.value, self.at = value, at
-
-
-class Name(_Node):
-    """A parameter, or the variable z."""
-
-    __slots__ = ("name",)
-
-    def __init__(self, name: str, at: int = 0) -> None:
-        self.name, self.at = name, at
-
-
-class Sum(_Node):
-    """Terms with their signs, 1 or -1; a negation is a sum of one term."""
-
-    __slots__ = ("terms",)
-
-    def __init__(self, terms: tuple[tuple[int, Node], ...], at: int = 0) -> None:
-        self.terms, self.at = terms, at
-
-
-class Factor(_Node):
-    __slots__ = ("divides", "node")
-
-    def __init__(self, node: Node, divides: bool = False, at: int = 0) -> None:
-        self.node, self.divides, self.at = node, divides, at
-
-
-class Product(_Node):
-    __slots__ = ("factors",)
-
-    def __init__(self, factors: tuple[Factor, ...], at: int = 0) -> None:
-        self.factors, self.at = factors, at
-
-
-class Power(_Node):
-    __slots__ = ("base", "exponent")
-
-    def __init__(self, base: Node, exponent: int, at: int = 0) -> None:
-        self.base, self.exponent, self.at = base, exponent, at
-
-
-class Logarithm(_Node):
-    """log_base(argument), in expectations only."""
-
-    __slots__ = ("argument", "base")
-
-    def __init__(self, base: int, argument: Node, at: int = 0) -> None:
-        self.base, self.argument, self.at = base, argument, at
-
-
-Node = Number | Name | Sum | Product | Power | Logarithm
+ROOT_FORM = "root(x^2-x-1, 1.61, 1.62)"
 
 
 def parse(text: str, names: Collection[str], *, logarithms: bool = False, at: int = 0) -> Node:
@@ -112,6 +36,8 @@ class Parser:
         self._names = names
         self._logarithms = logarithms
         self._depth = 0
+        self._inside_root = False
+        self._variable: str | None = None
         self.token = next(self._tokens)
         if self.token.kind == "end":
             raise Fault("SD008", "the expression is empty", 'write a number or an expression, for instance "-1/16"', at)
@@ -233,7 +159,7 @@ class Parser:
         return sign * int(value)
 
     def atom(self) -> Node:
-        """atom = NUMBER | NAME | "(" sum ")" | "log" BASE "(" sum ")\""""
+        """atom = NUMBER | NAME | "(" sum ")" | "log" BASE "(" sum ")" | root"""
         token = self.token
         if token.kind == "number":
             self.advance()
@@ -246,6 +172,10 @@ class Parser:
         if self._logarithms and token.text.startswith("log") and token.text[3:].isdigit() and self.token.kind == "(":
             base = number(Token("number", token.text[3:], token.at + 3))
             return Logarithm(int(base), self._group(), token.at)
+        if self._logarithms and token.text == "root" and self.token.kind == "(":
+            return self._root(token.at)
+        if self._inside_root and (len(token.text) == 1 or self.token.kind != "("):
+            return self._unknown(token)
         if token.text not in self._names:
             from subdiv_cli.maskfile.names import unknown_name
 
@@ -253,19 +183,50 @@ class Parser:
         return Name(token.text, token.at)
 
     def _group(self) -> Node:
+        opening = self._open()
+        node = self.sum()
+        self._close(opening)
+        return node
+
+    def _open(self) -> Token:
         opening = self.advance()
         self._depth += 1
         if self._depth > MAX_NESTING:
             message = f"parentheses are nested more than {MAX_NESTING} deep"
             raise Fault("SD010", message, "multiply something out", opening.at)
-        node = self.sum()
+        return opening
+
+    def _close(self, opening: Token) -> None:
         if self.token.kind == "end":
             raise Fault("SD008", 'this "(" is never closed', 'add the missing ")"', opening.at)
         if self.token.kind != ")":
             raise self.unexpected('an operator or ")"')
         self.advance()
         self._depth -= 1
-        return node
+
+    def _root(self, at: int) -> Node:
+        """root = "root" "(" sum "," sum "," sum ")", the first one a polynomial in a variable of any one letter"""
+        opening = self._open()
+        self._logarithms, self._inside_root, self._variable = False, True, None
+        polynomial = self.sum()
+        self._inside_root = False
+        bounds = []
+        for _ in range(2):
+            if self.token.kind != ",":
+                raise Fault("SD012", "a root has a polynomial and two bounds", f"write {ROOT_FORM}", self.token.at)
+            self.advance()
+            bounds.append(self.sum())
+        self._logarithms = True
+        self._close(opening)
+        return RootOf(polynomial, bounds[0], bounds[1], at)
+
+    def _unknown(self, token: Token) -> Name:
+        """The variable of a root's polynomial, whatever its letter is."""
+        if len(token.text) > 1 or self._variable not in (None, token.text):
+            message = f'"{shown(token.text)}" stands in a polynomial of one variable, a single letter'
+            raise Fault("SD012", message, f"write {ROOT_FORM}", token.at)
+        self._variable = token.text
+        return Name("z", token.at)
 
 
 def _in_words(node: Node) -> str:

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.evaluate import evaluate, names_in
-from subdiv_cli.maskfile.grammar import Node, Number
 from subdiv_cli.maskfile.laurent import Work
+from subdiv_cli.maskfile.nodes import Node, Number
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, Source, near, shown
 from subdiv_cli.model import Expectation
 from subdiv_cli.schemes.scalar import ScalarScheme

@@ -10,9 +10,10 @@ from typing import cast
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.entries import fault_of_name
 from subdiv_cli.maskfile.evaluate import evaluate, names_in
-from subdiv_cli.maskfile.grammar import Factor, Node, Parser, Product, Sum, parse
+from subdiv_cli.maskfile.grammar import Parser, parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import Coefficients, Expression, MaskFile, Symbol, check_zero
+from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
 from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name

@@ -1,6 +1,7 @@
 """The one grammar of properties: `[expect]` in files, `holder>=1.5` and `C1` on the command line.
 
-convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01"
+convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01",
+"-log2(root(x^2-x-1, 1.61, 1.62))"
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from subdiv_cli.maskfile.bounds import MAX_ORDER
 from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
 from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.values import Decimal, described
-from subdiv_cli.model import Expectation, ExpectationKey, LogForm
+from subdiv_cli.model import ClosedForm, Expectation, ExpectationKey
 
 KEYS: tuple[str, ...] = get_args(ExpectationKey)
 TRUTHS = ("convergent", "stable")
@@ -89,11 +90,11 @@ def _form(key: str) -> str:
     return f'write {key} = "2" for exactly, ">= 1.99" for at least, or "1.99 .. 2.01"'
 
 
-def _closed(value: int | LogForm) -> LogForm:
+def _closed(value: int | ClosedForm) -> ClosedForm:
     return Fraction(value) if isinstance(value, int) else value
 
 
-def _number(key: str, text: str, at: int) -> int | LogForm:
+def _number(key: str, text: str, at: int) -> int | ClosedForm:
     """An integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
     if not text.strip():
         raise Fault("SD012", f"a number is missing in the expected {key}", _form(key), at)

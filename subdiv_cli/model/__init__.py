@@ -15,6 +15,15 @@ from enum import Enum
 from fractions import Fraction
 from typing import Literal, NamedTuple, NoReturn
 
+from subdiv_cli.model.closed import ClosedForm as ClosedForm
+from subdiv_cli.model.closed import Log as Log
+from subdiv_cli.model.closed import LogForm as LogForm
+from subdiv_cli.model.closed import Root as Root
+from subdiv_cli.model.closed import RootLog as RootLog
+from subdiv_cli.model.closed import exact_root as exact_root
+from subdiv_cli.model.closed import logarithm as logarithm
+from subdiv_cli.model.closed import unpowered as unpowered
+
 Data = None | bool | int | str | Fraction | tuple["Data", ...] | Mapping[str, "Data"]
 """Exact plain data, as facts and witnesses hold it. Floats are left out on purpose."""
 
@@ -29,96 +38,6 @@ class Verdict(Enum):
 
     def __bool__(self) -> NoReturn:
         raise TypeError("a Verdict is not a bool: compare it with `is`")
-
-
-class Log(NamedTuple):
-    """The real number log_base(argument) / divisor, as closed forms print it."""
-
-    base: int
-    """At least 2."""
-    argument: Fraction
-    """Positive."""
-    divisor: int = 1
-    """At least 1."""
-
-    def __str__(self) -> str:
-        return f"log{self.base}({self.argument})" + (f"/{self.divisor}" if self.divisor > 1 else "")
-
-
-class Root(NamedTuple):
-    """A real algebraic number: the only real root of a polynomial in [low, high]."""
-
-    coefficients: tuple[int, ...]
-    """Of the polynomial, the lowest power first; degree at least 1."""
-    low: Fraction
-    high: Fraction
-
-
-class RootLog(NamedTuple):
-    """The real number -log_base(root) / divisor, root > 0 and irrational."""
-
-    base: int
-    root: Root
-    divisor: int
-    text: str
-    """As reports spell it: `-log2(root(32*x^3+4*x-1, 0.1927, 0.1928))/2`."""
-
-    def __str__(self) -> str:
-        return self.text
-
-
-LogForm = Fraction | Log
-"""What an expectation can name: `2`, `log2(64/9)`."""
-ClosedForm = LogForm | RootLog
-"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`, `-log2(root(x^2-x-1, 1.6180, 1.6181))`."""
-
-
-def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
-    """log_base(argument) / divisor in canonical form, so that equal numbers are equal objects.
-
-    The base is no perfect power, argument and divisor share no root, and a rational value is a Fraction. Raises
-    ValueError for base < 2, argument <= 0 or divisor < 1.
-    """
-    if base < 2 or argument <= 0 or divisor < 1:
-        raise ValueError(f"no logarithm: base {base}, argument {argument}, divisor {divisor}")
-    if argument == 1:
-        return Fraction(0)
-    base, divisor = unpowered(base, divisor)
-    for d in (d for d in range(divisor, 1, -1) if divisor % d == 0):
-        numerator = exact_root(argument.numerator, d)
-        denominator = exact_root(argument.denominator, d) if numerator is not None else None
-        if numerator is not None and denominator is not None:
-            argument, divisor = Fraction(numerator, denominator), divisor // d
-            break
-    power = max(argument.numerator, argument.denominator)
-    exponent = _exact_log(power, base)
-    if exponent is not None and min(argument.numerator, argument.denominator) == 1:
-        return Fraction(exponent if argument > 1 else -exponent, divisor)
-    return Log(base=base, argument=argument, divisor=divisor)
-
-
-def unpowered(base: int, divisor: int) -> tuple[int, int]:
-    """(b, d) with log_base(x)/divisor = log_b(x)/d for all x, b no perfect power."""
-    for e in range(base.bit_length(), 1, -1):
-        if (root := exact_root(base, e)) is not None:
-            return root, divisor * e
-    return base, divisor
-
-
-def exact_root(n: int, d: int) -> int | None:
-    """The integer m >= 1 with m^d = n >= 1, by Newton's method from above."""
-    root = 1 << -(-n.bit_length() // d)
-    while (lower := ((d - 1) * root + n // root ** (d - 1)) // d) < root:
-        root = lower
-    return root if root**d == n else None
-
-
-def _exact_log(n: int, base: int) -> int | None:
-    """The integer e with base^e = n."""
-    e = 0
-    while n > 1 and n % base == 0:
-        n, e = n // base, e + 1
-    return e if n == 1 else None
 
 
 class Interval(NamedTuple):
@@ -186,9 +105,9 @@ class Expectation:
     key: ExpectationKey
     text: str
     """As the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
-    lower: bool | int | LogForm
+    lower: bool | int | ClosedForm
     """bool for convergent and stable; int for smoothness, generation and reproduction; a closed form for exponents."""
-    upper: bool | int | LogForm | None = None
+    upper: bool | int | ClosedForm | None = None
 
 
 class Judgement(NamedTuple):

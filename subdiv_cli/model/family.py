@@ -26,7 +26,7 @@ class FamilyRadius:
     words: tuple[tuple[int, ...], ...] = ()
     """Words of products that attain the lower bound: the spectrum-maximizing ones where ρ is exact."""
     method: str = ""
-    """The rule that proves the upper bound: closing, polytope, blocks, zero."""
+    """The rule that proves the upper bound: closing, polytope, monotone-closing, …, blocks, zero."""
     vertices: int | None = None
     """Of the polytopes."""
     bounded: bool = False

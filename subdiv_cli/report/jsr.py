@@ -8,8 +8,10 @@ from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import enclosed
 
 _METHODS = {
-    "closing": "an invariant polytope of {n} vertices, closed at exactly this radius",
-    "polytope": "an invariant polytope of {n} vertices",
+    "closing": "an invariant polytope of {n}, closed at exactly this radius",
+    "polytope": "an invariant polytope of {n}",
+    "monotone-closing": "a monotone invariant polytope of {n}, closed at exactly this radius",
+    "monotone-polytope": "a monotone invariant polytope of {n}",
     "blocks": "a common block triangular form, and the largest radius of its blocks",
     "zero": "all matrices are zero",
 }
@@ -24,7 +26,7 @@ def render(radius: FamilyRadius, look: Look, *, file: str, name: str | None, pro
         attained = "attained by" if radius.exact is not None else "at least that of"
         lines += [f"  {attained} the product {_product(word)}, length {len(word)}" for word in radius.words]
     if radius.method:
-        lines.append("  proof: " + _METHODS[radius.method].format(n=radius.vertices))
+        lines.append("  proof: " + _METHODS[radius.method].format(n=_count(radius.vertices)))
     if radius.bounded:
         lines.append("  products of L matrices are bounded by a constant times the L-th power of the radius")
     if proof is not None:
@@ -50,6 +52,10 @@ def _first(radius: FamilyRadius) -> str:
 def _short(radius: FamilyRadius) -> bool:
     """A rational that needs no decimals beside it."""
     return radius.exact is not None and radius.exact.isdigit()
+
+
+def _count(vertices: int | None) -> str:
+    return "1 vertex" if vertices == 1 else f"{vertices} vertices"
 
 
 def _matrices(count: int) -> str:

@@ -7,9 +7,12 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from subdiv_cli.model import Data, Exponent, Interval
+from subdiv_cli.model.closed import spelled
 
 PLACES = 10
 """Decimal places at most, where a number is not known exactly."""
+LONGEST = 160
+"""Characters of a closed form that is still read with profit."""
 
 
 def exact(value: Fraction | int) -> str:
@@ -95,9 +98,11 @@ def enclosed(lower: float | None, upper: float | None, closed: str | None = None
 
 
 def interval(value: Interval | Exponent) -> str | None:
-    """An interval or an exponent as text, exact value first."""
+    """An interval or an exponent as text, exact value first; one that takes lines is shown as its digits only."""
     attained = getattr(value, "attained", None)
-    shown = enclosed(value.lower, value.upper, None if value.exact is None else str(value.exact))
+    closed = value.exact if value.exact is None or isinstance(value.exact, str) else spelled(value.exact)
+    brief = closed is not None and (len(closed) <= LONGEST or value.lower is None or value.upper is None)
+    shown = enclosed(value.lower, value.upper, closed if brief else None)
     return shown if shown is None or attained is None else f"{shown}, {'attained' if attained else 'not attained'}"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from subdiv_cli.model import Data, Expectation, Exponent, Finding, Judgement, Result, Smoothness, Verdict
-from subdiv_cli.report.numbers import data, exact, interval
+from subdiv_cli.report.numbers import LONGEST, data, exact, interval
 
 MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
 ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
@@ -149,10 +149,13 @@ def _count(number: int, noun: str) -> str:
 
 
 def asked(expectation: Expectation) -> str:
-    """An expectation as the file spells it: `smoothness = 1`, `holder >= 1.99`, `holder in 1.99 .. 2.01`."""
+    """An expectation as the file spells it: `smoothness = 1`, `holder >= 1.99`, `holder in 1.99 .. 2.01`.
+
+    Of one that takes lines only the beginning.
+    """
     text = expectation.text
     relation = "" if text.startswith((">", "<")) else "in " if ".." in text else "= "
-    return f"{expectation.key} {relation}{text}"
+    return f"{expectation.key} {relation}{text if len(text) <= LONGEST else text[: LONGEST // 3] + '…'}"
 
 
 def found(result: Result, expectation: Expectation) -> str | None:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from flint import ctx
 
-from subdiv_cli.exact.closed import closed_interval, exponent, is_readable
+from subdiv_cli.exact.closed import closed_interval, exponent, readable
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import rounded_down
 from subdiv_cli.jsr.result import root_data
@@ -41,7 +41,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if radius.exact is not None:
         exact = exponent(p, *radius.exact)
         value = closed_interval(exact)
-        text = str(exact) if is_readable(exact) else f"{rounded_down(value.lower or 0.0)}…"
+        text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
         statement = f"α = {text}, as {name} = {shown(radius)}"
         return (RULE.proved(statement, {**witness, "root": root_data(radius.exact[1])}, value, exact),)
     length, bound = radius.upper

@@ -5,14 +5,16 @@ the best one. For any product of ℓ transition matrices of D with an eigenvalue
 always. Hypotheses: k >= 1, checked; stability: an unstable mask is reduced to a stable one first, whose exponent is
 that of φ (SD403).
 
-Witness: `difference_order`, k of the (reduced) mask, the product (see obstacles.py) and `radius`,
-a rational lower bound of |λ| from which the bound is computed; k alone where it is the better bound.
+Witness: `difference_order`, k of the (reduced) mask, the product (see obstacles.py) and `radius`, a rational lower
+bound of |λ| from which the bound is computed (|λ| itself where it is rational or where SD311 proves that α is the
+number of this product); k alone where it is the better bound.
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
 
+from subdiv_cli.exact.closed import exponent, readable
 from subdiv_cli.exact.enclosures import interval
 from subdiv_cli.exact.text import modulus, rounded_up
 from subdiv_cli.jsr.products import radius_bound
@@ -37,8 +39,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if product is None or bound is None or bound.upper is None or bound.upper > k:
         statement = f"α ≤ {k}, the sum-rule order"
         return (RULE.proved(statement, witness, Interval(upper=interval(Fraction(k)).upper)),)
-    exact = bound.exact if product.eigenvalue.rational is not None else None
-    shown = exact or rounded_up(bound.upper)
+    shown = bound.exact or _exact(numbers) or rounded_up(bound.upper)
     size = modulus(product.eigenvalue)
     statement = (
         f"α ≤ {shown}: {product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
@@ -50,3 +51,9 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
             Interval(upper=bound.upper),
         ),
     )
+
+
+def _exact(numbers: ScalarNumbers) -> str | None:
+    """The bound in closed form, where the product attains a radius that is known exactly and the text is not long."""
+    radius = numbers.radius
+    return None if radius is None or radius.exact is None else readable(exponent(numbers.p, *radius.exact))

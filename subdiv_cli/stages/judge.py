@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from flint import ctx
-
-from subdiv_cli.exact.closed import closed_ball
-from subdiv_cli.model import ClosedForm, Expectation, Exponent, Log, Result, Verdict
+from subdiv_cli.exact.closed import compare
+from subdiv_cli.model import ClosedForm, Expectation, Exponent, Log, Result, RootLog, Verdict
 
 
 def judge(expectation: Expectation, found: Result) -> Verdict:
@@ -47,7 +45,7 @@ def _smoothness(expectation: Expectation, found: Result) -> Verdict:
 def _within(expectation: Expectation, at_least: int | None, at_most: int | None) -> Verdict:
     """An integer known to lie between two bounds, None for no bound, against the expected range."""
     low, high = expectation.lower, expectation.upper
-    if isinstance(low, Log) or isinstance(high, Log):
+    if isinstance(low, Log | RootLog) or isinstance(high, Log | RootLog):
         raise TypeError(f"{expectation.key} is an integer")
     if (at_most is not None and at_most < low) or (at_least is not None and high is not None and at_least > high):
         return Verdict.REFUTED
@@ -84,11 +82,5 @@ def _closed(x: bool | int | ClosedForm) -> ClosedForm:
 
 
 def _compare(a: ClosedForm | None, b: ClosedForm) -> int | None:
-    """The sign of a - b; None where a is unknown or 256 bits do not tell. Canonical forms are equal iff alike."""
-    if a is None:
-        return None
-    if a == b:
-        return 0
-    with ctx.workprec(256):
-        x, y = closed_ball(a), closed_ball(b)
-        return 1 if x > y else -1 if x < y else None
+    """The sign of a - b; None where a is unknown or equality is not decided."""
+    return None if a is None else compare(a, b)

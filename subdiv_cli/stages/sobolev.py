@@ -24,11 +24,12 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from subdiv_cli.exact.closed import exponent, is_readable
+from subdiv_cli.exact.closed import exponent, readable
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import certain, number
 from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Root
+from subdiv_cli.model.closed import spelled
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.quantities.sobolev import Growth, mean_square_growth, transfer_order
 from subdiv_cli.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference
@@ -57,7 +58,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         "cofactor": _coefficients(growth),
     }
     rational = growth.radius.rational
-    shown = str(exact) if rational is not None and is_readable(exact) else certain(lambda: _exponent(growth, p))
+    shown = (readable(exact) if rational is not None else None) or certain(lambda: _exponent(growth, p))
     size = certain(lambda: _ball(growth)) if rational is None else number(rational)
     statement = f"s = {shown}: the transfer matrix of {last_difference(numbers)} has the spectral radius {size}"
     return (RULE.proved(statement, witness, _value(growth, p, exact), exact),)
@@ -83,4 +84,4 @@ def _value(growth: Growth, p: int, exact: ClosedForm) -> Interval:
     if isinstance(exact, Fraction):
         return interval(exact)
     with ctx.workprec(128):
-        return interval(_exponent(growth, p), str(exact) if is_readable(exact) else None)
+        return interval(_exponent(growth, p), spelled(exact))

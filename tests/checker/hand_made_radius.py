@@ -14,13 +14,18 @@ from support import four_point, scheme
 from subdiv_cli.model import Effort
 from subdiv_cli.pipeline import check, joint_spectral_radius
 
-GOLDEN = [[[1, 1], [0, 1]], [[1, 0], [1, 1]]]
+POSITIVE = [[[1, 1], [0, 1]], [[1, 0], [1, 1]]]
 """JSR (1+√5)/2."""
+GOLDEN = [[[-1, -1], [0, -1]], [[-1, 0], [-1, -1]]]
+"""The same with signs, which nothing monotone is of."""
 ROTATION = [[["3/5", "-4/5"], ["4/5", "3/5"]], [["1/2", "0"], ["0", "1/3"]]]
 """JSR 1, attained by a rotation."""
 TRIANGULAR = [[[2, 1], [0, 1]], [[1, 5], [0, -3]]]
 """JSR 3: the blocks are 2, 1 and 1, -3."""
-NO_FINITENESS = [[[1, 1], [0, 1]], [["749326546/1000000000", 0], ["749326546/1000000000", "749326546/1000000000"]]]
+NO_FINITENESS = [
+    [[-1, -1], [0, -1]],
+    [["-749326546/1000000000", 0], ["-749326546/1000000000", "-749326546/1000000000"]],
+]
 """Near the parameter for which no product attains the radius: 1.4092472…, an enclosure."""
 NILPOTENT = [[[0, 1], [0, 0]]]
 
@@ -40,6 +45,28 @@ def of_mask(mask):
 
 def golden():
     return of_family(GOLDEN)
+
+
+def monotone():
+    return of_family(POSITIVE)
+
+
+def monotone_enclosed():
+    return of_family([[[abs(Fraction(x)) for x in row] for row in rows] for rows in NO_FINITENESS])
+
+
+def one_vertex():
+    """By hand, RADIUS.md's example of `monotone-polytope`: (1, 1) alone bounds the radius by 2."""
+    witness = {
+        "symmetry": 0,
+        "bits": 0,
+        "vertices": [["1", "1"]],
+        "basis": [0, 0],
+        "weight_bits": 0,
+        "images": [[0, 1], [0, 1]],
+    }
+    bound = claim("monotone-polytope", property="radius-upper", family=0, length=1, bound="2", witness=witness)
+    return matrices_document([[["1", "1"], ["0", "1"]], [["1", "0"], ["1", "1"]]], [bound])
 
 
 def rotation():
@@ -111,7 +138,7 @@ def quadratic():
 ALL_RADIUS = {
     make.__name__: make
     for make in (
-        golden, rotation, triangular, nilpotent, enclosed, lower_of_blocks, swap, four_point_attained,
-        four_point_polytope, quadratic,
+        golden, monotone, monotone_enclosed, one_vertex, rotation, triangular, nilpotent, enclosed, lower_of_blocks,
+        swap, four_point_attained, four_point_polytope, quadratic,
     )
 }  # fmt: skip

@@ -1,0 +1,87 @@
+"""How far images lie outside a body: its gauge, in floats, with the weights that show it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from subdiv_cli.jsr.arrays import Numbers, as_real
+from subdiv_cli.jsr.body import Body
+from subdiv_cli.jsr.dominance import Dominations, domination
+from subdiv_cli.jsr.gauge import Bases, Gauges, gauges, inverses_of
+
+_INSIDE = 1 - 1e-3
+"""A gauge below this needs no more precision: its weights are proof enough."""
+_REMEMBERED = 48
+"""Bases that are tried as a start for new targets."""
+
+
+class Balanced:
+    """Gauges in the hull of all ±v, from bases that were good for earlier targets."""
+
+    def __init__(self, body: Body) -> None:
+        self._body = body
+        first = np.array([independent_columns(body.columns)])
+        turns = np.ones(first.shape, dtype=body.columns.dtype)
+        if body.complex:
+            first, turns = np.hstack([first, first]), np.hstack([turns, 1j * turns])
+        self.bases = Bases(first, turns)
+
+    def measure(self, targets: Numbers, outside: float, like: Any = None) -> Gauges:
+        """The gauges of the rows; `like` has those of earlier ones with bases that may do again."""
+        columns = self._body.columns
+        bases = self._best(columns, targets) if like is None else like.bases
+        found = gauges(columns, targets, bases, inside=_INSIDE, outside=outside)
+        self._remember(found.bases)
+        return found
+
+    def _best(self, columns: Numbers, targets: Numbers) -> Bases:
+        """For each target the remembered basis in which it has the smallest weights."""
+        inverses = inverses_of(self.bases.vectors(columns))
+        sums = np.abs(np.einsum("kij,mj->mki", inverses, as_real(targets))).sum(axis=2)
+        return self.bases.chosen(sums.argmin(axis=1))
+
+    def _remember(self, bases: Bases) -> None:
+        kept = len(self.bases.numbers)
+        oldest = [0, *range(max(1, kept + 8 - _REMEMBERED), kept)]
+        pairs = zip(
+            self.bases.chosen(np.array(oldest)), bases.chosen(np.arange(min(8, len(bases.numbers)))), strict=True
+        )
+        self.bases = Bases(*(np.concatenate(pair) for pair in pairs))
+
+
+class Monotone:
+    """Gauges in the hull of all x >= 0 that are below a convex combination of vertices."""
+
+    def __init__(self, body: Body) -> None:
+        self._body = body
+
+    def measure(self, targets: Numbers, outside: float, like: Any = None) -> Dominations:
+        """The gauges of the rows."""
+        return Dominations([domination(self._body.columns, target) for target in targets])
+
+
+def measure_of(body: Body) -> Balanced | Monotone:
+    """What measures in this body."""
+    return Monotone(body) if body.monotone else Balanced(body)
+
+
+def gauge(body: Body, vector: Numbers) -> float:
+    """Of any vector; the columns must span."""
+    return float(measure_of(body).measure(vector[None], float("inf")).value[0])
+
+
+def independent_columns(columns: Numbers) -> list[int]:
+    """As many independent columns as there are rows, each as far as possible from the span of those before it.
+
+    Real or complex; the rows must be independent.
+    """
+    rest, chosen = columns.copy(), []
+    for _ in range(len(columns)):
+        lengths = np.linalg.norm(rest, axis=0)
+        j = int(lengths.argmax())
+        chosen.append(j)
+        direction = rest[:, j] / lengths[j]
+        rest = rest - np.outer(direction, direction.conj() @ rest)
+    return chosen

@@ -1,0 +1,93 @@
+"""The trees of expressions."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+
+class _Node:
+    """A node of a tree, never changed: equal to another of its class with the same content, wherever each stands."""
+
+    __slots__ = ("at",)
+
+    at: int
+    """Where it starts in the text."""
+
+    def _content(self) -> tuple[object, ...]:
+        return tuple(getattr(self, name) for name in self.__slots__)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Node) and type(self) is type(other) and self._content() == other._content()
+
+    def __hash__(self) -> int:
+        return hash((type(self), self._content()))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}{self._content()}"
+
+
+class Number(_Node):
+    __slots__ = ("value",)
+
+    def __init__(self, value: Fraction, at: int = 0) -> None:
+        self.value, self.at = value, at
+
+
+class Name(_Node):
+    """A parameter, or the variable z."""
+
+    __slots__ = ("name",)
+
+    def __init__(self, name: str, at: int = 0) -> None:
+        self.name, self.at = name, at
+
+
+class Sum(_Node):
+    """Terms with their signs, 1 or -1; a negation is a sum of one term."""
+
+    __slots__ = ("terms",)
+
+    def __init__(self, terms: tuple[tuple[int, Node], ...], at: int = 0) -> None:
+        self.terms, self.at = terms, at
+
+
+class Factor(_Node):
+    __slots__ = ("divides", "node")
+
+    def __init__(self, node: Node, divides: bool = False, at: int = 0) -> None:
+        self.node, self.divides, self.at = node, divides, at
+
+
+class Product(_Node):
+    __slots__ = ("factors",)
+
+    def __init__(self, factors: tuple[Factor, ...], at: int = 0) -> None:
+        self.factors, self.at = factors, at
+
+
+class Power(_Node):
+    __slots__ = ("base", "exponent")
+
+    def __init__(self, base: Node, exponent: int, at: int = 0) -> None:
+        self.base, self.exponent, self.at = base, exponent, at
+
+
+class Logarithm(_Node):
+    """log_base(argument), in expectations only."""
+
+    __slots__ = ("argument", "base")
+
+    def __init__(self, base: int, argument: Node, at: int = 0) -> None:
+        self.base, self.argument, self.at = base, argument, at
+
+
+class RootOf(_Node):
+    """The root of a polynomial in z between two bounds, in expectations only."""
+
+    __slots__ = ("high", "low", "polynomial")
+
+    def __init__(self, polynomial: Node, low: Node, high: Node, at: int = 0) -> None:
+        self.polynomial, self.low, self.high, self.at = polynomial, low, high, at
+
+
+Node = Number | Name | Sum | Product | Power | Logarithm | RootOf

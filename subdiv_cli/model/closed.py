@@ -1,0 +1,116 @@
+"""Real numbers in closed form, as data: rationals, logarithms of rationals, logarithms of algebraic numbers."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import NamedTuple
+
+
+class Log(NamedTuple):
+    """The real number log_base(argument) / divisor, as closed forms print it."""
+
+    base: int
+    """At least 2."""
+    argument: Fraction
+    """Positive."""
+    divisor: int = 1
+    """At least 1."""
+
+    def __str__(self) -> str:
+        return f"log{self.base}({self.argument})" + (f"/{self.divisor}" if self.divisor > 1 else "")
+
+
+class Root(NamedTuple):
+    """A real algebraic number: the only real root of a polynomial in [low, high]."""
+
+    coefficients: tuple[int, ...]
+    """Of the polynomial, the lowest power first; degree at least 1."""
+    low: Fraction
+    high: Fraction
+
+
+class RootLog(NamedTuple):
+    """The real number -log_base(root) / divisor, root > 0."""
+
+    base: int
+    root: Root
+    divisor: int
+    text: str
+    """As it is spelled: `-log2(root(32*x^3+4*x-1, 0.1927, 0.1928))/2`."""
+
+    def __str__(self) -> str:
+        return self.text
+
+
+LogForm = Fraction | Log
+"""A closed form without roots: `2`, `log2(64/9)`."""
+ClosedForm = LogForm | RootLog
+"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`, `-log2(root(x^2-x-1, 1.6180, 1.6181))`."""
+
+MAX_LOG_BASE = 1024
+MAX_LOG_DIVISOR = 256
+MAX_LOG_BITS = 1024
+"""Bits of the numbers of a closed form that is read or printed."""
+MAX_ROOT_BITS = 3322
+"""Bits of the coefficients of a root's polynomial: a thousand digits."""
+MAX_ROOT_DEGREE = 64
+
+
+def spelled(x: ClosedForm) -> str | None:
+    """A closed form as text that expectations read again; None for one that is beyond the bounds of their grammar."""
+    if isinstance(x, RootLog):
+        bits = max(abs(c).bit_length() for c in x.root.coefficients)
+        long = bits > MAX_ROOT_BITS or len(x.root.coefficients) > MAX_ROOT_DEGREE + 1 or x.divisor > MAX_LOG_DIVISOR
+    else:
+        parts = (x.argument if isinstance(x, Log) else x).as_integer_ratio()
+        bits = max(abs(part).bit_length() for part in parts)
+        long = bits > MAX_LOG_BITS or (isinstance(x, Log) and x.divisor > MAX_LOG_DIVISOR)
+    return None if long else str(x)
+
+
+def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
+    """log_base(argument) / divisor in canonical form, so that equal numbers are equal objects.
+
+    The base is no perfect power, argument and divisor share no root, and a rational value is a Fraction. Raises
+    ValueError for base < 2, argument <= 0 or divisor < 1.
+    """
+    if base < 2 or argument <= 0 or divisor < 1:
+        raise ValueError(f"no logarithm: base {base}, argument {argument}, divisor {divisor}")
+    if argument == 1:
+        return Fraction(0)
+    base, divisor = unpowered(base, divisor)
+    for d in (d for d in range(divisor, 1, -1) if divisor % d == 0):
+        numerator = exact_root(argument.numerator, d)
+        denominator = exact_root(argument.denominator, d) if numerator is not None else None
+        if numerator is not None and denominator is not None:
+            argument, divisor = Fraction(numerator, denominator), divisor // d
+            break
+    power = max(argument.numerator, argument.denominator)
+    exponent = _exact_log(power, base)
+    if exponent is not None and min(argument.numerator, argument.denominator) == 1:
+        return Fraction(exponent if argument > 1 else -exponent, divisor)
+    return Log(base=base, argument=argument, divisor=divisor)
+
+
+def unpowered(base: int, divisor: int) -> tuple[int, int]:
+    """(b, d) with log_base(x)/divisor = log_b(x)/d for all x, b no perfect power."""
+    for e in range(base.bit_length(), 1, -1):
+        if (root := exact_root(base, e)) is not None:
+            return root, divisor * e
+    return base, divisor
+
+
+def exact_root(n: int, d: int) -> int | None:
+    """The integer m >= 1 with m^d = n >= 1, by Newton's method from above."""
+    root = 1 << -(-n.bit_length() // d)
+    while (lower := ((d - 1) * root + n // root ** (d - 1)) // d) < root:
+        root = lower
+    return root if root**d == n else None
+
+
+def _exact_log(n: int, base: int) -> int | None:
+    """The integer e with base^e = n."""
+    e = 0
+    while n > 1 and n % base == 0:
+        n, e = n // base, e + 1
+    return e if n == 1 else None
