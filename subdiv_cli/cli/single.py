@@ -128,7 +128,7 @@ def _variants(mask: MaskFile, values: Mapping[str, Sequence[Fraction]], *, alone
     names = [name for name in values if alone or name in mask.parameters]
     for combination in product(*(dict.fromkeys(values[name]) for name in names)):
         overrides = dict(zip(names, combination, strict=True))
-        yield One(mask, mask.values(overrides), mask.scheme(overrides))
+        yield One(mask, mask.values(overrides), mask.scalar_scheme(overrides))
 
 
 def complain(problems: Sequence[Problem]) -> NoReturn:

@@ -7,12 +7,14 @@ from collections.abc import Collection
 from fractions import Fraction
 from typing import cast
 
+from subdiv_cli.maskfile.bodies import Body, Coefficients, Symbol, check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.entries import fault_of_name
 from subdiv_cli.maskfile.evaluate import evaluate, names_in
+from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.grammar import Factor, Node, Parser, Product, Sum, parse
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import Coefficients, Expression, MaskFile, Symbol, check_zero
+from subdiv_cli.maskfile.mask import MaskFile
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
 from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
@@ -40,20 +42,19 @@ def from_option(text: str, *, start: int = 0, arity: int = 2, names: Collection[
         for name in names:
             if fault_there := fault_of_name(name):
                 raise fault_there
-        body: Coefficients | Symbol
+        body: Body
         if text.lstrip().startswith("["):
             body = Coefficients(arity=arity, start=start, entries=_list(text, names))
         elif start:
             raise Fault("SD015", "--start and a symbol both say where the mask begins", "leave --start out")
         else:
             body = Symbol(arity=arity, expression=Expression(text=text.strip(), node=parse(text, ("z", *names))))
-        check_zero(body, problems)
+        check_fixed_mask(body, problems)
     except Fault as fault:
         _explain(fault, text, names)
         problems.add(fault)
     problems.raise_any()
-    entries = body.entries if isinstance(body, Coefficients) else (body.expression,)
-    used = frozenset().union(*(names_in(entry.node) for entry in entries))
+    used = frozenset().union(*(names_in(entry.node) for entry in body.expressions()))
     parameters = {name: None for name in names if name in used}
     return MaskFile(file="--mask", body=body, parameters=parameters, source=source)
 

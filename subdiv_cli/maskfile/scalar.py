@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from subdiv_cli.maskfile.bodies import Coefficients, Symbol
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import Coefficients, Expression, Symbol
 from subdiv_cli.maskfile.problems import Collector, Fault
 from subdiv_cli.maskfile.values import described
 
