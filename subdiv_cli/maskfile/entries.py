@@ -51,9 +51,12 @@ class Table:
                 Fault("SD004", f'unknown key "{shown(key)}" {where}', mend), (*self.path, key), of_key=True
             )
 
-    def missing(self, key: str, message: str, mend: str) -> None:
-        """Records a missing key (SD005), unless a misspelt or misplaced one is meant, which `only` has recorded."""
-        if key not in self._meant:
+    def missing(self, key: str, message: str, mend: str, *, instead: Collection[str] = ()) -> None:
+        """Records a missing key (SD005), unless a misspelt or misplaced one is meant, which `only` has recorded.
+
+        `instead`: keys that would do as well.
+        """
+        if self._meant.isdisjoint((key, *instead)):
             self.problems.add(Fault("SD005", message, mend), (*self.path, key), of_key=True)
 
     def table(self, key: str, mend: str | None = None) -> Table | None:

@@ -13,7 +13,7 @@ from subdiv_cli.maskfile.problems import Collector, Fault
 from subdiv_cli.maskfile.values import described
 
 _KEYS = ("arity", "start", "coefficients", "symbol")
-_MULTIVARIATE = "it belongs to kinds that cannot be checked yet; a scalar mask has start and coefficients, or symbol"
+_MULTIVARIATE = 'it is for kind = "multivariate"; a scalar mask has start and coefficients, or symbol'
 _COEFFICIENTS = ("did you mean coefficients?", "coefficients")
 _ELSEWHERE = {
     "dilation": ("a scalar mask has an arity: arity = 2", "arity"),

@@ -38,7 +38,7 @@ def read_multivariate(table: Table, parameters: Collection[str], problems: Colle
     given = [key for key in table.data if key in FORMS]
     if not given:
         mend = f'give one of {", ".join(FORMS)}: symbol = "(1+z1) (1+z2) (1+z1*z2) / 2"'
-        table.missing("coefficients", "nothing gives the coefficients of the mask", mend)
+        table.missing("coefficients", "nothing gives the coefficients of the mask", mend, instead=FORMS)
         return None
     form = given[0]
     for other in given[1:] + (["start"] if "start" in table.data and form != "coefficients" else []):
