@@ -28,7 +28,8 @@ def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> 
         return None
     matrix = dilation.of(len(shape))
     if start is not None and len(start) != len(shape):
-        message = f"start has {len(start)} component{'' if len(start) == 1 else 's'}, and coefficients are nested {len(shape)} deep"
+        plural = "" if len(start) == 1 else "s"
+        message = f"start has {len(start)} component{plural}, and coefficients are nested {len(shape)} deep"
         problems.add(Fault("SD023", message, "give both one for each variable"), (*table.path, "start"))
         start = None
     entries = _Rows(shape, parameters, problems).read(table.data["coefficients"], path)
