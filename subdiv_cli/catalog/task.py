@@ -83,7 +83,7 @@ def _perform(task: Task, settings: Settings) -> Done:
     data = load_path(task.file) if task.data is None and task.mask is None else task.data
     mask = task.mask if task.mask is not None else read_bytes(data or b"", file=task.file)
     try:
-        parameters, scheme = mask.values(settings.overrides), mask.scheme(settings.overrides)
+        parameters, scheme = mask.values(settings.overrides), mask.scalar_scheme(settings.overrides)
     except MaskFileError as error:
         return Done(replace(invalid(mask.file, error.problems), name=mask.name, kind=mask.kind))
     expectations = (*mask.expectations, *settings.required)

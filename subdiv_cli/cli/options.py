@@ -9,7 +9,7 @@ import click
 
 from subdiv_cli.cli.completers import complete_code, complete_mask, complete_parameter, complete_property
 from subdiv_cli.cli.outputs import Output, OutputType
-from subdiv_cli.cli.values import JobsType, SecondsType, ShardType, WholeType
+from subdiv_cli.cli.values import IndexType, JobsType, SecondsType, ShardType, WholeType
 from subdiv_cli.model import DEFAULT_EFFORT
 from subdiv_cli.report import FORMATS
 
@@ -23,7 +23,7 @@ class Asked(NamedTuple):
     parameters: tuple[str, ...]
     files_from: str | None
     mask: str | None
-    start: int | None
+    start: tuple[int, ...] | None
     arity: int | None
     form: str
     outputs: tuple[Output, ...]
@@ -98,8 +98,8 @@ def _masks(f: F) -> F:
                 help="Check this mask instead of a file: a list, [1, 3, 3, 1]/4, or a symbol, (1+z)^3/4.",
             ),
             option(
-                "Masks", "--start", type=int, metavar="INDEX",
-                help="Index of the first coefficient of --mask.  [default: 0]",
+                "Masks", "--start", type=IndexType(), metavar="INDEX",
+                help="Index of the first coefficient of --mask; in several variables -1,-1.  [default: 0]",
             ),
             option("Masks", "--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
         )

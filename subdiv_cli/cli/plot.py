@@ -78,7 +78,7 @@ def command(
     files: tuple[str, ...],
     parameters: tuple[str, ...],
     mask: str | None,
-    start: int | None,
+    start: tuple[int, ...] | None,
     arity: int | None,
     effort: int,
     output: str | None,

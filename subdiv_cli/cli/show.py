@@ -61,7 +61,7 @@ def command(
     file: str | None,
     parameters: tuple[str, ...],
     mask: str | None,
-    start: int | None,
+    start: tuple[int, ...] | None,
     arity: int | None,
     effort: int,
     form: str | None,

@@ -45,7 +45,7 @@ class One(NamedTuple):
 
 def options(command: Command) -> Command:
     """-p, --mask, --start, --arity and --effort."""
-    from subdiv_cli.cli.values import WholeType
+    from subdiv_cli.cli.values import IndexType, WholeType
 
     decorators = [
         click.option(
@@ -58,7 +58,7 @@ def options(command: Command) -> Command:
         ),
         click.option("--mask", metavar="MASK", help="This mask instead of a file: [1, 3, 3, 1]/4, or (1+z)^3/4."),
         click.option(
-            "--start", type=int, metavar="INDEX", help="Index of the first coefficient of --mask.  [default: 0]"
+            "--start", type=IndexType(), metavar="INDEX", help="Index of the first coefficient of --mask.  [default: 0]"
         ),
         click.option("--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
         click.option(
@@ -81,7 +81,7 @@ class Named(NamedTuple):
     command: str
     files: tuple[str, ...]
     mask: str | None
-    start: int | None
+    start: tuple[int, ...] | None
     arity: int | None
     parameters: tuple[str, ...]
 
@@ -128,7 +128,7 @@ def _variants(mask: MaskFile, values: Mapping[str, Sequence[Fraction]], *, alone
     names = [name for name in values if alone or name in mask.parameters]
     for combination in product(*(dict.fromkeys(values[name]) for name in names)):
         overrides = dict(zip(names, combination, strict=True))
-        yield One(mask, mask.values(overrides), mask.scheme(overrides))
+        yield One(mask, mask.values(overrides), mask.scalar_scheme(overrides))
 
 
 def complain(problems: Sequence[Problem]) -> NoReturn:

@@ -29,6 +29,24 @@ class WholeType(click.ParamType[int]):
         return number
 
 
+class IndexType(click.ParamType[tuple[int, ...]]):
+    """An index of a mask: an integer, or one for each variable, -1,-1."""
+
+    name = "index"
+
+    _SPELLING = re.compile(r"\s*[+-]?[0-9]{1,9}\s*(,\s*[+-]?[0-9]{1,9}\s*){0,3}")
+
+    def convert(
+        self, value: str | tuple[int, ...], param: click.Parameter | None, ctx: click.Context | None
+    ) -> tuple[int, ...]:
+        """Parse."""
+        if isinstance(value, tuple):
+            return value
+        if not self._SPELLING.fullmatch(value):
+            self.fail(f"{value!r} is not an index: an integer, or in several variables -1,-1", param, ctx)
+        return tuple(map(int, value.split(",")))
+
+
 class SecondsType(click.ParamType[float]):
     """A positive, finite number of seconds."""
 

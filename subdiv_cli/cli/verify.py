@@ -92,7 +92,7 @@ def _asked(file: str, parameters: Sequence[str]) -> _Asked:
     try:
         overrides = dict(parse_override(text) for text in parameters)
         read = read_path(file)
-        scheme = read.scheme(overrides)
+        scheme = read.scalar_scheme(overrides)
     except MaskFileError as error:
         from subdiv_cli.cli.streams import look_of
 

@@ -14,6 +14,16 @@ MAX_EXPONENT = 1_000_000
 """The size of `start`, of a power, and of an exponent of z."""
 MAX_MASK_LENGTH = 2000
 """Coefficients of a mask, and terms of a Laurent polynomial on the way to it."""
+MAX_GRID = 10_000
+"""Nested coefficients of a multivariate mask, zeros included."""
+MAX_INDEX = 1000
+"""The size of a component of an index of a multivariate mask, of a direction, and of an entry of a dilation matrix."""
+MAX_DIMENSION = 4
+"""Variables."""
+MAX_COSETS = 4096
+"""The determinant of a dilation matrix in size."""
+MAX_FACTORS = 64
+"""Directions of a box spline, counted with their multiplicities."""
 MAX_ARITY = 64
 MAX_MATRICES = 64
 MAX_MATRIX_ORDER = 64

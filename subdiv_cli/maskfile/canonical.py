@@ -4,13 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from subdiv_cli.schemes.scalar import ScalarScheme
 
+if TYPE_CHECKING:
+    from subdiv_cli.schemes.multivariate import MultivariateScheme
 
-def canonical(scheme: ScalarScheme) -> Mapping[str, Any]:
+
+def canonical(scheme: ScalarScheme | MultivariateScheme) -> Mapping[str, Any]:
     """As FORMAT.md says under `mask`. Raises ValueError for a number of more than 4300 digits."""
+    if not isinstance(scheme, ScalarScheme):
+        return {
+            "kind": "multivariate",
+            "dilation": [list(row) for row in scheme.dilation],
+            "terms": [[list(index), _rational(value)] for index, value in scheme.terms.items()],
+        }
     return {
         "kind": "scalar",
         "arity": scheme.arity,

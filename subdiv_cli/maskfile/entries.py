@@ -7,10 +7,10 @@ from collections.abc import Collection, Iterable, Mapping
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.characters import mended
-from subdiv_cli.maskfile.evaluate import evaluate, names_in
+from subdiv_cli.maskfile.evaluate import evaluate, is_fixed
+from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import Expression
 from subdiv_cli.maskfile.nodes import Number
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, near, shown
 from subdiv_cli.maskfile.tokens import is_name
@@ -52,9 +52,12 @@ class Table:
                 Fault("SD004", f'unknown key "{shown(key)}" {where}', mend), (*self.path, key), of_key=True
             )
 
-    def missing(self, key: str, message: str, mend: str) -> None:
-        """Records a missing key (SD005), unless a misspelt or misplaced one is meant, which `only` has recorded."""
-        if key not in self._meant:
+    def missing(self, key: str, message: str, mend: str, *, instead: Collection[str] = ()) -> None:
+        """Records a missing key (SD005), unless a misspelt or misplaced one is meant, which `only` has recorded.
+
+        `instead`: keys that would do as well.
+        """
+        if self._meant.isdisjoint((key, *instead)):
             self.problems.add(Fault("SD005", message, mend), (*self.path, key), of_key=True)
 
     def table(self, key: str, mend: str | None = None) -> Table | None:
@@ -116,14 +119,14 @@ def read_expression(value: object, path: KeyPath, names: Collection[str]) -> Exp
     else:
         mend = 'write an integer, a decimal or a string such as "-1/16"'
         if isinstance(value, list):
-            mend = "a scalar mask is one flat list: [1, 2, 1]; masks with lists inside the list cannot be checked yet"
+            mend = 'a scalar mask is one flat list: [1, 2, 1]; lists of lists are for kind = "multivariate"'
         raise Fault("SD006", f"a number was expected, not {described(value)}", mend)
     return Expression(text=text, node=parse(text, names), path=path)
 
 
 def check_fixed(expression: Expression, work: Work) -> None:
     """Evaluates an expression that has no parameters. Raises Fault."""
-    if not isinstance(expression.node, Number) and names_in(expression.node) <= {"z"}:
+    if not isinstance(expression.node, Number) and is_fixed(expression.node):
         evaluate(expression.node, {}, work)
 
 

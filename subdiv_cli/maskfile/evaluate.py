@@ -6,15 +6,15 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from subdiv_cli.maskfile import laurent
-from subdiv_cli.maskfile.laurent import Laurent, TooLargeError, Work
+from subdiv_cli.maskfile.laurent import VARIABLES, Laurent, TooLargeError, Work, packed
 from subdiv_cli.maskfile.nodes import Logarithm, Name, Node, Number, Power, Product, RootOf, Sum
 from subdiv_cli.maskfile.problems import Fault, shown, shown_number
 
-_Z = Laurent({1: 1})
+_MONOMIALS = {name: Laurent({packed([0] * i + [1]): 1}) for i, name in enumerate(VARIABLES)}
 
 
 def names_in(node: Node) -> frozenset[str]:
-    """The names that an expression speaks of, z among them."""
+    """The names that an expression speaks of, variables among them."""
     if isinstance(node, Name):
         return frozenset({node.name})
     if isinstance(node, Number):
@@ -27,8 +27,13 @@ def names_in(node: Node) -> frozenset[str]:
     return names_in(node.base)
 
 
+def is_fixed(node: Node) -> bool:
+    """Whether an expression does not hang on parameters."""
+    return names_in(node) <= _MONOMIALS.keys()
+
+
 def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
-    """The Laurent polynomial of an expression; `values` has every name in it but z.
+    """The Laurent polynomial of an expression; `values` has every name in it but the variables.
 
     Raises Fault at the offending subexpression: SD007 or SD011 for a zero divisor, SD008 for a division that is not
     exact, SD010 for sizes. Raises KeyError for a name without a value.
@@ -37,7 +42,7 @@ def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
         if isinstance(node, Number):
             return laurent.constant(node.value)
         if isinstance(node, Name):
-            return _Z if node.name == "z" else laurent.constant(values[node.name])
+            return _MONOMIALS.get(node.name) or laurent.constant(values[node.name])
         if isinstance(node, Sum):
             return laurent.total([(sign, evaluate(term, values, work)) for sign, term in node.terms], work)
         if isinstance(node, Product):

@@ -1,4 +1,9 @@
-"""Laurent polynomials in z over Q, small and bounded: integer numerators over one common denominator."""
+"""Laurent polynomials over Q, small and bounded: integer numerators over one common denominator.
+
+The variables are z and, in several of them, z1 to z4. The exponents of a monomial are the digits of one integer
+(Kronecker's substitution): those of z itself are plain integers, products add, and the order of the integers is a
+monomial order. The digits stay far below half of their base, so they are read off again without carries.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +13,10 @@ from heapq import heappop, heappush
 from math import gcd, lcm
 
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH, MAX_WORK
+
+VARIABLES = ("z", "z1", "z2", "z3", "z4")
+_DIGIT = 24
+_HALF = 1 << (_DIGIT - 1)
 
 
 class TooLargeError(Exception):
@@ -30,7 +39,10 @@ class Work:
 
 
 class Laurent:
-    """Σ numerators[k] z^k / denominator: no zero numerators, denominator positive, no common factor."""
+    """Σ numerators[k] z^k / denominator: no zero numerators, denominator positive, no common factor.
+
+    k is an exponent of z, or `packed` from those of several variables.
+    """
 
     __slots__ = ("bits", "denominator", "numerators")
 
@@ -53,18 +65,42 @@ class Laurent:
         if self.bits > MAX_BITS:
             raise TooLargeError(f"numbers of more than {MAX_DIGITS} digits come up")
         if kept and max(max(kept), -min(kept)) > MAX_EXPONENT:
-            raise TooLargeError(f"an exponent of z beyond {MAX_EXPONENT}")
+            _bound(max(max(map(abs, exponents(k))) for k in kept))
 
     @property
     def coefficients(self) -> dict[int, Fraction]:
-        """exponent -> coefficient, the non-zero ones."""
+        """Exponent of z -> coefficient, the non-zero ones."""
         return {k: Fraction(n, self.denominator) for k, n in self.numerators.items()}
+
+    def terms(self, dimension: int) -> dict[tuple[int, ...], Fraction]:
+        """Exponents of z1, …, zs -> coefficient, the non-zero ones, of a polynomial in these."""
+        return {exponents(k)[1 : dimension + 1]: value for k, value in self.coefficients.items()}
 
     def constant(self) -> Fraction | None:
         """The number this is; None where z is in it."""
         if any(self.numerators):
             return None
         return Fraction(self.numerators.get(0, 0), self.denominator)
+
+
+def packed(powers: Iterable[int]) -> int:
+    """The monomial z^k0 z1^k1 z2^k2 … as one integer; each |k| at most 2 MAX_EXPONENT."""
+    return sum(k << (_DIGIT * i) for i, k in enumerate(powers))
+
+
+def exponents(k: int) -> tuple[int, ...]:
+    """Those of z, z1, … z4."""
+    digits = []
+    for _ in VARIABLES:
+        digit = ((k + _HALF) & (2 * _HALF - 1)) - _HALF
+        digits.append(digit)
+        k = (k - digit) >> _DIGIT
+    return tuple(digits)
+
+
+def _bound(exponent: int) -> None:
+    if exponent > MAX_EXPONENT:
+        raise TooLargeError(f"an exponent of z beyond {MAX_EXPONENT}")
 
 
 def constant(value: Fraction) -> Laurent:
@@ -113,22 +149,22 @@ def inverse(a: Laurent) -> Laurent | None:
 def quotient(a: Laurent, b: Laurent, work: Work) -> Laurent | None:
     """a / b for b ≠ 0, where that is a Laurent polynomial; None where it is not. Raises TooLargeError.
 
-    Long division from the lowest exponent, in integers: a polynomial with integer coefficients that a primitive one
-    divides has an integer quotient (Gauss).
+    Long division from the lowest monomial, in integers: a polynomial with integer coefficients that a primitive one
+    divides has an integer quotient (Gauss). The box of the exponents of a product is the sum of those of its factors.
     """
     content = gcd(*b.numerators.values())
     divisor = {k: n // content for k, n in b.numerators.items()}
-    lowest, span = min(divisor), max(divisor) - min(divisor)
+    lowest = min(divisor)
+    box = [(low - below, high - above) for (low, high), (below, above) in zip(_box(a), _box(b), strict=True)]
     rest = dict(a.numerators)
     waiting = sorted(rest)  # a heap of the exponents in `rest`
-    last = max(rest, default=0) - span
     found: dict[int, int] = {}
     while waiting:
         k = heappop(waiting)
         if not (n := rest.pop(k)):
             continue
         factor, remainder = divmod(n, divisor[lowest])
-        if k > last or remainder:
+        if remainder or any(not low <= e <= high for e, (low, high) in zip(exponents(k - lowest), box, strict=True)):
             return None
         if len(found) >= MAX_MASK_LENGTH:
             raise TooLargeError(f"a Laurent polynomial of more than {MAX_MASK_LENGTH} terms")
@@ -144,6 +180,12 @@ def quotient(a: Laurent, b: Laurent, work: Work) -> Laurent | None:
     return Laurent({k: n * b.denominator for k, n in found.items()}, a.denominator * content)
 
 
+def _box(a: Laurent) -> list[tuple[int, int]]:
+    """The lowest and the highest exponent of each variable; (0, 0) for zero."""
+    columns = list(zip(*map(exponents, a.numerators or {0: 0}), strict=True))
+    return [(min(column), max(column)) for column in columns]
+
+
 def spelled(a: Laurent, limit: int = 5) -> str | None:
     """A Laurent polynomial as a message may quote it, "1 - 2 z"; None for a long one."""
     if len(a.numerators) > limit or a.bits > 30:
@@ -151,7 +193,8 @@ def spelled(a: Laurent, limit: int = 5) -> str | None:
     out = ""
     for k, c in sorted(a.coefficients.items()):
         size = "" if abs(c) == 1 and k else f"({abs(c)})" if k and abs(c).denominator > 1 else str(abs(c))
-        variable = "" if k == 0 else "z" if k == 1 else f"z^{k}"
+        powers = ((name, e) for name, e in zip(VARIABLES, exponents(k), strict=True) if e)
+        variable = " ".join(name if e == 1 else f"{name}^{e}" for name, e in powers)
         sign = (" - " if c < 0 else " + ") if out else "-" if c < 0 else ""
         out += sign + f"{size} {variable}".strip()
     return out or "0"
@@ -163,6 +206,7 @@ def power(a: Laurent, n: int, work: Work) -> Laurent:
         return Laurent({0: 1})
     if len(a.numerators) == 1:
         ((k, c),) = a.numerators.items()
+        _bound(max(map(abs, exponents(k))) * n)
         if max(abs(c).bit_length() - 1, a.denominator.bit_length() - 1) * n > MAX_BITS:
             raise TooLargeError(f"numbers of more than {MAX_DIGITS} digits come up")
         return Laurent({k * n: c**n}, a.denominator**n)

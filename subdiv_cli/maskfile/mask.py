@@ -5,46 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from math import lcm
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
-from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH
-from subdiv_cli.maskfile.evaluate import evaluate, names_in
+from subdiv_cli.maskfile.bodies import Body, Coefficients
+from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
+from subdiv_cli.maskfile.expressions import Expression, literal, number_of
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.nodes import Node, Number
-from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, Source, near, shown
+from subdiv_cli.maskfile.problems import Collector, Fault, Source, near, shown
 from subdiv_cli.model import Expectation
 from subdiv_cli.schemes.scalar import ScalarScheme
 
+if TYPE_CHECKING:
+    from subdiv_cli.maskfile.bodies import Scheme
 
-class Expression:
-    """An exact number or expression as the file spells it, and its tree; equal to another wherever each stands."""
-
-    __slots__ = ("node", "path", "text")
-
-    def __init__(self, *, text: str, node: Node, path: KeyPath = ()) -> None:
-        self.text, self.node, self.path = text, node, path
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Expression) and (self.text, self.node) == (other.text, other.node)
-
-    def __hash__(self) -> int:
-        return hash((self.text, self.node))
-
-
-class Coefficients(NamedTuple):
-    """a_start, a_(start+1), …, one expression without z each; at least one."""
-
-    arity: int
-    start: int
-    entries: tuple[Expression, ...]
-
-
-class Symbol(NamedTuple):
-    """a(z) = Σ a_k z^k as one expression in z."""
-
-    arity: int
-    expression: Expression
+_SCALAR = 'name a mask of kind "scalar"'
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +27,7 @@ class MaskFile:
 
     file: str
     """As named on the command line; "-" is standard input."""
-    body: Coefficients | Symbol
+    body: Body
     name: str | None = None
     reference: str | None = None
     kind: str = "scalar"
@@ -84,17 +58,26 @@ class MaskFile:
         spot = scan(self.source.text).spots.get(path)
         return None if spot is None else line_and_column(self.source.text, spot.key)[0]
 
-    def scheme(self, overrides: Mapping[str, Fraction] | None = None) -> ScalarScheme:
+    def scheme(self, overrides: Mapping[str, Fraction] | None = None) -> Scheme:
         """The scheme at the parameters' values. Raises MaskFileError as `values` does, SD009 for an all-zero mask."""
         problems = Collector(self.source)
         work = Work()
         values = parameter_values(self.parameters, overrides or {}, problems, work)
         problems.raise_any()
-        coefficients = expand(self.body, values, problems, work)
+        scheme = self.body.scheme(values, problems, work)
         problems.raise_any()
-        start = min(coefficients)
-        dense = tuple(coefficients.get(k, Fraction(0)) for k in range(start, max(coefficients) + 1))
-        return ScalarScheme(arity=self.body.arity, start=start, coefficients=dense)
+        assert scheme is not None, "what keeps a mask from being expanded is a problem"
+        return scheme
+
+    def scalar_scheme(self, overrides: Mapping[str, Fraction] | None = None) -> ScalarScheme:
+        """The scheme of a scalar mask. Raises MaskFileError as `scheme` does, SD013 for another kind."""
+        scheme = self.scheme(overrides)
+        if not isinstance(scheme, ScalarScheme):
+            problems = Collector(self.source)
+            problems.add(Fault("SD013", f"masks of kind {self.kind} cannot be taken here yet", _SCALAR), ("kind",))
+            problems.raise_any()
+        assert isinstance(scheme, ScalarScheme)
+        return scheme
 
 
 def parameter_values(
@@ -130,78 +113,8 @@ def _no_parameter(name: str, parameters: Mapping[str, object]) -> Fault:
     return Fault("SD011", message, "it has none: leave -p out, or declare it in [parameters]")
 
 
-def number_of(
-    expression: Expression, values: Mapping[str, Fraction], problems: Collector, work: Work
-) -> Fraction | None:
-    """The value of an expression without z. None where that is a problem, which is recorded, or hangs on one."""
-    if isinstance(expression.node, Number):
-        return expression.node.value
-    try:
-        value = evaluate(expression.node, values, work).constant()
-    except Fault as fault:
-        problems.add(fault, expression.path)
-        return None
-    except KeyError:  # a parameter without a value, which is reported where it is declared
-        return None
-    assert value is not None, "z is refused when coefficients are read"
-    return value
-
-
-def expand(
-    body: Coefficients | Symbol, values: Mapping[str, Fraction], problems: Collector, work: Work
-) -> dict[int, Fraction]:
-    """index -> coefficient, the non-zero ones. What is wrong is recorded: SD007 to SD011."""
-    if isinstance(body, Symbol):
-        path = body.expression.path
-        try:
-            coefficients = evaluate(body.expression.node, values, work).coefficients
-        except Fault as fault:
-            problems.add(fault, path)
-            return {}
-    else:
-        path = body.entries[0].path[:-1]
-        coefficients = {}
-        complete = True
-        for k, entry in enumerate(body.entries, body.start):
-            value = number_of(entry, values, problems, work)
-            complete &= value is not None
-            if value:
-                coefficients[k] = value
-        if not complete:
-            return {}
-    if not coefficients:
-        mend = "at least one coefficient must not be zero" + ("; try other parameters" if values else "")
-        problems.add(Fault("SD009", "all coefficients of the mask are zero", mend), path)
-    elif fault_of_size := _too_long(coefficients):
-        problems.add(fault_of_size, path)
-    return coefficients
-
-
-def check_zero(body: Coefficients | Symbol, problems: Collector) -> None:
-    """Expands a mask that does not hang on parameters, for SD009 and SD010."""
-    entries = body.entries if isinstance(body, Coefficients) else (body.expression,)
-    if all(names_in(entry.node) <= {"z"} for entry in entries):
-        expand(body, {}, problems, Work())
-
-
-def _too_long(coefficients: Mapping[int, Fraction]) -> Fault | None:
-    first, last = min(coefficients), max(coefficients)
-    if last - first >= MAX_MASK_LENGTH:
-        message = f"the mask has {last - first + 1} coefficients; the limit is {MAX_MASK_LENGTH}"
-        return Fault("SD010", message, "use a shorter mask")
-    if max(-first, last) > 2 * MAX_EXPONENT:
-        return Fault("SD010", f"an index beyond {2 * MAX_EXPONENT}", "shift the mask towards 0")
-    common = 1
-    for c in coefficients.values():
-        common = lcm(common, c.denominator)
-        if common.bit_length() > MAX_BITS:
-            message = f"the coefficients' common denominator has more than {MAX_DIGITS} digits"
-            return Fault("SD010", message, "use fractions with smaller denominators")
-    return None
-
-
 def from_scheme(
-    scheme: ScalarScheme,
+    scheme: Scheme,
     *,
     file: str = "-",
     name: str | None = None,
@@ -209,13 +122,13 @@ def from_scheme(
     expectations: tuple[Expectation, ...] = (),
 ) -> MaskFile:
     """The file of a scheme with literal coefficients, for `write`."""
-    entries = tuple(Expression(text=str(c), node=literal(c)) for c in scheme.coefficients)
-    body = Coefficients(arity=scheme.arity, start=scheme.start, entries=entries)
-    return MaskFile(file=file, body=body, name=name, reference=reference, expectations=expectations)
+    body: Body
+    if isinstance(scheme, ScalarScheme):
+        kind, entries = "scalar", tuple(map(literal, scheme.coefficients))
+        body = Coefficients(arity=scheme.arity, start=scheme.start, entries=entries)
+    else:
+        from subdiv_cli.maskfile.multivariate.bodies import Terms
 
-
-def literal(value: Fraction) -> Node:
-    """The tree that reading str(value) gives."""
-    from subdiv_cli.maskfile.grammar import parse
-
-    return parse(str(value), ())
+        kind, terms = "multivariate", tuple((index, literal(value)) for index, value in scheme.terms.items())
+        body = Terms(dilation=scheme.dilation, terms=terms)
+    return MaskFile(file=file, body=body, name=name, reference=reference, kind=kind, expectations=expectations)

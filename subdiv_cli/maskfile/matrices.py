@@ -9,8 +9,9 @@ from pathlib import Path
 
 from subdiv_cli.maskfile.bounds import MAX_MATRICES, MAX_MATRIX_ORDER
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression, read_parameters, text_at
+from subdiv_cli.maskfile.expressions import Expression, number_of
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import Expression, number_of, parameter_values
+from subdiv_cli.maskfile.mask import parameter_values
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, Source
 from subdiv_cli.maskfile.reader import load_path, text_of
 from subdiv_cli.maskfile.toml import load

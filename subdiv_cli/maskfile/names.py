@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 
 from subdiv_cli.maskfile.characters import RATIONAL_ONLY
 from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.tokens import Token
 
+_VARIABLE = re.compile(r"z[0-9]*")
 _NOT_FINITE = ("nan", "inf", "infinity")
 _IRRATIONAL = ("sqrt", "cbrt", "root", "exp", "log", "ln", "sin", "cos", "tan", "pow", "pi", "phi", "tau", "e")
 
@@ -23,6 +25,8 @@ def _unknown_name(token: Token, names: Collection[str], called: bool, logarithms
     name, at = token.text, token.at
     if name.lower() in _NOT_FINITE:
         return Fault("SD007", f"{name} is not a rational number", "write a finite number", at)
+    if _VARIABLE.fullmatch(name):
+        return _variable(name, names, at)
     if logarithms and name.lower().startswith(("log", "ln")):
         return Fault("SD008", f'"{shown(name)}" needs its base and an argument', "write log2(64/9) or log3(11)/2", at)
     if called and (name.lower() in _IRRATIONAL or len(name) > 1) and not _split(name, names):
@@ -35,8 +39,6 @@ def _unknown_name(token: Token, names: Collection[str], called: bool, logarithms
         return Fault("SD008", message, "the variable of a symbol is z: (1+z)^4", at)
     if guess := near(name, names):
         return Fault("SD008", message, f"did you mean {shown(guess)}?", at)
-    if name == "z":
-        return Fault("SD008", "z cannot stand in a single number", "give the whole mask as a symbol to use z", at)
     if name.lower() in _IRRATIONAL:
         return Fault("SD008", message, RATIONAL_ONLY, at)
     if names and names != {"z"}:
@@ -45,6 +47,21 @@ def _unknown_name(token: Token, names: Collection[str], called: bool, logarithms
     if logarithms:
         return Fault("SD008", message, 'write a number or a closed form: "1.5", "log2(64/9)"', at)
     return Fault("SD008", message, f'declare it in [parameters] of a mask file: {shown(name)} = "1/16"', at)
+
+
+def _variable(name: str, names: Collection[str], at: int) -> Fault:
+    """A variable where there are others, or none."""
+    if "z1" in names:
+        variables = sorted(known for known in names if _VARIABLE.fullmatch(known))
+        said = "the variables here are " + ", ".join(variables)
+        if name == "z":
+            return Fault("SD008", "z alone is no variable of a mask in several", said, at)
+        return Fault("SD008", f"there is no variable {shown(name)}", said, at)
+    if "z" in names:
+        mend = 'write z; a mask in several variables has kind = "multivariate"'
+        return Fault("SD008", f"a scalar mask has one variable, and {shown(name)} is not it", mend, at)
+    mend = "give the whole mask as a symbol to use z" if name == "z" else "give the whole mask as a symbol to use it"
+    return Fault("SD008", f"{shown(name)} cannot stand in a single number", mend, at)
 
 
 def _split(name: str, names: Collection[str]) -> list[str]:

@@ -74,6 +74,11 @@ class Collector:
         return bool(self._faults)
 
     @property
+    def file(self) -> str | None:
+        """The file they are about."""
+        return self._source.file
+
+    @property
     def full(self) -> bool:
         """Whether nothing that is added will be shown."""
         return len(self._faults) >= MAX_PROBLEMS

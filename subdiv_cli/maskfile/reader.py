@@ -6,9 +6,10 @@ import sys
 from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
+from subdiv_cli.maskfile.bodies import Body, check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
-from subdiv_cli.maskfile.mask import Coefficients, MaskFile, Symbol, check_zero
+from subdiv_cli.maskfile.mask import MaskFile
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
 from subdiv_cli.maskfile.properties import KEYS, contradictions, expectation
 from subdiv_cli.maskfile.recognise import MARKS
@@ -18,16 +19,26 @@ from subdiv_cli.maskfile.values import described
 from subdiv_cli.model import Expectation, Problem
 
 _TOP = ("format", "name", "reference", "kind", "parameters", "mask", "expect")
-_PLANNED = ("multivariate", "vector", "hermite", "matrices", "piecewise")
+_PLANNED = ("vector", "hermite", "matrices", "piecewise")
 
-BODIES: Mapping[str, Callable[[Table, Collection[str], Collector], Coefficients | Symbol | None]]
-BODIES = {"scalar": read_scalar}
+
+def _multivariate(table: Table, parameters: Collection[str], problems: Collector) -> Body | None:
+    from subdiv_cli.maskfile.multivariate.reading import read_multivariate
+
+    return read_multivariate(table, parameters, problems)
+
+
+BODIES: Mapping[str, Callable[[Table, Collection[str], Collector], Body | None]]
+BODIES = {"scalar": read_scalar, "multivariate": _multivariate}
 """Who reads [mask], by kind."""
 
 
-def read_path(path: str | Path) -> MaskFile:
-    """Reads a mask file; "-" is standard input. Raises MaskFileError, also for what cannot be read (SD002)."""
-    return read_bytes(load_path(path), file=str(path))
+def read_path(path: str | Path, *, kind: str | None = None) -> MaskFile:
+    """Reads a mask file; "-" is standard input. Raises MaskFileError, also for what cannot be read (SD002).
+
+    `kind`: the one that is wanted here; another is refused (SD013) before its [mask] is read.
+    """
+    return read_text(text_of(load_path(path), str(path)), file=str(path), wanted=kind)
 
 
 def load_path(path: str | Path) -> bytes:
@@ -81,7 +92,7 @@ def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
     )
 
 
-def read_text(text: str, *, file: str) -> MaskFile:
+def read_text(text: str, *, file: str, wanted: str | None = None) -> MaskFile:
     """Reads the text of a mask file. Raises MaskFileError and nothing else, whatever the text.
 
     Expressions without parameters are evaluated, so that their faults are reported here; those of the others come
@@ -94,6 +105,11 @@ def read_text(text: str, *, file: str) -> MaskFile:
     problems = Collector(source)
     document = load(source)
     kind = _kind(document, problems)
+    if wanted not in (None, kind):
+        problems.add(
+            Fault("SD013", f"a mask of kind {wanted} was expected, not {kind}", "name another file"), ("kind",)
+        )
+        problems.raise_any()
     top = Table(document, (), problems)
     top.only(_TOP, _BELONGS)
     _format(document, problems)
@@ -108,7 +124,7 @@ def read_text(text: str, *, file: str) -> MaskFile:
         body = BODIES[kind](table, parameters, problems)
     expectations = _expectations(top.table("expect"), problems)
     if body is not None:
-        check_zero(body, problems)
+        check_fixed_mask(body, problems)
     problems.raise_any()
     assert body is not None, "a missing body is a problem"
     return MaskFile(

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from subdiv_cli.maskfile.bodies import Coefficients, Symbol
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import Coefficients, Expression, Symbol
 from subdiv_cli.maskfile.problems import Collector, Fault
 from subdiv_cli.maskfile.values import described
 
 _KEYS = ("arity", "start", "coefficients", "symbol")
-_MULTIVARIATE = "it belongs to kinds that cannot be checked yet; a scalar mask has start and coefficients, or symbol"
+_MULTIVARIATE = 'it is for kind = "multivariate"; a scalar mask has start and coefficients, or symbol'
 _COEFFICIENTS = ("did you mean coefficients?", "coefficients")
 _ELSEWHERE = {
     "dilation": ("a scalar mask has an arity: arity = 2", "arity"),

@@ -193,4 +193,7 @@ def equals(text: str, start: int, at: int) -> Fault:
         return fault
     name = shown(text[start:at].strip())
     message = f'"=" was expected after the key {name}, not {_here(text, at)}'
-    return Fault("SD001", message, f"write {name} = value", at)
+    mend = f"write {name} = value"
+    if text[at : at + 1] == ",":
+        mend = f'an index is a key in quotes: "{name},0" = 1'
+    return Fault("SD001", message, mend, at)

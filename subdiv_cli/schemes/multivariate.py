@@ -44,6 +44,11 @@ class MultivariateScheme:
         return tuple(map(min, columns)), tuple(map(max, columns))
 
 
+def multiple_of_identity(factor: int, dimension: int) -> IntMatrix:
+    """The rows of cI."""
+    return tuple(tuple(factor * (i == j) for j in range(dimension)) for i in range(dimension))
+
+
 def is_expanding(matrix: Sequence[Sequence[int]]) -> bool:
     """Whether a square integer matrix has all its eigenvalues in |z| > 1."""
     if not matrix or any(len(row) != len(matrix) for row in matrix):

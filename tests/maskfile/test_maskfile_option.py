@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from fractions import Fraction as Q
+from typing import Any
 
 import pytest
 
 from subdiv_cli.maskfile import MaskFileError, read_text
 from subdiv_cli.maskfile.option import from_option, parse_override
 from subdiv_cli.maskfile.writer import write
+from subdiv_cli.schemes.multivariate import MultivariateScheme
 from subdiv_cli.schemes.scalar import ScalarScheme
 
 
@@ -97,6 +99,58 @@ def test_options_out_of_bounds() -> None:
         assert caught.value.problems[0].code == code
     with pytest.raises(MaskFileError, match="--start and a symbol"):
         from_option("1+z", start=1)
+
+
+BILINEAR = {(i, j): Q(1, 2 ** (abs(i) + abs(j))) for i in (-1, 0, 1) for j in (-1, 0, 1)}
+
+
+@pytest.mark.parametrize(
+    ("text", "start"),
+    [
+        ("[[1, 2, 1], [2, 4, 2], [1, 2, 1]]/4", (-1, -1)),
+        ("[[1/4, w, 1/4], [w, 1, w], [1/4, 1/2, 1/4]]", (-1, -1)),
+        ("(1+z1)^2 (1+z2)^2 / (4 z1 z2)", 0),
+        ("z1^-1 z2^-1 (1+z1)^2 (1+2w z2)^2 w/2", 0),
+    ],
+)
+def test_masks_in_several_variables_from_the_command_line(text: str, start: int | tuple[int, ...]) -> None:
+    mask = from_option(text, start=start, names=["w"])
+    assert mask.kind == "multivariate"
+    overrides = {"w": Q(1, 2)} if "w" in text else {}
+    assert mask.scheme(overrides) == MultivariateScheme(dilation=((2, 0), (0, 2)), terms=BILINEAR)
+    assert read_text(write(mask), file="--mask") == mask
+    assert from_option("1 + z1 z3", arity=3).scheme().dilation == ((3, 0, 0), (0, 3, 0), (0, 0, 3))
+
+
+@pytest.mark.parametrize(
+    ("text", "options", "code", "message", "column"),
+    [
+        ("[[1, 2], [3]]", {}, "SD023", "different lengths", 1),
+        ("[[1, 2], 3]", {}, "SD023", "different lengths or depths", 1),
+        ("[[1, 2], [3, 4]]", {"start": (1,)}, "SD023", "--start has 1 component", 1),
+        ("[[1, 2], [3, 4]]", {"start": (0, 0, 0)}, "SD023", "--start has 3 components", 1),
+        ("[[1, 2], [3, 4]]", {"start": (0, 2000)}, "SD010", "beyond 1000", 1),
+        ("[1, 2]", {"start": (0, 0)}, "SD023", "one variable", 1),
+        ("[[[[[1]]]]]", {}, "SD010", "5 deep", 1),
+        ("[" * 40, {}, "SD010", "more than 32 deep", 33),
+        ("[[1, 2], [3, z1]]", {}, "SD008", "z1 cannot stand", 14),
+        ("[[1, 2], [3, 4]]/0", {}, "SD007", "division by zero", 18),
+        ("[[0, 0]]", {}, "SD009", "all coefficients", 1),
+        ("1 + z1", {}, "SD023", "one variable", 1),
+        ("z1 + z", {}, "SD008", "z alone", 6),
+        ("z1 + z2", {"start": (1, 1)}, "SD015", "--start and a symbol", 1),
+        ("z4", {"arity": 64}, "SD010", "determinant", 1),
+        ("[" + ",".join(["[" + ",".join("0" * 150) + "]"] * 70) + "]", {}, "SD010", "more than 10000", 1),
+    ],
+)
+def test_bad_masks_in_several_variables(
+    text: str, options: dict[str, Any], code: str, message: str, column: int
+) -> None:
+    with pytest.raises(MaskFileError) as caught:
+        from_option(text, **options)
+    (problem, *_) = caught.value.problems
+    assert (problem.code, problem.file, problem.column) == (code, "--mask", column)
+    assert message in problem.message
 
 
 def test_overrides_from_the_command_line() -> None:

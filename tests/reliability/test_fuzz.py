@@ -1,6 +1,7 @@
 """Mutants of the shipped masks, half of them still masks: no crash, nothing proved that the checker does not verify.
 
-Ten thousand in four parts; `SUBDIV_FUZZ_SIZE` asks for another number.
+Ten thousand in four parts; `SUBDIV_FUZZ_SIZE` asks for another number. Those in several variables are read, and written
+again.
 """
 
 import json
@@ -16,13 +17,15 @@ import pytest
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.catalog.task import Settings, Task, perform
 from subdiv_cli.checker import check_text
-from subdiv_cli.maskfile import read_bytes
+from subdiv_cli.maskfile import MaskFileError, from_scheme, read_bytes
 from subdiv_cli.maskfile.canonical import canonical
+from subdiv_cli.maskfile.writer import write
 from subdiv_cli.model import Verdict
 
 COUNT = int(os.environ.get("SUBDIV_FUZZ_SIZE", "10000"))
 PARTS = 4
-TEXTS = [path.read_bytes() for path in sorted(masks_directory().rglob("*.toml"))]
+TEXTS = [path.read_bytes() for path in sorted((masks_directory() / "scalar").rglob("*.toml"))]
+SURFACES = {path: path.read_bytes() for path in sorted((masks_directory() / "multivariate").rglob("*.toml"))}
 NUMBER = re.compile(rb"(?<=[\[\s\"(])-?\d+(?:/\d+)?(?=[\"\],\s)])")
 JUNK = [
     b"\x00",
@@ -101,7 +104,7 @@ def cut(rng, data):
 
 def crossed(rng, data):
     """The beginning of one file and the end of another."""
-    other = rng.choice(TEXTS)
+    other = rng.choice(TEXTS + list(SURFACES.values()))
     return data[: rng.randrange(len(data))] + other[rng.randrange(len(other)) :]
 
 
@@ -114,8 +117,7 @@ KEEP = [shifted, another_number, two_numbers, a_parameter, without_expectations]
 BREAK = [noise, noise, lines, cut, crossed]
 
 
-def mutant(rng):
-    data = rng.choice(TEXTS)
+def mutant(rng, data):
     for _ in range(rng.choice([1, 1, 1, 2, 3])):
         data = rng.choice(KEEP)(rng, data)
     return rng.choice(BREAK)(rng, data) if rng.random() < 0.4 else data
@@ -153,7 +155,7 @@ def test_mutants(part, capsys):
     rng, mix, sizes = random.Random(part), Counter(), []
     settings = Settings(work=1000, certificates=True)
     for number in range(COUNT // PARTS):
-        data = mutant(rng)
+        data = mutant(rng, rng.choice(TEXTS))
         done = perform(Task("mutant.toml", data=data), settings)
         hold(data, done)
         mix[done.result.status] += 1
@@ -168,3 +170,22 @@ def test_mutants(part, capsys):
     assert mix["proved"] >= total * 0.1
     assert mix["refuted"] >= total * 0.1
     assert sizes[-1] < sizes[1] + 40, "memory stays where it is"
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_mutants_in_several_variables_are_read(part):
+    rng, mix = random.Random(part), Counter()
+    for _ in range(COUNT // PARTS):
+        file = rng.choice(list(SURFACES))
+        data = mutant(rng, SURFACES[file])
+        try:
+            mask = read_bytes(data, file=str(file))
+            scheme = mask.scheme()
+        except MaskFileError:
+            mix["refused"] += 1
+            continue
+        mix[mask.kind] += 1
+        again = read_bytes(write(from_scheme(scheme)).encode(), file="again")
+        assert canonical(again.scheme()) == canonical(scheme), data
+        assert read_bytes(write(mask).encode(), file=str(file)) == mask, data
+    assert COUNT // PARTS * 0.25 <= mix["refused"] <= COUNT // PARTS * 0.67, "a third of them are still masks"
