@@ -1,0 +1,76 @@
+"""The numbers of a scheme in several variables, each computed once."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cached_property
+
+from subdiv_cli.jsr.family import Family
+from subdiv_cli.jsr.products import Product
+from subdiv_cli.jsr.result import Radius
+from subdiv_cli.model import Effort
+from subdiv_cli.quantities.box_spline import BoxSpline, box_spline
+from subdiv_cli.quantities.coset_sums import coset_sums, sum_rule_order
+from subdiv_cli.quantities.difference_space import DifferenceSpace, difference_space
+from subdiv_cli.schemes.lattice import Lattice
+from subdiv_cli.schemes.multivariate import MultivariateScheme
+
+
+class MultivariateNumbers:
+    """Of one scheme, under one effort; what no theorem asks for is not computed."""
+
+    def __init__(self, scheme: MultivariateScheme, effort: Effort) -> None:
+        self.scheme, self.effort = scheme, effort
+        self.lattice = Lattice(scheme.dilation)
+
+    @property
+    def dimension(self) -> int:
+        """s."""
+        return self.lattice.dimension
+
+    @cached_property
+    def sums(self) -> tuple[Fraction, ...]:
+        """Σ_β a_(γ+Mβ) for the representatives γ."""
+        return coset_sums(self.scheme, self.lattice, (0,) * self.dimension)
+
+    @cached_property
+    def is_normalised(self) -> bool:
+        """a(1) = |det M|: there is a refinable function φ with integral 1."""
+        return sum(self.scheme.terms.values()) == self.lattice.index
+
+    @cached_property
+    def order(self) -> int:
+        """k: the order of the sum rules of total degree."""
+        return sum_rule_order(self.scheme, self.lattice)
+
+    @cached_property
+    def is_interpolatory(self) -> bool:
+        """a_0 = 1 and a_(Mα) = 0 for α ≠ 0."""
+        on_lattice = {alpha: x for alpha, x in self.scheme.terms.items() if self.lattice.preimage(alpha) is not None}
+        return on_lattice == {(0,) * self.dimension: 1}
+
+    @cached_property
+    def box(self) -> BoxSpline | None:
+        """The box spline that φ is, if it is one."""
+        return box_spline(self.scheme, self.lattice) if self.is_normalised else None
+
+    @cached_property
+    def space(self) -> DifferenceSpace | None:
+        """V_k for the order k >= 1 of the sum rules; None without any, or where it is too large."""
+        return difference_space(self.scheme, self.lattice, self.order) if self.order else None
+
+    @cached_property
+    def radius(self) -> Radius | None:
+        """ρ_k, the joint spectral radius of the transition operators on V_k."""
+        from subdiv_cli.jsr.radius import joint_spectral_radius  # numpy comes with it
+
+        if self.space is None:
+            return None
+        return joint_spectral_radius(Family(self.space.matrices), self.effort)
+
+    @cached_property
+    def product(self) -> Product | None:
+        """The product that bounds ρ_k from below."""
+        if self.space is None or self.radius is None or self.radius.word is None:
+            return None
+        return Product.of_word(self.space.matrices, self.radius.word)
