@@ -12,6 +12,7 @@ from subdiv_cli.model import Effort
 from subdiv_cli.quantities.box_spline import BoxSpline, box_spline
 from subdiv_cli.quantities.coset_sums import coset_sums, sum_rule_order
 from subdiv_cli.quantities.difference_space import DifferenceSpace, difference_space
+from subdiv_cli.quantities.directional import Contraction, contractions
 from subdiv_cli.schemes.lattice import Lattice
 from subdiv_cli.schemes.multivariate import MultivariateScheme
 
@@ -53,6 +54,13 @@ class MultivariateNumbers:
     def box(self) -> BoxSpline | None:
         """The box spline that φ is, if it is one."""
         return box_spline(self.scheme, self.lattice) if self.is_normalised else None
+
+    @cached_property
+    def contractions(self) -> tuple[Contraction, ...] | None:
+        """Directional difference schemes that contract and prove convergence; None without them."""
+        if set(self.sums) != {Fraction(1)}:
+            return None
+        return contractions(self.scheme, self.lattice, self.effort)
 
     @cached_property
     def space(self) -> DifferenceSpace | None:

@@ -1,0 +1,38 @@
+"""SD603: is φ a box spline?
+
+Theorem: see quantities/box_spline.py. The factorisation is of the mask of S itself, or of a power S^r whose dilation is
+a multiple of I; it is exact, and the directions are found without a search. Hypothesis, the coset sums add up
+to |det M|: checked. There is a finding only where φ is one.
+
+Witness: `directions` with `multiplicities`; `power`, r; `scale`, c with M^r = c I; `shift`; `depth`, the least number
+of directions whose removal leaves a set that does not span; `unimodular`, whether all determinants are -1, 0 or 1.
+"""
+
+from __future__ import annotations
+
+from subdiv_cli.model import Data, Finding
+from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.stages.multivariate.rule import Facts
+from subdiv_cli.stages.stage import Rule
+
+RULE = Rule("SD603", "box-spline", "de Boor, Höllig & Riemenschneider 1993, chapters I and II")
+
+
+def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    box = numbers.box
+    if box is None:
+        return ()
+    count = box.multiplicities
+    names = ", ".join(f"({', '.join(map(str, xi))})" + (f" {n} times" if n > 1 else "") for xi, n in count.items())
+    of = "" if box.power == 1 else f"; the mask is that of S^{box.power}, dilation {box.scale}I"
+    statement = f"φ is the box spline of {len(box.directions)} directions: {names}{of}"
+    witness: dict[str, Data] = {
+        "directions": tuple(count),
+        "multiplicities": tuple(count.values()),
+        "power": box.power,
+        "scale": box.scale,
+        "shift": box.shift,
+        "depth": box.depth,
+        "unimodular": box.is_unimodular,
+    }
+    return (RULE.proved(statement, witness),)

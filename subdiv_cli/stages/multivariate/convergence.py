@@ -1,0 +1,41 @@
+"""SD611: does S converge uniformly, to a limit that is not zero for some data?
+
+Theorem (Han & Jia 1998, Theorem 4.3, for any expanding M; quantities/difference_space.py for k > 1): S converges
+uniformly iff its coset sums are 1 and ρ_k < 1, k any order of its sum rules. No stability is needed. Also proved by
+directional difference schemes that contract (SD604). Hypotheses: the coset sums (SD601).
+
+Witness: `by`, the code of the finding that decides.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.stages.multivariate.rule import Facts, verdict_of
+from subdiv_cli.stages.stage import ContradictionError, Rule, product_name
+
+RULE = Rule("SD611", "surface-convergence", "Han & Jia 1998, Theorem 4.3; Dyn 1992, section 6")
+
+_QUESTION = "does S converge uniformly?"
+
+
+def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    sums, norms, found = (verdict_of(facts, code) for code in ("SD601", "SD604", "SD605"))
+    if sums is not None and sums.verdict is Verdict.REFUTED:
+        return (RULE.refuted(f"S does not converge uniformly to a non-zero limit: {sums.statement}", {"by": "SD601"}),)
+    radius, product = (numbers.radius, numbers.product) if found and found.verdict is Verdict.PROVED else (None, None)
+    diverges = product is not None and product.compare(Fraction(1)) >= 0
+    k = numbers.order
+    if norms is not None or (radius is not None and radius.is_below(Fraction(1))):
+        if diverges:
+            raise ContradictionError(f"S converges and ρ_{k} is at least 1")
+        if norms is not None:
+            return (RULE.proved("S converges uniformly: the directional differences contract", {"by": "SD604"}),)
+        return (RULE.proved(f"S converges uniformly: the coset sums are 1 and ρ_{k} < 1", {"by": "SD605"}),)
+    if diverges and product is not None:
+        statement = f"S does not converge uniformly: {product_name(product.word)} keeps ρ_{k} ≥ 1"
+        return (RULE.refuted(statement, {"by": "SD605", "word": product.word}),)
+    reason = "no bound of ρ_k below 1 is proved, and no product is known that keeps it above"
+    return (RULE.undecided(_QUESTION, (found.reason if found is not None else None) or reason),)

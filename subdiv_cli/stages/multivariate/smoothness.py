@@ -1,0 +1,92 @@
+"""SD612: the largest n for which φ, and with it every limit function, is proved C^n. SD613: is C^(n+1) refuted?
+
+Theorems. For isotropic M, λ = |det M|^(1/s) (Jia 1998; Han 2003): sum rules of order k > n and ρ_k < λ^-n give C^n;
+stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k > n of its sum rules. Box splines (SD603):
+C^n iff n <= d - 2, whatever their stability. Hypotheses: M isotropic, checked (others are skipped); stability (SD616), for
+refutations that are not of box splines.
+
+Witness: `order`; `by`, SD605 or SD603; SD613: `by`, SD603, SD602 (the sum rules are too few) or SD605 with `word`.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from subdiv_cli.jsr.products import Product
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, verdict_of
+from subdiv_cli.stages.stage import Rule, product_name
+
+RULE = Rule("SD612", "surface-smoothness", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
+NEXT = Rule("SD613", "surface-next-smoothness", "Jia 1998; de Boor, Höllig & Riemenschneider 1993, I.36")
+
+_QUESTION = "how smooth is φ?"
+
+
+def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    if not numbers.is_normalised:
+        return (RULE.skipped(_QUESTION, "the coefficients do not add up to |det M|, so there is no φ"),)
+    if numbers.box is not None:
+        return _of_box_spline(numbers.box.depth)
+    if not numbers.lattice.is_isotropic:
+        return (RULE.skipped(_QUESTION, ANISOTROPIC),)
+    k, radius = numbers.order, numbers.radius
+    if radius is None:
+        return (RULE.undecided(_QUESTION, "no bound of the decay of differences is known"),)
+    proved = [n for n in range(k) if _is_below(numbers, n)]
+    stable = verdict_of(facts, "SD616")
+    stably = stable is not None and stable.verdict is Verdict.PROVED
+    if not proved:
+        if stably and (obstacle := _obstacle(numbers, 0)) is not None:
+            return (RULE.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)
+        return (RULE.undecided(_QUESTION, "it is not proved that φ is continuous"),)
+    n = proved[-1]
+    first = RULE.proved(f"φ is C^{n}: ρ_{k} < λ^-{n}, λ^{numbers.dimension} = {numbers.lattice.index}", _by(n, "SD605"))
+    obstacle = _obstacle(numbers, n + 1)
+    if obstacle is None or not stably:
+        why = "it is not proved that φ is stable" if obstacle else "no product is known that excludes it"
+        return (first, NEXT.undecided(f"is φ C^{n + 1}?", why))
+    statement = f"φ is not C^{n + 1}: φ is stable, and {obstacle}"
+    return (first, NEXT.refuted(statement, _witness(numbers, n + 1)))
+
+
+def _of_box_spline(depth: int) -> tuple[Finding, ...]:
+    rule = f"{depth} directions must go until the others do not span"
+    if depth < 2:
+        return (RULE.refuted(f"φ is not continuous: {rule}", _by(0, "SD603")),)
+    return (
+        RULE.proved(f"φ is C^{depth - 2}: {rule}", _by(depth - 2, "SD603")),
+        NEXT.refuted(f"φ is not C^{depth - 1}: {rule}", _by(depth - 1, "SD603")),
+    )
+
+
+def _by(order: int, code: str) -> dict[str, int | str]:
+    return {"order": order, "by": code}
+
+
+def _is_below(numbers: MultivariateNumbers, n: int) -> bool:
+    """Whether ρ_k < λ^-n is proved: x^s m^(n length) < 1 for ρ_k^length <= x."""
+    assert numbers.radius is not None
+    length, bound = numbers.radius.upper
+    return bool(bound**numbers.dimension * numbers.lattice.index ** (n * length) < 1)
+
+
+def reaches(numbers: MultivariateNumbers, product: Product, n: int) -> bool:
+    """Whether the product proves ρ_k >= λ^-n: its s-th power has an eigenvalue of modulus at least m^(-n length)."""
+    assert numbers.space is not None
+    power = Product.of_word(numbers.space.matrices, product.word * numbers.dimension)
+    return power.eigenvalue.compare_modulus(Fraction(1, numbers.lattice.index ** (n * len(product.word)))) >= 0
+
+
+def _obstacle(numbers: MultivariateNumbers, n: int) -> str | None:
+    k, product = numbers.order, numbers.product
+    if n >= k:
+        return f"C^{n} needs sum rules of order {n + 1}, but the mask has order {k}"
+    if product is not None and reaches(numbers, product, n):
+        return f"{product_name(product.word)} keeps ρ_{k} ≥ λ^-{n}"
+    return None
+
+
+def _witness(numbers: MultivariateNumbers, n: int) -> dict[str, int | str]:
+    return _by(n, "SD602" if n >= numbers.order else "SD605")
