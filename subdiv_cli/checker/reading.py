@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache, lru_cache, partial
+from itertools import pairwise
 from math import gcd, lcm
 from typing import Any
 
@@ -25,8 +26,15 @@ MAX_INTEGER = 1_000_000
 """An index or an exponent."""
 MAX_NATURAL = 10_000
 """An order, a level, a letter, the number of a mask or of a claim."""
-MAX_ORDER = 64
-"""Of a matrix; as many letters has a family."""
+MAX_ORDER = 120
+"""Of a matrix."""
+MAX_LETTERS = 64
+"""Of a family."""
+MAX_FAMILY = 1 << 30
+"""Bits of all entries of a family over their common denominator, at least."""
+MAX_INDEX = 10_000
+"""A coordinate of an index in Z^s."""
+MAX_DIMENSION = 4
 MAX_VERTICES = 20_000
 """Of a polytope, without reflections."""
 MAX_ENTRY = 10**12
@@ -208,7 +216,7 @@ def _polynomial(value: object) -> Polynomial:
 
 def _family(value: object) -> Family:
     """Square matrices of one order, rows of rationals, over one common denominator."""
-    matrices = _members(_rows, MAX_ORDER, value, "a matrix of ")
+    matrices = _members(_rows, MAX_LETTERS, value, "a matrix of ")
     _demand(len(matrices) > 0, "is empty")
     order, common = len(matrices[0]), 1
     _demand(all(len(rows) == order for rows in matrices), "has matrices of two orders")
@@ -217,6 +225,7 @@ def _family(value: object) -> Family:
             for _, q in row:
                 common = lcm(common, q)
                 _demand(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
+    _demand(len(matrices) * order**2 * common.bit_length() <= MAX_FAMILY, "has a common denominator that is too large")
     return family([[[p * (common // q) for p, q in row] for row in rows] for rows in matrices], common)
 
 
@@ -243,6 +252,30 @@ def _element(value: object) -> tuple[Fraction, ...]:
 
 def _coordinates(value: object) -> tuple[int, ...]:
     return _members(partial(_digits, MAX_COORDINATE), MAX_ORDER, value)
+
+
+def _index(value: object) -> tuple[int, ...]:
+    """Of Z^s; which s, the rule knows."""
+    return _members(partial(_integer, -MAX_INDEX, MAX_INDEX), MAX_DIMENSION, value, "a coordinate of ")
+
+
+def _term(value: object) -> tuple[tuple[int, ...], Fraction]:
+    pair = _list(value, 2)
+    _demand(len(pair) == 2, "is not a pair of an index and a coefficient")
+    return _index(pair[0]), _fraction(pair[1])
+
+
+def _terms(value: object) -> tuple[tuple[tuple[int, ...], Fraction], ...]:
+    """Pairs of an index and its coefficient, not zero, in lexicographic order: in one way only."""
+    terms = _members(_term, MAX_LENGTH, value, "a term of ")
+    _demand(len(terms) > 0, "is empty")
+    _demand(all(coefficient for _, coefficient in terms), "has a coefficient that is zero")
+    _demand(all(x < y for (x, _), (y, _) in pairwise(terms)), "has indices that do not increase")
+    common = 1
+    for _, coefficient in terms:
+        common = lcm(common, coefficient.denominator)
+        _demand(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
+    return terms
 
 
 def _digits(most: int, value: object) -> int:
@@ -310,6 +343,8 @@ _READERS: Mapping[str, Callable[[Any], Any]] = {
     "root": _root,
     "vertices": _coordinates,
     "flat": _flat,
+    "index": _index,
+    "terms": _terms,
 }
 
 
