@@ -20,6 +20,8 @@ from subdiv_cli.checker.roots import fraction_bits
 
 Rows = Sequence[Sequence[int]]
 _PRIME = (1 << 61) - 1
+_MAX_PAIRS = 1_000_000
+"""Of a term of the mask and an index of the window."""
 
 
 def differences(c: Claim) -> None:
@@ -109,21 +111,47 @@ def _invariant(
     a: LatticeMask, cosets: Sequence[Index], basis: Rows, positions: dict[Index, int], family: Family
 ) -> None:
     """T_(ε_e) b_i = Σ_j M_e[j][i] b_j, at all indices."""
-    letters = _letters(a.dilation, cosets)
+    size = len(positions)
+    operators, slots = _operators(a, cosets, positions)
     columns = list(zip(*basis, strict=True))
     weights = [list(zip(*matrix, strict=True)) for matrix in family.matrices]
-    places: dict[Index, tuple[int, int]] = {}
     for i, row in enumerate(basis):
-        images = [[0] * len(columns) for _ in cosets]
-        for x, value in _convolved(a.terms, positions, row).items():
-            if x not in places:
-                places[x] = _place(a.dilation, letters, positions, x)
-            letter, at = places[x]
-            require(at >= 0, f"the image of row {i} of the basis leaves the window")
-            images[letter][at] = value * family.denominator
-        for letter, image in enumerate(images):
-            combined = [a.denominator * sum(map(mul, weights[letter][i], column)) for column in columns]
+        images = [0] * slots
+        for v, column in zip(row, operators, strict=True):
+            if v:
+                for slot, numerator in column:
+                    images[slot] += v * numerator
+        require(not any(images[len(cosets) * size :]), f"the image of row {i} of the basis leaves the window")
+        for letter, weight in enumerate(weights):
+            image = [family.denominator * x for x in images[letter * size : (letter + 1) * size]]
+            combined = [a.denominator * sum(map(mul, weight[i], column)) for column in columns]
             require(image == combined, f"matrix {letter} does not give the image of row {i} of the basis")
+
+
+def _operators(
+    a: LatticeMask, cosets: Sequence[Index], positions: dict[Index, int]
+) -> tuple[list[list[tuple[int, int]]], int]:
+    """For every β of the window the slots and numerators a(x-β), and how many slots there are.
+
+    x = ε_e + Mα has the slot of e and α: letter by letter the window, and then slots for the α outside of it.
+    """
+    dilation, size = a.dilation, len(positions)
+    letters = _letters(dilation, cosets)
+    slots: dict[Index, int] = {}
+    outside = len(cosets) * size
+    operators = []
+    for beta in positions:
+        column = []
+        for index, numerator in a.terms.items():
+            x = add(index, beta)
+            if x not in slots:
+                letter, epsilon = letters[dilation.residue(x)]
+                at = positions.get(dilation.divided([i - j for i, j in zip(x, epsilon, strict=True)]))
+                slots[x] = outside if at is None else letter * size + at
+                outside += at is None
+            column.append((slots[x], numerator))
+        operators.append(column)
+    return operators, outside
 
 
 def _letters(dilation: Dilation, cosets: Sequence[Index]) -> dict[Index, tuple[int, Index]]:
@@ -133,22 +161,3 @@ def _letters(dilation: Dilation, cosets: Sequence[Index]) -> dict[Index, tuple[i
     letters = {dilation.residue(index): (number, index) for number, index in enumerate(cosets)}
     require(len(letters) == len(cosets), "two representatives are congruent")
     return letters
-
-
-def _convolved(terms: Sparse, positions: dict[Index, int], row: Sequence[int]) -> Sparse:
-    """Σ_β a(x-β) v(β), without zeros."""
-    total: Sparse = {}
-    for beta, j in positions.items():
-        if v := row[j]:
-            for index, numerator in terms.items():
-                x = add(index, beta)
-                total[x] = total.get(x, 0) + numerator * v
-    return {x: value for x, value in total.items() if value}
-
-
-def _place(
-    dilation: Dilation, letters: dict[Index, tuple[int, Index]], positions: dict[Index, int], x: Index
-) -> tuple[int, int]:
-    """(e, the position of α) with x = ε_e + Mα; -1 where α is outside of the window."""
-    letter, epsilon = letters[dilation.residue(x)]
-    return letter, positions.get(dilation.divided([i - j for i, j in zip(x, epsilon, strict=True)]), -1)
