@@ -84,11 +84,13 @@ def root(s: Mapping[str, Any]) -> str:
 def exponent(s: Mapping[str, Any], p: int, factor: Fraction | int = 1) -> str:
     """-factor log_p(x)/L as a rational where x is a small power of p."""
     x, length = s.get("norm", s.get("radius", s.get("bound"))), s.get("level", s.get("length"))
-    before = "" if factor == 1 else f"{factor} "
+    times = Fraction(factor) / length if length else Fraction(0)
+    before = "" if times.numerator == 1 else f"{times.numerator} "
+    after = "" if times.denominator == 1 else f"/{times.denominator}"
     if s["property"] == "holder-root":
         m = s["polynomial"]
         if len(m) != 2 or not m[1]:
-            return f"-{before}log_{p}({root(s)})" + (f"/{length}" if length > 1 else "")
+            return f"-{before}log_{p}({root(s)}){after}"
         x = Fraction(-m[0], m[1])
     if not isinstance(x, Fraction) or x <= 0 or not length:
         return ""
@@ -97,8 +99,8 @@ def exponent(s: Mapping[str, Any], p: int, factor: Fraction | int = 1) -> str:
     while rest > 1 and power < 64:
         power, rest = power + 1, rest / p
     if rest == 1:
-        return str(factor * Fraction(-power if x > 1 else power, length))
-    return f"{before}log_{p}({shown(1 / x)})" + (f"/{length}" if length > 1 else "")
+        return str(times * (-power if x > 1 else power))
+    return f"{before}log_{p}({shown(1 / x)}){after}"
 
 
 def _sobolev(s: Mapping[str, Any], p: int) -> str:

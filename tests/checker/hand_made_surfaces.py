@@ -70,6 +70,14 @@ MASKS = {
         [[2, 0, 0], [0, 2, 0], [0, 0, 2]],
         box([(1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 1, 0), (0, 0, 1), (0, 0, 1)], "1/8", (-1, -1, -1)),
     ),
+    "moved": (TWO, box([(1, 0), (1, 0), (0, 1), (0, 1)], "1/4", (0, -1))),
+    "perturbed": (  # its values on 2Z^2 are not those of δ
+        TWO,
+        product(
+            {(i, 0): Fraction(x, 8) for i, x in zip(range(-2, 3), (-1, 4, 8, 4, 1), strict=True)},
+            {(0, j): Fraction(x, 2) for j, x in zip(range(-1, 2), (1, 2, 1), strict=True)},
+        ),
+    ),
     "parallel": (TWO, box([(-1, 0), (0, 1), (1, 0), (2, 0)], "1/4")),
     "line": (TWO, box([(1, 0), (1, 0)], 1)),
     "negative": (QUINCUNX, box([(1, 0), (1, 0), (0, 1), (0, 1)], "-1/8")),
