@@ -20,7 +20,7 @@ Sparse = dict[Index, int]
 
 MAX_POWER = 24
 """Of a dilation that is looked at."""
-MAX_COSETS = 64
+MAX_COSETS = 4096
 MAX_TERMS = 500_000
 """Of a product of sparse polynomials."""
 

@@ -18,7 +18,7 @@ INDEX_BITS = 15
 def coset_sums(c: Claim) -> None:
     """Whether Σ_β a_(γ+Mβ) = 1 for every γ."""
     a = c.lattice()
-    c.count(len(a.terms), a.bits)
+    c.count(len(a.terms) + a.dilation.cosets, a.bits)
     holds = all(sum(value for _, value in group) == a.denominator for group in a.by_coset())
     require(holds == c.statement["holds"], "the coset sums are " + ("all 1" if holds else "not all 1"))
 
@@ -27,7 +27,7 @@ def total_sum_rules(c: Claim) -> None:
     """Σ_β a_(γ+Mβ) (γ+Mβ)^μ is the same for all γ, |μ| < k, and 1 for μ = 0; that is not so for k + 1."""
     a, k = c.lattice(), c.statement["order"]
     s = a.dilation.dimension
-    c.count(len(a.terms) * comb(k + s, s), a.bits + INDEX_BITS * k)
+    c.count((len(a.terms) + a.dilation.cosets) * comb(k + s, s), a.bits + INDEX_BITS * k)
     groups = a.by_coset()
 
     def holds(mu: Index) -> bool:

@@ -43,7 +43,7 @@ def of_surfaces(statement: Mapping[str, Any], dilation: Dilation) -> str:
 def _base(dilation: Dilation) -> tuple[int, Fraction]:
     """b and f with log_λ = f log_b, λ = m^(1/s): b the least integer of which m is a power."""
     s, m = dilation.dimension, dilation.cosets
-    base, power = next((b, k) for b in range(2, m + 1) for k in range(1, 7) if b**k == m)
+    base, power = next((b, k) for b in range(2, m + 1) for k in range(1, 13) if b**k == m)
     return base, Fraction(s, power)
 
 
