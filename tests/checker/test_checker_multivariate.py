@@ -2,15 +2,18 @@
 
 import copy
 import json
+from pathlib import Path
 
+import jsonschema
 import pytest
 from hand_made import claim, q
 from hand_made_surfaces import ALL_SURFACES, MASKS, WORK, differences, document, norm, quotient
 
+import subdiv_cli
 from subdiv_cli.checker import check_document, check_text
 from subdiv_cli.checker.lattice import Dilation, lattice_mask
 from subdiv_cli.checker.matrices import inverse
-from subdiv_cli.checker.rules import RADIUS_RULES, SURFACE_RULES
+from subdiv_cli.checker.rules import PROPERTIES, RADIUS_RULES, RULES, SURFACE_PROPERTIES, SURFACE_RULES
 
 MADE = {name: make() for name, make in ALL_SURFACES.items()}
 """Made once and never changed."""
@@ -401,3 +404,39 @@ def test_a_certificate_of_another_mask_is_no_proof():
         made = copy.deepcopy(MADE[name])
         made["mask"]["dilation"][0][0] += 1
         assert not check_document(made).verified
+
+
+SCHEMA = json.loads((Path(subdiv_cli.__file__).parent / "certificate" / "schema.json").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name", ALL_SURFACES)
+def test_the_schema_describes_them(name):
+    jsonschema.validate(json.loads(json.dumps(MADE[name])), SCHEMA)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda made: made["mask"].update(dilation=2),
+        lambda made: made["mask"]["terms"][0].append("1"),
+        lambda made: made["mask"]["terms"].__setitem__(0, [[0], "1"]),
+        lambda made: made["claims"][0]["statement"].update(order=1),
+        lambda made: made["claims"][3]["witness"].pop("window"),
+        lambda made: made["claims"][3]["witness"]["cosets"].__setitem__(0, [0]),
+        lambda made: made["claims"][3]["witness"]["basis"][0].__setitem__(0, "1"),
+        lambda made: made["claims"][0].update(rule="coset-sum"),
+    ],
+)
+def test_the_schema_describes_nothing_else(change):
+    made = json.loads(json.dumps(MADE["bilinear"]))
+    change(made)
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(made, SCHEMA)
+    assert not check_document(made).verified
+
+
+def test_every_rule_is_in_the_schema():
+    rules = SCHEMA["properties"]["claims"]["items"]["properties"]["rule"]["enum"]
+    assert set(rules) == set(RULES) | set(SURFACE_RULES)
+    properties = {s["properties"]["property"]["const"] for s in SCHEMA["$defs"]["statement"]["oneOf"]}
+    assert properties == set(PROPERTIES) | set(SURFACE_PROPERTIES)
