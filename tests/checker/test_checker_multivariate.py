@@ -170,6 +170,37 @@ def structure(k):
     return [claim("coset-sums", holds=k > 0), claim("total-sum-rules", order=k)]
 
 
+def test_the_worked_example_of_differences():
+    """By hand, MULTIVARIATE.md: the mask 1, 1, 1, 1 of the square, b_0 = δ_(0,0) - δ_(1,0), b_1 = δ_(0,1) - δ_(1,0)."""
+    found = {
+        "cosets": [[0, 0], [0, 1], [1, 0], [1, 1]],
+        "window": [[0, 0], [0, 1], [1, 0]],
+        "basis": [[1, 0, -1], [0, 1, -1]],
+        "matrices": [
+            [["1", "0"], ["0", "1"]],
+            [["1", "1"], ["0", "0"]],
+            [["0", "-1"], ["0", "1"]],
+            [["0", "0"], ["0", "0"]],
+        ],
+        "generators": [["1", "-1"], ["1", "0"]],
+    }
+    claims = [
+        *structure(1),
+        claim("differences", [1], found, WORK, "family", family=0, order=1),
+        claim("word", witness={"word": [0]}, property="radius-lower", family=0, length=1, bound="1"),
+        claim("diverges", [3, 2], property="convergent", holds=False),
+    ]
+    assert check_document(of("haar", *claims)).verified
+
+
+def test_matrices_beyond_order_64_and_no_further():
+    """A basis of 120 rows is read, one of 121 is not."""
+    for order, words in ((120, "another order than the basis"), (121, "too long")):
+        made = of("haar", *structure(1), differences("haar", 1, 1))
+        made["claims"][2]["witness"]["matrices"] = [[["0"] * order] * order] * 4
+        rejected(made, 2, words)
+
+
 def test_dependent_rows_with_all_identities_true():
     """The first row of the basis a second time."""
     made = of("bilinear", *structure(2), differences("bilinear", 2, 1))
