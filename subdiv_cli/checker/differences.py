@@ -37,6 +37,7 @@ def differences(c: Claim) -> None:
     s, m, n = a.dilation.dimension, a.dilation.cosets, len(basis)
     require(1 <= n <= MAX_ORDER, "the basis is empty or has too many rows")
     require(all(len(row) == len(window) for row in basis), "a row of the basis is not as long as the window")
+    require(len(window) * len(a.terms) <= _MAX_PAIRS, "the window is too large for so many terms")
     require(
         len(family.matrices) == m and family.order == n, "the matrices are not m, or of another order than the basis"
     )

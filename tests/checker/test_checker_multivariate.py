@@ -201,6 +201,26 @@ def test_matrices_beyond_order_64_and_no_further():
         rejected(made, 2, words)
 
 
+def test_long_denominators_of_many_entries():
+    """Over a common denominator each of 25,600 entries would have 66,000 bits."""
+    made = of("haar", *structure(1), differences("haar", 1, 1))
+    matrices = [[["0"] * 20 for _ in range(20)] for _ in range(64)]
+    matrices[0][0][0] = "1/" + "9" * 19_999
+    made["claims"][2]["witness"]["matrices"] = matrices
+    rejected(made, 2, "common denominator that is too large")
+
+
+def test_large_windows_for_many_terms_are_not_looked_at():
+    made = of("haar", *structure(1), differences("haar", 1, 1))
+    made["mask"]["terms"] = [[[i, j], "1/100"] for i in range(20) for j in range(20)]
+    made["claims"][1]["statement"]["order"] = 1
+    found = made["claims"][2]["witness"]
+    found["window"] = [[i, j] for i in range(50) for j in range(60)]
+    found["basis"] = [[0] * 3000, [0] * 3000]
+    made["claims"][2]["work"] = 40_000_000
+    rejected(made, 2, "too large for so many terms")
+
+
 def test_dependent_rows_with_all_identities_true():
     """The first row of the basis a second time."""
     made = of("bilinear", *structure(2), differences("bilinear", 2, 1))
