@@ -157,3 +157,27 @@ def test_any_number_changed(data):
     change = data.draw(st.one_of(st.sampled_from(list(CHANGES.values())), st.fractions().map(lambda x: lambda _: x)))
     if true_or_rejected(name, path, change):
         assert FREE & set(path), path
+
+
+def places(value, path=()):
+    """The paths of everything in a document."""
+    yield path
+    members = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, member in members:
+        yield from places(member, (*path, key))
+
+
+PLACES = {name: [path for path in places(MADE[name]) if path] for name in ("bilinear", "zwart_powell", "haar")}
+JUNK = [None, [], {}, "", 0, -1, 1, 10**11, True, [[]], [[0, 0]], [0, 0], "x", "1/3", {"start": 0}, [[["1"]]], 0.5]
+
+
+@settings(max_examples=200)
+@given(st.sampled_from(sorted(PLACES)), st.data(), st.sampled_from(JUNK))
+def test_anything_anywhere_is_answered(name, data, junk):
+    path = data.draw(st.sampled_from(PLACES[name]))
+    made = copy.deepcopy(MADE[name])
+    place = made
+    for key in path[:-1]:
+        place = place[key]
+    place[path[-1]] = junk
+    assert "fails on it" not in check_document(made).line
