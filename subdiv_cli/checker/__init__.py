@@ -2,7 +2,8 @@
 
 `certificate/FORMAT.md` specifies what it reads. `reading` is strict input, `core` the order of goal and claims,
 `rules` the closed list of rules, which are one function each: in `scalar` those that compute with a mask, in
-`conclusions` those that compose claims. `polynomials` and `matrices` do the arithmetic, in integers; `words` is for the
+`conclusions` those that compose claims; of masks on Z^s in `multivariate`, `differences`, `box_splines`, `directional`
+and, composing, `surfaces`. `polynomials`, `matrices` and `lattice` do the arithmetic, in integers; `words` is for the
 printed line. `python -m subdiv_cli.checker CERT…` runs it.
 """
 
@@ -11,11 +12,11 @@ from __future__ import annotations
 from subdiv_cli.checker import core
 from subdiv_cli.checker.core import Outcome
 from subdiv_cli.checker.reading import MAX_BYTES
-from subdiv_cli.checker.rules import MATRICES, SCALAR
+from subdiv_cli.checker.rules import MATRICES, MULTIVARIATE, SCALAR
 
 __all__ = ["Outcome", "check_document", "check_file", "check_text"]
 
-_KINDS = {"scalar": SCALAR, "matrices": MATRICES}
+_KINDS = {"scalar": SCALAR, "matrices": MATRICES, "multivariate": MULTIVARIATE}
 
 
 def check_text(text: str) -> Outcome:

@@ -6,9 +6,11 @@ import marshal
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from subdiv_cli.checker.lattice import LatticeMask
 from subdiv_cli.checker.matrices import Family
+from subdiv_cli.checker.numerals import shown
 from subdiv_cli.checker.polynomials import Polynomial
-from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, parse, read_object, require, shown
+from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, parse, read_object, require
 
 FORMAT, VERSION = "subdiv-certificate", 1
 MAX_FAMILIES = 1000
@@ -68,9 +70,16 @@ class Rule(NamedTuple):
 class Subject:
     """What a document's claims are about, and what is left of the bound on the sizes of their numbers."""
 
-    def __init__(self, letters: int, mask: Polynomial | None = None, family: Family | None = None) -> None:
+    def __init__(
+        self,
+        letters: int,
+        mask: Polynomial | None = None,
+        family: Family | None = None,
+        lattice: LatticeMask | None = None,
+    ) -> None:
         self.letters = letters
-        """The arity of the mask, or how many matrices the family has."""
+        """The arity of the mask, m = |det M| of its dilation, or how many matrices the family has."""
+        self.lattice = lattice
         self.masks = [] if mask is None else [mask]
         self.families = [] if family is None else [family]
         self.size_left = MAX_SIZE
@@ -84,8 +93,8 @@ class Kind(NamedTuple):
     subject: Callable[[dict[str, Any]], Subject]
     properties: Mapping[str, Fields]
     rules: Mapping[str, Rule]
-    words: Callable[[Statement, int], str]
-    """A statement, its property under the key `property`, and the arity, as a phrase."""
+    words: Callable[[Statement, Subject], str]
+    """A statement, its property under the key `property`, as a phrase."""
 
 
 class Claim:
@@ -105,6 +114,12 @@ class Claim:
         number: int = next((self.statement[key] for key in ("mask", "from") if key in self.statement), 0)
         require(number < len(self.masks), f"there is no mask {number}")
         return self.masks[number]
+
+    def lattice(self) -> LatticeMask:
+        """The mask on Z^s that the document is about."""
+        if self._subject.lattice is None:
+            raise Rejected("the document is about no mask on Z^s")
+        return self._subject.lattice
 
     def family(self) -> Family:
         """The matrices of the family that the statement names."""
@@ -199,10 +214,10 @@ class _Checker:
         same = {id(proved.statement) for proved in self.proved}  # of one spelling, most often
         for statement in goal:
             if id(statement) not in same and all(statement != proved.statement for proved in self.proved):
-                raise Rejected(f"no claim proves: {kind.words(statement, subject.letters)}")
+                raise Rejected(f"no claim proves: {kind.words(statement, subject)}")
 
         def spell() -> str:
-            return "VERIFIED " + "; ".join(kind.words(statement, subject.letters) for statement in goal)
+            return "VERIFIED " + "; ".join(kind.words(statement, subject) for statement in goal)
 
         return Outcome(True, spell, tuple(map(dict, parts["goal"])))
 

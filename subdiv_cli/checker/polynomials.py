@@ -118,7 +118,14 @@ def slot_bits(f: Polynomial, level: int) -> int:
 
 
 def iterated_norm(f: Polynomial, p: int, level: int) -> int:
-    """max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(j<L) f(z^(p^j)), f by its numerators only.
+    """max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(j<L) f(z^(p^j)), f by its numerators only."""
+    magnitudes = iterated_magnitudes(f, p, level)
+    rows = [magnitudes[i : i + p**level] for i in range(0, len(magnitudes), p**level)]
+    return max(map(sum, zip_longest(*rows, fillvalue=0)))
+
+
+def iterated_magnitudes(f: Polynomial, p: int, level: int) -> list[int]:
+    """The absolute values of the coefficients of F, the lowest first.
 
     F is kept as the one integer F(2^w), w so large that its coefficients can be read off in the end.
     """
@@ -135,9 +142,7 @@ def iterated_norm(f: Polynomial, p: int, level: int) -> int:
         slots: Sequence[int] = unpack(f"<{length}Q", data)
     else:
         slots = [int.from_bytes(data[i : i + size], "little") for i in range(0, len(data), size)]
-    magnitudes = [abs(slot - half) for slot in slots]
-    rows = [magnitudes[i : i + p**level] for i in range(0, length, p**level)]
-    return max(map(sum, zip_longest(*rows, fillvalue=0)))
+    return [abs(slot - half) for slot in slots]
 
 
 def remainder(f: Sequence[int], g: Sequence[int]) -> list[int]:

@@ -6,18 +6,25 @@ from typing import Any
 
 from subdiv_cli.checker import (
     bounds,
+    box_splines,
     closing,
     complex_closing,
     conclusions,
+    differences,
+    directional,
     exponents,
+    multivariate,
     polytopes,
     radius,
     scalar,
     sobolev,
+    surfaces,
     values,
 )
 from subdiv_cli.checker.core import Kind, Rule, Subject
+from subdiv_cli.checker.lattice import lattice_mask
 from subdiv_cli.checker.reading import read, require
+from subdiv_cli.checker.surface_words import of_surfaces
 from subdiv_cli.checker.words import in_words, of_matrices
 
 MAX_ARITY = 64
@@ -132,11 +139,72 @@ def scalar_mask(parts: dict[str, Any]) -> Subject:
 
 
 _SCALAR_MASK = {"arity": "natural", "start": "any", "coefficients": "any"}
-SCALAR = Kind(_SCALAR_MASK, scalar_mask, PROPERTIES, RULES, in_words)
+SCALAR = Kind(
+    _SCALAR_MASK, scalar_mask, PROPERTIES, RULES, lambda statement, subject: in_words(statement, subject.letters)
+)
 MATRICES = Kind(
     {"matrices": "family"},
     lambda parts: Subject(len(parts["matrices"].matrices), family=parts["matrices"]),
     RADIUS_PROPERTIES,
     RADIUS_RULES,
-    of_matrices,
+    lambda statement, _: of_matrices(statement),
 )
+
+SURFACE_PROPERTIES = {
+    "coset-sums": {"holds": "boolean"},
+    "total-sum-rules": {"order": "natural"},
+    "family": {**_FAMILY, "order": "natural"},
+    "convergent": {"holds": "boolean"},
+    "smooth": {"order": "natural"},
+    "not-smooth": {"order": "natural"},
+    "holder-lower": {"length": "length", "bound": "rational"},
+    "holder-upper": {"length": "length", "bound": "rational"},
+    "holder-root": _ROOT,
+    "holder-value": {"value": "natural"},
+    "stable": {"holds": "boolean"},
+    "box-spline": {"directions": "index[]", "scale": "natural"},
+    "directional-norm": {"direction": "index", "level": "natural", "norm": "rational"},
+    "generation": {"degree": "integer"},
+    **RADIUS_PROPERTIES,
+}
+_SPACE = {
+    "cosets": "index[]",
+    "window": "index[]",
+    "basis": "flat[]",
+    "matrices": "family",
+    "generators": "rational[][]",
+}
+SURFACE_RULES = {
+    "coset-sums": Rule(("coset-sums",), {}, _NONE, multivariate.coset_sums),
+    "total-sum-rules": Rule(("total-sum-rules",), {}, _NONE, multivariate.total_sum_rules),
+    "differences": Rule(("family",), {}, (_SPACE,), differences.differences),
+    "converges": Rule(("convergent",), {"holds": True}, _NONE, surfaces.converges),
+    "diverges": Rule(("convergent",), {"holds": False}, _NONE, surfaces.diverges),
+    "smooth": Rule(("smooth",), {}, _NONE, surfaces.smooth),
+    "not-smooth": Rule(("not-smooth",), {}, _NONE, surfaces.not_smooth),
+    "holder-lower": Rule(("holder-lower",), {}, _NONE, surfaces.holder_lower),
+    "holder-upper": Rule(("holder-upper",), {}, _NONE, surfaces.holder_upper),
+    "holder-root": Rule(("holder-root",), {}, _NONE, surfaces.holder_root),
+    "interpolatory-stable": Rule(("stable",), {"holds": True}, _NONE, multivariate.interpolatory_stable),
+    "box-spline": Rule(("box-spline",), {}, ({"power": "natural", "shift": "index"},), box_splines.box_spline),
+    "box-smooth": Rule(("smooth",), {}, _NONE, box_splines.smooth),
+    "box-not-smooth": Rule(("not-smooth",), {}, _NONE, box_splines.not_smooth),
+    "box-holder": Rule(("holder-value",), {}, _NONE, box_splines.holder),
+    "box-stable": Rule(("stable",), {}, _NONE, box_splines.stable),
+    "directional-norm": Rule(("directional-norm",), {}, ({"quotient": "terms"},), directional.directional_norm),
+    "directional-converges": Rule(("convergent",), {"holds": True}, _NONE, directional.directional_converges),
+    "generation": Rule(("generation",), {}, _NONE, multivariate.generation),
+    **RADIUS_RULES,
+}
+
+
+def surface(parts: dict[str, Any]) -> Subject:
+    mask = lattice_mask(parts["dilation"], parts["terms"])
+    return Subject(mask.dilation.cosets, lattice=mask)
+
+
+def _of_surface(statement: dict[str, Any], subject: Subject) -> str:
+    return of_surfaces(statement, subject.lattice.dilation) if subject.lattice else ""
+
+
+MULTIVARIATE = Kind({"dilation": "index[]", "terms": "terms"}, surface, SURFACE_PROPERTIES, SURFACE_RULES, _of_surface)

@@ -8,7 +8,7 @@ from typing import Any
 
 
 def in_words(statement: Mapping[str, Any], p: int) -> str:
-    s = {key: _shown(value) for key, value in statement.items()}
+    s = {key: shown(value) for key, value in statement.items()}
     holds = "" if statement.get("holds", True) else "not "
     phrases = {
         "residue-sums": "residue sums {sums}",
@@ -39,25 +39,25 @@ def in_words(statement: Mapping[str, Any], p: int) -> str:
         "family": "family {family} belongs to S_(Δ^{nu})",
     }
     if statement["property"] not in phrases:
-        return _on_radii(statement, f"family {statement['family']}")
+        return on_radii(statement, f"family {statement['family']}")
     phrase = phrases[statement["property"]]
     phrase += " (mask {mask})" if statement.get("mask") else ""
     converges = "diverges" if holds else "converges"
-    s |= {"p": str(p), "holds": holds, "converges": converges, "exponent": _exponent(statement, p)}
+    s |= {"p": str(p), "holds": holds, "converges": converges, "exponent": exponent(statement, p)}
     s["sobolev"] = _sobolev(statement, p)
     return phrase.format(**s)
 
 
-def of_matrices(statement: Mapping[str, Any], p: int) -> str:
+def of_matrices(statement: Mapping[str, Any]) -> str:
     """The family of the document needs no name."""
-    return _on_radii(statement, f"family {statement['family']}" if statement["family"] else "")
+    return on_radii(statement, f"family {statement['family']}" if statement["family"] else "")
 
 
-def _on_radii(statement: Mapping[str, Any], name: str) -> str:
-    s = {key: _shown(value) for key, value in statement.items()}
+def on_radii(statement: Mapping[str, Any], name: str) -> str:
+    s = {key: shown(value) for key, value in statement.items()}
     power = f"^{s['length']}" if statement.get("length", 1) > 1 else ""
     s["jsr"] = f"JSR{'(' if name else ''}{name}{')' if name else ''}{power}"
-    s["root"] = _root(statement) if "polynomial" in statement else ""
+    s["root"] = root(statement) if "polynomial" in statement else ""
     return {
         "blocks": "{of}block triangular: families {parts}",
         "radius-lower": "{jsr} >= {bound}",
@@ -68,26 +68,29 @@ def _on_radii(statement: Mapping[str, Any], name: str) -> str:
     }[statement["property"]].format(**s, of=f"{name}: " if name else "")
 
 
-def _root(s: Mapping[str, Any]) -> str:
+def root(s: Mapping[str, Any]) -> str:
     """The root of a polynomial, or the number where the polynomial is of degree 1."""
     m = s["polynomial"]
     if len(m) == 2 and m[1]:
-        return _shown(Fraction(-m[0], m[1]))
+        return shown(Fraction(-m[0], m[1]))
     if max(map(abs, m), default=0) >= 10**12 or len(m) > 8:
-        return f"a root of degree {len(m) - 1} in [{_shown(s['low'])}, {_shown(s['high'])}]"
+        return f"a root of degree {len(m) - 1} in [{shown(s['low'])}, {shown(s['high'])}]"
     terms = [(c, f"x^{k}" if k > 1 else "x" * k) for k, c in enumerate(m) if c][::-1]
     text = " ".join(f"{'-' if c < 0 else '+'} {'' if abs(c) == 1 and x else abs(c)}{x}" for c, x in terms)
     text = text.removeprefix("+ ").replace("- ", "-", 1) if text.startswith("-") else text.removeprefix("+ ")
-    return f"the root of {text} in [{_shown(s['low'])}, {_shown(s['high'])}]"
+    return f"the root of {text} in [{shown(s['low'])}, {shown(s['high'])}]"
 
 
-def _exponent(s: Mapping[str, Any], p: int) -> str:
-    """-log_p(x)/L as a rational where x is a small power of p."""
-    x, length = s.get("norm", s.get("radius")), s.get("level", s.get("length"))
+def exponent(s: Mapping[str, Any], p: int, factor: Fraction | int = 1) -> str:
+    """-factor log_p(x)/L as a rational where x is a small power of p."""
+    x, length = s.get("norm", s.get("radius", s.get("bound"))), s.get("level", s.get("length"))
+    times = Fraction(factor) / length if length else Fraction(0)
+    before = "" if times.numerator == 1 else f"{times.numerator} "
+    after = "" if times.denominator == 1 else f"/{times.denominator}"
     if s["property"] == "holder-root":
         m = s["polynomial"]
         if len(m) != 2 or not m[1]:
-            return f"-log_{p}({_root(s)})" + (f"/{length}" if length > 1 else "")
+            return f"-{before}log_{p}({root(s)}){after}"
         x = Fraction(-m[0], m[1])
     if not isinstance(x, Fraction) or x <= 0 or not length:
         return ""
@@ -96,8 +99,8 @@ def _exponent(s: Mapping[str, Any], p: int) -> str:
     while rest > 1 and power < 64:
         power, rest = power + 1, rest / p
     if rest == 1:
-        return str(Fraction(-power if x > 1 else power, length))
-    return f"log_{p}({_shown(1 / x)})" + (f"/{length}" if length > 1 else "")
+        return str(times * (-power if x > 1 else power))
+    return f"{before}log_{p}({shown(1 / x)}){after}"
 
 
 def _sobolev(s: Mapping[str, Any], p: int) -> str:
@@ -105,7 +108,7 @@ def _sobolev(s: Mapping[str, Any], p: int) -> str:
     if s["property"] != "sobolev":
         return ""
     if s["low"] == s["high"]:
-        return _exponent({"property": "holder-upper", "radius": s["low"], "length": 2}, p)
+        return exponent({"property": "holder-upper", "radius": s["low"], "length": 2}, p)
     zero = "the zero of a polynomial"
     if max(s["low"].denominator, s["high"].numerator).bit_length() > 1000:
         return f"-log_{p}(λ)/2, λ {zero}"
@@ -114,10 +117,10 @@ def _sobolev(s: Mapping[str, Any], p: int) -> str:
     return f"-log_{p}(λ)/2, λ {zero}{about}"
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
     """Short, whatever the size: Python refuses to write long integers."""
     if isinstance(value, tuple):
-        return ", ".join(map(_shown, value[:8])) + (", …" if len(value) > 8 else "")
+        return ", ".join(map(shown, value[:8])) + (", …" if len(value) > 8 else "")
     if isinstance(value, Fraction) and max(abs(value.numerator), value.denominator) >= 10**40:
         return "a long fraction"
     return str(value) if isinstance(value, (int, str, Fraction)) else ""

@@ -13,7 +13,7 @@ from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.streams import emit
 
 if TYPE_CHECKING:
-    from subdiv_cli.checker.plain import Mask
+    from subdiv_cli.checker.plain import LatticeMask, Mask
 
 _EPILOG = """\b
 Examples:
@@ -78,14 +78,15 @@ def _verify(name: str, mask: str | None, asked: _Asked | None, several: bool) ->
 class _Asked(NamedTuple):
     """The mask that certificates are to be about, and how it was read."""
 
-    mask: Mask
+    mask: Mask | LatticeMask | None
     how: str
 
 
 def _asked(file: str, parameters: Sequence[str]) -> _Asked:
     """A plain file is read by the checker's own reader; parameters and symbols are expanded by subdiv's first."""
-    from subdiv_cli.checker.plain import mask, plain_mask
+    from subdiv_cli.checker.plain import mask_of, plain_mask
     from subdiv_cli.maskfile import MaskFileError, read_path
+    from subdiv_cli.maskfile.canonical import canonical
     from subdiv_cli.maskfile.option import parse_override
     from subdiv_cli.report.problems import render
 
@@ -100,5 +101,4 @@ def _asked(file: str, parameters: Sequence[str]) -> _Asked:
         raise click.exceptions.Exit(ExitCode.ERROR) from None
     if (plain := plain_mask(read.source.text)) is not None:
         return _Asked(plain, f"the mask of {file}")
-    expanded = mask(scheme.arity, scheme.start, list(scheme.coefficients))
-    return _Asked(expanded, f"the mask of {file}, its parameters and symbol expanded by subdiv")
+    return _Asked(mask_of(canonical(scheme)), f"the mask of {file}, its parameters and symbol expanded by subdiv")

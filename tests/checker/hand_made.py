@@ -42,6 +42,18 @@ def text(certificate):
     return json.dumps(certificate)
 
 
+def numbers(value, path=()):
+    """The paths of all numbers in a document."""
+    if isinstance(value, dict):
+        for key, member in value.items():
+            yield from numbers(member, (*path, key))
+    elif isinstance(value, list):
+        for i, member in enumerate(value):
+            yield from numbers(member, (*path, i))
+    elif not isinstance(value, bool) and (isinstance(value, int) or value.lstrip("-")[:1].isdigit()):
+        yield path
+
+
 def naive_product(f, g):
     result = [Fraction(0)] * (len(f) + len(g) - 1)
     for (i, x), (j, y) in itertools.product(enumerate(f), enumerate(g)):

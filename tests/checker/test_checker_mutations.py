@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from hand_made import ALL, naive_norm, naive_product, q, text
+from hand_made import ALL, naive_norm, naive_product, numbers, q, text
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -168,18 +168,6 @@ def is_true(s, name):
         "holder-upper": lambda: log["radius"] / s["length"] >= facts.alpha - 1e-9,
         "holder": lambda: abs(log["norm"] / s["level"] - facts.alpha) < 1e-9,
     }[s["property"]]()
-
-
-def numbers(value, path=()):
-    """The paths of all numbers in a document."""
-    if isinstance(value, dict):
-        for key, member in value.items():
-            yield from numbers(member, (*path, key))
-    elif isinstance(value, list):
-        for i, member in enumerate(value):
-            yield from numbers(member, (*path, i))
-    elif not isinstance(value, bool) and (isinstance(value, int) or value.lstrip("-")[:1].isdigit()):
-        yield path
 
 
 def with_small_goal(name):

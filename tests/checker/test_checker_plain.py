@@ -5,11 +5,13 @@ from pathlib import Path
 
 import pytest
 from hand_made import ALL, text
+from hand_made_surfaces import ALL_SURFACES
 from hypothesis import given
 from hypothesis import strategies as st
 
 from subdiv_cli.checker.__main__ import main
-from subdiv_cli.checker.plain import mask, plain_mask
+from subdiv_cli.checker.plain import LatticeMask, certified_mask, mask, mask_of, plain_mask
+from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.maskfile.reader import read_text
 
 MASKS = sorted((Path(__file__).parents[2] / "masks").rglob("*.toml"))
@@ -21,8 +23,7 @@ def test_of_every_shipped_plain_file_it_reads_the_same():
         content = file.read_text(encoding="utf-8")
         if (found := plain_mask(content)) is not None:
             plain += 1
-            scheme = read_text(content, file=str(file)).scheme()
-            assert found == (scheme.arity, scheme.start, scheme.coefficients)
+            assert found == mask_of(canonical(read_text(content, file=str(file)).scheme()))
     assert plain > 20
 
 
@@ -56,6 +57,25 @@ def test_literal_numbers(entries, start, arity):
         "[mask]\nstart = 0\ncoefficients = []\n",
         "[mask]\nstart = 0.5\ncoefficients = [1, 1]\n",
         '[mask]\nstart = 0\ncoefficients = [1, "1 + 1"]\n',
+        'kind = "multivariate"\n[mask]\nsymbol = "1 + z1 z2"\n',
+        'kind = "multivariate"\n[mask]\nbox_spline = {directions = [[1, 0], [0, 1]]}\n',
+        'kind = "multivariate"\n[mask]\nterms = {}\n',
+        'kind = "multivariate"\n[mask]\nterms = 1\n',
+        'kind = "multivariate"\n[mask]\nterms = {"0, 0" = 1}\n',
+        'kind = "multivariate"\n[mask]\nterms = {"0" = 1}\n',
+        'kind = "multivariate"\n[mask]\nterms = {"0,00" = 1}\n',
+        'kind = "multivariate"\n[mask]\nterms = {"0,0" = "w"}\n',
+        'kind = "multivariate"\n[mask]\nterms = {"0,0" = "1/0"}\n',
+        'kind = "multivariate"\n[mask]\nterms = {"0,0" = 1, "0,0,0" = 1}\n',
+        'kind = "multivariate"\n[mask]\nterms = {"0,0" = 1}\nstart = [0, 0]\n',
+        'kind = "multivariate"\n[mask]\ndilation = [[2]]\nterms = {"0,0" = 1}\n',
+        'kind = "multivariate"\n[mask]\ndilation = "2"\nterms = {"0,0" = 1}\n',
+        'kind = "multivariate"\n[mask]\ndilation = true\nterms = {"0,0" = 1}\n',
+        'kind = "multivariate"\n[mask]\nstart = [0, 0]\ncoefficients = [1, 1]\n',
+        'kind = "multivariate"\n[mask]\nstart = [0, 0]\ncoefficients = [[1], [1, 1]]\n',
+        'kind = "multivariate"\n[mask]\nstart = [0, 0]\ncoefficients = [[[1]]]\n',
+        'kind = "multivariate"\n[mask]\nstart = [0, 0]\ncoefficients = []\n',
+        'kind = "multivariate"\n[mask]\nstart = 0\ncoefficients = [1, 1]\n',
     ],
 )
 def test_other_files_are_left_alone(content):
@@ -76,3 +96,45 @@ def test_the_module_compares_masks(tmp_path, capsys):
     assert "no plain mask file" in capsys.readouterr().err
     assert main([str(proof), "--mask", str(tmp_path / "none.toml")]) == 2
     assert main([str(proof), "--mask"]) == 2
+
+
+HAT = LatticeMask(((2, 0), (0, 2)), (((-1, 0), Fraction(1, 2)), ((0, 0), Fraction(1)), ((1, -1), Fraction(-3, 4))))
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'terms = {"1,-1" = -0.75, "0,0" = 1, "-1,0" = "1/2", "3,3" = 0}',
+        'dilation = 2\nterms = {"1,-1" = "-3/4", "0,0" = 1, "-1,0" = "1/2"}',
+        'dilation = [[2, 0], [0, 2]]\nstart = [-1, -1]\ncoefficients = [[0, "1/2"], [0, 1], ["-3/4", 0]]',
+    ],
+)
+def test_masks_in_several_variables(body):
+    assert plain_mask(f'kind = "multivariate"\n[mask]\n{body}\n') == HAT
+
+
+def test_masks_in_three_variables_and_other_dilations():
+    content = 'kind = "multivariate"\n[mask]\ndilation = 3\nstart = [0, 1, 2]\ncoefficients = [[[0, 1]], [[2, 3]]]\n'
+    terms = (((0, 1, 3), Fraction(1)), ((1, 1, 2), Fraction(2)), ((1, 1, 3), Fraction(3)))
+    assert plain_mask(content) == LatticeMask(((3, 0, 0), (0, 3, 0), (0, 0, 3)), terms)
+    content = 'kind = "multivariate"\n[mask]\ndilation = [[1, 1], [1, -1]]\nterms = {"0,0" = 1}\n'
+    assert plain_mask(content) == LatticeMask(((1, 1), (1, -1)), (((0, 0), Fraction(1)),))
+
+
+def test_the_mask_of_a_certificate_in_several_variables(tmp_path, capsys):
+    made = ALL_SURFACES["quincunx"]()
+    assert certified_mask(text(made)) == mask_of(made["mask"])
+    proof, plain, other = (tmp_path / name for name in ("c.json", "plain.toml", "other.toml"))
+    proof.write_text(text(made), encoding="utf-8")
+    body = 'kind = "multivariate"\n[mask]\ndilation = [[1, 1], [1, %d]]\n'
+    body += "start = [-1, -1]\ncoefficients = [[0, 0.25, 0], [0.25, 1, 0.25], [0, 0.25, 0]]\n"
+    plain.write_text(body % -1, encoding="utf-8")
+    other.write_text(body % 1, encoding="utf-8")
+    assert main([str(proof), "--mask", str(plain)]) == 0
+    assert capsys.readouterr().out.rstrip().endswith(f"(the mask of {plain})")
+    assert main([str(proof), "--mask", str(other)]) == 1
+    assert capsys.readouterr().out.startswith("NOT VERIFIED mask: ")
+
+
+def test_a_certificate_of_matrices_is_about_no_mask():
+    assert mask_of({"kind": "matrices", "matrices": [[["1"]]]}) is None

@@ -1,0 +1,93 @@
+"""Convergence from directional factors of a mask on Z^s, dilation cI (Dyn 1992, 6.50 to 6.53). See MULTIVARIATE.md."""
+
+from __future__ import annotations
+
+from itertools import zip_longest
+from math import prod
+
+from subdiv_cli.checker.core import Claim
+from subdiv_cli.checker.directions import determinant
+from subdiv_cli.checker.lattice import Sparse, geometric, multiply, over_one
+from subdiv_cli.checker.polynomials import iterated_magnitudes, polynomial, slot_bits
+from subdiv_cli.checker.reading import require
+from subdiv_cli.checker.scalar import MAX_LEVEL, MAX_PACKED, MAX_PRODUCT
+
+
+def directional_norm(c: Claim) -> None:
+    """‖S_d^L‖∞ = x with a(z) = d(z) (1 + z^θ + … + z^((c-1)θ)), the largest absolute coset sum mod c^L of
+    Π_(i<L) d(z^(c^i)). ∇_θ S f = S_d ∇_θ f, because (1 - z^θ) a(z) = d(z) (1 - z^(cθ)).
+    """
+    a, theta, level = c.lattice(), c.statement["direction"], c.statement["level"]
+    s, factor = a.dilation.dimension, a.dilation.factor
+    d, denominator = over_one(c.witness["quotient"])
+    require(factor > 1, "the dilation is not a multiple of the identity")
+    require(len(theta) == s and any(theta), f"the direction is zero or not one of Z^{s}")
+    require(all(len(x) == s for x in d), f"an index of the quotient is not one of Z^{s}")
+    require(1 <= level <= MAX_LEVEL, f"the level is not one of 1, …, {MAX_LEVEL}")
+    bits = max(map(abs, d.values())).bit_length() + denominator.bit_length()
+    c.count(len(d) * factor, a.bits + bits)
+    product = multiply(d, geometric(theta, factor))
+    same = product.keys() == a.terms.keys()
+    same = same and all(a.denominator * value == denominator * a.terms[x] for x, value in product.items())
+    require(same, "the quotient times the directional factor is not the mask")
+    largest = _largest_class_sum(c, d, factor, level)
+    x = c.statement["norm"]
+    require(x.numerator * denominator**level == largest * x.denominator, "the norm is another")
+
+
+def _largest_class_sum(c: Claim, d: Sparse, p: int, level: int) -> int:
+    """max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(i<L) d(z^(p^i)), numerators only.
+
+    An index becomes one integer, its coordinates the digits: the last one counts for 1, those before for the products
+    of the widths of the ones after, which the whole F needs. So F becomes a polynomial in one variable.
+    """
+    low = [min(column) for column in zip(*d, strict=True)]
+    spans = [max(column) - least for column, least in zip(zip(*d, strict=True), low, strict=True)]
+    widths = [span * (p**level - 1) // (p - 1) + 1 for span in spans]
+    length = prod(widths)
+    c.count(len(d) * (p + length), 0)
+    require(length <= MAX_PRODUCT, "the iterated symbol is too long")
+    flat: dict[int, int] = {}
+    for x, value in d.items():
+        position = 0
+        for i, least, width in zip(x, low, widths, strict=True):
+            position = position * width + i - least
+        flat[position] = value
+    symbol = polynomial(0, [flat.get(i, 0) for i in range(max(flat) + 1)], 1)
+    width = slot_bits(symbol, level)
+    c.spend(len(d) * length // 64, width)
+    require(length * width <= MAX_PACKED, "the numbers are too long")
+    before = [0] * (symbol.start * (p**level - 1) // (p - 1))
+    return _largest_sum(before + iterated_magnitudes(symbol, p, level), widths, p**level)
+
+
+def _largest_sum(magnitudes: list[int], widths: list[int], modulus: int) -> int:
+    """Over the indices of a class; the magnitudes are in lexicographic order, but for zeros at the end."""
+    width = widths[-1]
+    rows: dict[tuple[int, ...], list[list[int]]] = {}
+    for number, first in enumerate(range(0, len(magnitudes), width)):
+        key = _residues(number, widths[:-1], modulus)
+        rows.setdefault(key, []).append(magnitudes[first : first + width])
+    totals = [list(map(sum, zip_longest(*same, fillvalue=0))) for same in rows.values()]
+    return max(sum(total[i::modulus]) for total in totals for i in range(min(modulus, len(total))))
+
+
+def _residues(number: int, widths: list[int], modulus: int) -> tuple[int, ...]:
+    digits = []
+    for width in reversed(widths):
+        number, digit = divmod(number, width)
+        digits.append(digit % modulus)
+    return tuple(digits)
+
+
+def directional_converges(c: Claim) -> None:
+    """S converges: all ∇_θ S^k f decay for s directions that are a basis of Z^s, and the coset sums are 1."""
+    s = c.lattice().dilation.dimension
+    c.count(1)
+    c.use("coset-sums", holds=True)
+    directions = []
+    for _ in range(s):
+        used = c.use("directional-norm").statement
+        require(used["norm"] < 1, "a norm is not below 1")
+        directions.append(used["direction"])
+    require(abs(determinant(directions)) == 1, "the directions are not a basis of Z^s")

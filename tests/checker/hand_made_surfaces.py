@@ -1,0 +1,447 @@
+"""Certificates of masks on Z^s with every rule in them, made from MULTIVARIATE.md by naive arithmetic with Fractions.
+
+Only the bounds of joint spectral radii come from the package: their rules have their own tests.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import json
+from fractions import Fraction
+from math import comb, lcm, prod
+
+from hand_made import claim, q
+
+from subdiv_cli.model import Effort
+from subdiv_cli.pipeline import joint_spectral_radius
+
+WORK = 1_000_000
+TWO = [[2, 0], [0, 2]]
+QUINCUNX = [[1, 1], [1, -1]]
+
+
+def product(*factors):
+    """Of sparse polynomials, dictionaries from indices to Fractions."""
+    total = {(0,) * len(next(iter(factors[0]))): Fraction(1)}
+    for factor in factors:
+        new = {}
+        for (x, p), (y, r) in itertools.product(total.items(), factor.items()):
+            at = tuple(i + j for i, j in zip(x, y, strict=True))
+            new[at] = new.get(at, 0) + p * r
+        total = {at: value for at, value in new.items() if value}
+    return total
+
+
+def scaled(terms, factor, shift=(0, 0, 0)):
+    return {tuple(i + j for i, j in zip(x, shift, strict=False)): Fraction(v) * factor for x, v in terms.items()}
+
+
+def ray(*direction, count=2):
+    return {tuple(i * t for t in direction): Fraction(1) for i in range(count)}
+
+
+def box(directions, factor, shift=(0, 0, 0)):
+    return scaled(product(*(ray(*x) for x in directions)), Fraction(factor), shift)
+
+
+def butterfly_terms(w=Fraction(1, 16)):
+    half, two = Fraction(1, 2), 2 * w
+    near = dict.fromkeys([(1, 0), (0, 1), (1, 1)], half)
+    middle = dict.fromkeys([(1, -1), (1, 2), (2, 1)], two)
+    far = dict.fromkeys([(1, -2), (2, -1), (1, 3), (3, 1), (2, 3), (3, 2)], -w)
+    one = {(0, 0): Fraction(1)} | near | middle | far
+    return one | {(-i, -j): v for (i, j), v in one.items()}
+
+
+MASKS = {
+    "bilinear": (TWO, box([(1, 0), (1, 0), (0, 1), (0, 1)], "1/4", (-1, -1))),
+    "courant": (TWO, box([(1, 0), (0, 1), (1, 1)], "1/2", (-1, -1))),
+    "zwart_powell": (TWO, box([(1, 0), (0, 1), (1, 1), (1, -1)], "1/4")),
+    "quincunx": (
+        QUINCUNX,
+        {(0, 0): Fraction(1)} | dict.fromkeys([(1, 0), (-1, 0), (0, 1), (0, -1)], Fraction(1, 4)),
+    ),
+    "four_eight": (QUINCUNX, box([(1, 0), (1, 0), (0, 1), (0, 1)], "1/8")),
+    "butterfly": (TWO, butterfly_terms()),
+    "flat": (TWO, {(0, 0): Fraction(1), (0, 1): Fraction(1), (1, 0): Fraction(1), (1, 1): Fraction(1, 2)}),
+    "haar": (TWO, box([(1, 0), (0, 1)], 1)),
+    "trilinear": (
+        [[2, 0, 0], [0, 2, 0], [0, 0, 2]],
+        box([(1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 1, 0), (0, 0, 1), (0, 0, 1)], "1/8", (-1, -1, -1)),
+    ),
+    "moved": (TWO, box([(1, 0), (1, 0), (0, 1), (0, 1)], "1/4", (0, -1))),
+    "perturbed": (  # its values on 2Z^2 are not those of δ
+        TWO,
+        product(
+            {(i, 0): Fraction(x, 8) for i, x in zip(range(-2, 3), (-1, 4, 8, 4, 1), strict=True)},
+            {(0, j): Fraction(x, 2) for j, x in zip(range(-1, 2), (1, 2, 1), strict=True)},
+        ),
+    ),
+    "parallel": (TWO, box([(-1, 0), (0, 1), (1, 0), (2, 0)], "1/4")),
+    "line": (TWO, box([(1, 0), (1, 0)], 1)),
+    "negative": (QUINCUNX, box([(1, 0), (1, 0), (0, 1), (0, 1)], "-1/8")),
+    "anisotropic": (
+        [[2, 0], [0, 3]],
+        scaled(product(ray(1, 0), ray(1, 0), ray(0, 1, count=3), ray(0, 1, count=3)), Fraction(1, 6), (-1, -2)),
+    ),
+    "sheared": ([[2, 1], [0, 2]], box([(1, 0), (0, 1)], 1)),
+}
+
+
+def monomials(s, degree):
+    return [mu for mu in itertools.product(range(degree + 1), repeat=s) if sum(mu) == degree]
+
+
+def power(x, mu):
+    return prod(i**n for i, n in zip(x, mu, strict=True))
+
+
+def times(matrix, x):
+    return tuple(sum(a * b for a, b in zip(row, x, strict=True)) for row in matrix)
+
+
+def solve(matrix, x):
+    """M^-1 x, in order 2 by Cramer's rule; None where it is not integral."""
+    if len(matrix) == 3:  # 2I
+        return None if any(i % 2 for i in x) else tuple(i // 2 for i in x)
+    (a, b), (c, d) = matrix
+    det = a * d - b * c
+    y = (d * x[0] - b * x[1], a * x[1] - c * x[0])
+    return None if any(i % det for i in y) else tuple(i // det for i in y)
+
+
+def representatives(matrix):
+    found = []
+    for x in itertools.product(range(4), repeat=len(matrix)):
+        if all(solve(matrix, tuple(i - j for i, j in zip(x, y, strict=True))) is None for y in found):
+            found.append(x)
+    return found
+
+
+def transition(matrix, terms, epsilon, v):
+    """T_ε v of a sequence v, a dictionary."""
+    image = {}
+    for (x, p), (beta, r) in itertools.product(terms.items(), v.items()):
+        at = solve(matrix, tuple(i + j - e for i, j, e in zip(x, beta, epsilon, strict=True)))
+        if at is not None:
+            image[at] = image.get(at, 0) + p * r
+    return {at: value for at, value in image.items() if value}
+
+
+def difference(mu):
+    """∇^μ δ."""
+    corner = itertools.product(*(range(n + 1) for n in mu))
+    return {x: Fraction((-1) ** sum(x) * prod(map(comb, mu, x))) for x in corner}
+
+
+def window_of(matrix, terms, cosets, k):
+    """The least set with the supports of all ∇^μ δ that T_ε does not leave, signs aside."""
+    positive = {x: abs(v) for x, v in terms.items()}
+    window, new = set(), {x for mu in monomials(len(matrix), k) for x in difference(mu)}
+    while new - window:
+        window |= new
+        new = {x for e in cosets for x in transition(matrix, positive, e, dict.fromkeys(window, Fraction(1)))}
+    return sorted(window)
+
+
+def null_space(rows):
+    """A basis, and the columns where one of its vectors alone is not zero."""
+    rows, pivots, n = [list(row) for row in rows], [], len(rows[0])
+    for column in range(n):
+        at = next((i for i in range(len(pivots), len(rows)) if rows[i][column]), None)
+        if at is None:
+            continue
+        here = len(pivots)
+        rows[here], rows[at] = rows[at], rows[here]
+        rows[here] = [x / rows[here][column] for x in rows[here]]
+        for i, row in enumerate(rows):
+            if i != here and row[column]:
+                rows[i] = [x - row[column] * y for x, y in zip(row, rows[here], strict=True)]
+        pivots.append(column)
+    free = [column for column in range(n) if column not in pivots]
+    basis = []
+    for column in free:
+        v = [Fraction(0)] * n
+        v[column] = Fraction(1)
+        for i, pivot in enumerate(pivots):
+            v[pivot] = -rows[i][column]
+        common = lcm(*(x.denominator for x in v))
+        basis.append([int(x * common) for x in v])
+    return basis, free
+
+
+@functools.cache
+def space(name, k):
+    """The witness of `differences`, as JSON text."""
+    matrix, terms = MASKS[name]
+    cosets = representatives(matrix)
+    window = window_of(matrix, terms, cosets, k)
+    conditions = [
+        [Fraction(power(x, mu)) for x in window] for degree in range(k) for mu in monomials(len(matrix), degree)
+    ]
+    basis, free = null_space(conditions)
+
+    def coordinates(v):
+        return [v.get(window[column], Fraction(0)) / row[column] for row, column in zip(basis, free, strict=True)]
+
+    matrices = []
+    for epsilon in cosets:
+        vectors = [{x: Fraction(value) for x, value in zip(window, row, strict=True) if value} for row in basis]
+        columns = [coordinates(transition(matrix, terms, epsilon, v)) for v in vectors]
+        matrices.append([[q(x) for x in row] for row in zip(*columns, strict=True)])
+    return json.dumps(
+        {
+            "cosets": cosets,
+            "window": window,
+            "basis": basis,
+            "matrices": matrices,
+            "generators": [[q(x) for x in coordinates(difference(mu))] for mu in monomials(len(matrix), k)],
+        }
+    )
+
+
+def differences(name, k, uses, family=0):
+    return claim("differences", [uses], json.loads(space(name, k)), WORK, "family", family=family, order=k)
+
+
+@functools.cache
+def _radius(name, k):
+    matrices = json.loads(space(name, k))["matrices"]
+    family = [[[Fraction(x) for x in row] for row in rows] for rows in matrices]
+    return json.dumps(joint_spectral_radius(family, Effort()).document)
+
+
+def radius(name, k, offset):
+    """The package's claims on the radius of the family 0, as claims from number `offset` on; the radius's number."""
+    document = json.loads(_radius(name, k))
+    claims = document["claims"]
+    for each in claims:
+        each["uses"] = [i + offset for i in each["uses"]]
+    goal = next(s for s in document["goal"] if s["property"] in ("bounded", "radius"))
+    return claims, offset + next(i for i, c in enumerate(claims) if c["statement"] == goal)
+
+
+def document(name, claims, goal=None):
+    matrix, terms = MASKS[name]
+    return {
+        "format": "subdiv-certificate",
+        "version": 1,
+        "mask": {"kind": "multivariate", "dilation": matrix, "terms": [[list(x), q(terms[x])] for x in sorted(terms)]},
+        "goal": goal or [json.loads(json.dumps(c["statement"])) for c in claims],
+        "claims": json.loads(json.dumps(claims)),
+    }
+
+
+def quotient(name, *direction, count=2):
+    """a(z) / (1 + … + z^((count-1)θ)) as terms, by the series in z^θ: the lines of this direction one by one."""
+    terms, found = dict(MASKS[name][1]), {}
+    height = max(abs(t) for t in direction)
+    while terms:
+        at = min(terms, key=lambda x: (sum(i * t for i, t in zip(x, direction, strict=True)), x))
+        value = terms[at]
+        found[at] = value
+        for i in range(count):
+            x = tuple(j + i * t for j, t in zip(at, direction, strict=True))
+            terms[x] = terms.get(x, 0) - value
+            if not terms[x]:
+                del terms[x]
+        assert len(found) < 200 * height
+    return [[list(x), q(found[x])] for x in sorted(found)]
+
+
+def norm(quotient, p, level):
+    """‖S_d^L‖∞ of the dilation pI, L = level."""
+    d = {tuple(x): Fraction(value) for x, value in quotient}
+    spread = [{tuple(i * p**j for i in x): value for x, value in d.items()} for j in range(level)]
+    classes = {}
+    for x, value in product(*spread).items():
+        key = tuple(i % p**level for i in x)
+        classes[key] = classes.get(key, 0) + abs(value)
+    return max(classes.values())
+
+
+class _Book:
+    """Claims in the order they are made; `add` returns the number of a claim."""
+
+    def __init__(self, name):
+        self.name, self.claims = name, []
+
+    def add(self, rule, uses=(), witness=None, **fields):
+        self.claims.append(claim(rule, uses, witness, WORK, **fields))
+        return len(self.claims) - 1
+
+    def structure(self, k):
+        """Coset sums and sum rules, claims 0 and 1."""
+        self.add("coset-sums", holds=bool(k))
+        self.add("total-sum-rules", order=k)
+        self.add("generation", [1], degree=k - 1)
+
+    def radius(self, k):
+        """The numbers of family 0 and of its radius."""
+        self.claims.append(differences(self.name, k, 1))
+        family = len(self.claims) - 1
+        more, number = radius(self.name, k, len(self.claims))
+        self.claims += more
+        return family, number
+
+    def box(self, directions, power, shift, scale=2):
+        directions = [list(x) for x in sorted(directions)]
+        return self.add(
+            "box-spline", witness={"power": power, "shift": list(shift)}, directions=directions, scale=scale
+        )
+
+    def document(self):
+        return document(self.name, self.claims)
+
+
+def bilinear():
+    """All that there is to say of the bilinear B-spline, by differences, as a box spline and by its factors."""
+    book = _Book("bilinear")
+    book.structure(2)
+    family, root = book.radius(2)
+    converges = book.add("converges", [root, family], property="convergent", holds=True)
+    stable = book.add("interpolatory-stable", [converges], property="stable", holds=True)
+    book.add("smooth", [root, family], order=0)
+    book.add("not-smooth", [stable, root, family], order=1)
+    book.add("not-smooth", [stable, 1], order=2)
+    book.add("holder-lower", [root, family], length=1, bound="1/2")
+    book.add("holder-upper", [root, family, 1, stable], length=1, bound="1/2")
+    exact = {"length": 1, "polynomial": ["-1", "2"], "low": "1/2", "high": "1/2"}
+    book.add("holder-root", [root, family, 1, stable], **exact)
+    spline = book.box([(1, 0), (1, 0), (0, 1), (0, 1)], 1, (-1, -1))
+    book.add("box-smooth", [spline], property="smooth", order=0)
+    book.add("box-not-smooth", [spline], property="not-smooth", order=1)
+    book.add("box-holder", [spline], property="holder-value", value=1)
+    book.add("box-stable", [spline], property="stable", holds=True)
+    factors = [
+        book.add(
+            "directional-norm", witness={"quotient": quotient("bilinear", *x)}, direction=list(x), level=1, norm="1/2"
+        )
+        for x in ((1, 0), (0, 1))
+    ]
+    book.add("directional-converges", [0, *factors], property="convergent", holds=True)
+    return book.document()
+
+
+def courant():
+    book = _Book("courant")
+    book.structure(2)
+    family, root = book.radius(2)
+    converges = book.add("converges", [root, family], property="convergent", holds=True)
+    stable = book.add("interpolatory-stable", [converges], property="stable", holds=True)
+    book.add("smooth", [root, family], order=0)
+    book.add("not-smooth", [stable, root, family], order=1)
+    spline = book.box([(1, 0), (0, 1), (1, 1)], 1, (-1, -1))
+    book.add("box-holder", [spline], property="holder-value", value=1)
+    return book.document()
+
+
+def zwart_powell():
+    """C^1, α = 2, not stable."""
+    book = _Book("zwart_powell")
+    spline = book.box([(1, 0), (0, 1), (1, 1), (1, -1)], 1, (0, 0))
+    book.add("box-smooth", [spline], property="smooth", order=1)
+    book.add("box-not-smooth", [spline], property="not-smooth", order=2)
+    book.add("box-holder", [spline], property="holder-value", value=2)
+    book.add("box-stable", [spline], property="stable", holds=False)
+    return book.document()
+
+
+def quincunx():
+    """Interpolatory: α = 2 - 2 log_2((1+√5)/2)."""
+    book = _Book("quincunx")
+    book.structure(2)
+    family, root = book.radius(2)
+    said = book.claims[root]["statement"]
+    converges = book.add("converges", [root, family], property="convergent", holds=True)
+    stable = book.add("interpolatory-stable", [converges], property="stable", holds=True)
+    book.add("smooth", [root, family], order=0)
+    book.add("not-smooth", [stable, root, family], order=1)
+    book.add("holder-lower", [root, family], length=said["length"], bound=said["high"])
+    book.add("holder-upper", [root, family, 1, stable], length=said["length"], bound=said["low"])
+    exact = {key: said[key] for key in ("length", "polynomial", "low", "high")}
+    book.add("holder-root", [root, family, 1, stable], **exact)
+    return book.document()
+
+
+def four_eight():
+    """α = 5 as a box spline of the quincunx dilation, of which differences see 4."""
+    book = _Book("four_eight")
+    book.structure(4)
+    family, root = book.radius(4)
+    book.add("smooth", [root, family], order=3)
+    book.add("holder-lower", [root, family], length=1, bound="1/4")
+    spline = book.box([(1, 0), (1, 0), (0, 1), (0, 1), (1, 1), (1, 1), (1, -1), (1, -1)], 2, (0, 0))
+    book.add("box-smooth", [spline], property="smooth", order=4)
+    book.add("box-not-smooth", [spline], property="not-smooth", order=5)
+    book.add("box-holder", [spline], property="holder-value", value=5)
+    book.add("box-stable", [spline], property="stable", holds=False)
+    return book.document()
+
+
+def butterfly():
+    """ω = 1/16: converges by its directional factors."""
+    book = _Book("butterfly")
+    book.structure(4)
+    book.claims.append(differences("butterfly", 4, 1))
+    for level in (1, 2, 3):
+        factors = [
+            book.add(
+                "directional-norm",
+                witness={"quotient": quotient("butterfly", *x)},
+                direction=list(x),
+                level=level,
+                norm=q(norm(quotient("butterfly", *x), 2, level)),
+            )
+            for x in ((1, 0), (0, 1))
+        ]
+    converges = book.add("directional-converges", [0, *factors], property="convergent", holds=True)
+    stable = book.add("interpolatory-stable", [converges], property="stable", holds=True)
+    book.add("not-smooth", [stable, 1], order=4)
+    return book.document()
+
+
+def haar():
+    """The indicator function of the square: stable, α = 0, and S does not converge uniformly."""
+    book = _Book("haar")
+    book.structure(1)
+    family, root = book.radius(1)
+    book.add("diverges", [root, family], property="convergent", holds=False)
+    spline = book.box([(1, 0), (0, 1)], 1, (0, 0))
+    stable = book.add("box-stable", [spline], property="stable", holds=True)
+    book.add("box-not-smooth", [spline], property="not-smooth", order=0)
+    book.add("not-smooth", [stable, root, family], order=0)
+    book.add("holder-root", [root, family, 1, stable], length=1, polynomial=["-1", "1"], low="1", high="1")
+    return book.document()
+
+
+def flat():
+    book = _Book("flat")
+    book.structure(0)
+    book.add("diverges", [0], property="convergent", holds=False)
+    return book.document()
+
+
+def trilinear():
+    book = _Book("trilinear")
+    book.structure(2)
+    book.claims.append(differences("trilinear", 2, 1))
+    axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    spline = book.box(2 * axes, 1, (-1, -1, -1))
+    book.add("box-holder", [spline], property="holder-value", value=1)
+    book.add("box-stable", [spline], property="stable", holds=True)
+    factors = [
+        book.add(
+            "directional-norm", witness={"quotient": quotient("trilinear", *x)}, direction=list(x), level=1, norm="1/2"
+        )
+        for x in axes
+    ]
+    book.add("directional-converges", [0, *factors], property="convergent", holds=True)
+    return book.document()
+
+
+ALL_SURFACES = {
+    make.__name__: make
+    for make in (bilinear, courant, zwart_powell, quincunx, four_eight, butterfly, haar, flat, trilinear)
+}

@@ -1,0 +1,493 @@
+"""Certificates of masks on Z^s: true ones are verified, and each rule rejects its forgeries by name."""
+
+import copy
+import json
+from pathlib import Path
+
+import jsonschema
+import pytest
+from hand_made import claim, q
+from hand_made_surfaces import ALL_SURFACES, MASKS, WORK, differences, document, norm, quotient
+
+import subdiv_cli
+from subdiv_cli.checker import check_document, check_text
+from subdiv_cli.checker.lattice import Dilation, lattice_mask
+from subdiv_cli.checker.matrices import inverse
+from subdiv_cli.checker.rules import PROPERTIES, RADIUS_RULES, RULES, SURFACE_PROPERTIES, SURFACE_RULES
+
+MADE = {name: make() for name, make in ALL_SURFACES.items()}
+"""Made once and never changed."""
+
+
+def set_in(*path_and_value):
+    *path, value = path_and_value
+
+    def change(c):
+        for key in path[:-1]:
+            c = c[key]
+        c[path[-1]] = value
+
+    return change
+
+
+def rejected(made, number, *words):
+    outcome = check_document(made)
+    assert not outcome.verified
+    assert outcome.claim == number, outcome.line
+    assert "fails on it" not in outcome.line
+    for word in words:
+        assert word in outcome.line
+    return outcome
+
+
+@pytest.mark.parametrize("name", ALL_SURFACES)
+def test_true_certificates_are_verified(name):
+    outcome = check_text(json.dumps(MADE[name]))
+    assert outcome.verified, outcome.line
+
+
+def test_every_rule_is_there():
+    assert {c["rule"] for made in MADE.values() for c in made["claims"]} >= set(SURFACE_RULES) - set(RADIUS_RULES)
+
+
+def test_the_line_reads_well():
+    made = copy.deepcopy(MADE["four_eight"])
+    made["goal"] = made["goal"][-5:]
+    assert check_document(made).line == (
+        "VERIFIED φ is the box spline of (0, 1) 2 times, (1, -1) 2 times, (1, 0) 2 times, (1, 1) 2 times; φ is C^4; "
+        "φ is not C^5; α = 5; φ is not stable"
+    )
+    made = copy.deepcopy(MADE["quincunx"])
+    made["goal"] = made["goal"][-1:]
+    assert check_document(made).line.startswith("VERIFIED α = -log_2(the root of 16x^2 - 12x + 1 in [")
+
+
+witness = lambda *path: set_in("witness", *path)  # noqa: E731
+said = lambda key, value: set_in("statement", key, value)  # noqa: E731
+
+FORGED = [
+    ("flat", "coset-sums", said("holds", True), "not all 1"),
+    ("haar", "coset-sums", said("holds", False), "all 1"),
+    ("bilinear", "total-sum-rules", said("order", 3), "fail for the monomial"),
+    ("bilinear", "total-sum-rules", said("order", 1), "of a higher order"),
+    ("bilinear", "total-sum-rules", said("order", 0), "of a higher order"),
+    ("flat", "total-sum-rules", said("order", 1), "fail for the monomial (0, 0)"),
+    ("butterfly", "total-sum-rules", said("order", 10_000), "more work"),
+    ("bilinear", "generation", said("degree", 2), "of order 2"),
+    ("flat", "generation", said("degree", 0), "of order 0"),
+    ("bilinear", "differences", said("order", 3), "of order 2"),
+    ("bilinear", "differences", said("order", 0), "of order 2"),
+    ("bilinear", "differences", said("order", 1), "as many generators"),
+    ("bilinear", "differences", said("family", 1), "the next family is number 0"),
+    ("bilinear", "differences", witness("cosets", [[0, 0], [0, 1], [1, 0], [2, 1]]), "congruent"),
+    ("bilinear", "differences", witness("cosets", [[0, 0], [0, 1], [1, 0]]), "not m"),
+    ("bilinear", "differences", witness("cosets", [[0, 0], [0, 1], [1, 1], [1, 0]]), "does not give the image"),
+    ("bilinear", "differences", witness("cosets", [[0, 0], [0, 1], [1, 0], [1, 1, 1]]), "another dimension"),
+    ("bilinear", "differences", lambda c: c["witness"]["window"].__setitem__(0, [9, 9]), "not annihilate"),
+    ("bilinear", "differences", lambda c: c["witness"]["window"].__setitem__(0, [0, 0, 0]), "not one of Z^2"),
+    ("bilinear", "differences", lambda c: c["witness"]["window"].__setitem__(0, c["witness"]["window"][1]), "twice"),
+    ("bilinear", "differences", lambda c: c["witness"]["window"].pop(), "not as long as the window"),
+    ("bilinear", "differences", lambda c: c["witness"]["basis"].pop(), "another order than the basis"),
+    ("bilinear", "differences", lambda c: c["witness"]["basis"][0].__setitem__(0, 7), "not annihilate"),
+    ("bilinear", "differences", lambda c: c["witness"]["matrices"].pop(), "not m"),
+    ("bilinear", "differences", lambda c: c["witness"]["matrices"][1][2].__setitem__(3, "1/3"), "matrix 1 does not"),
+    ("bilinear", "differences", lambda c: c["witness"]["matrices"].reverse(), "does not give the image"),
+    ("bilinear", "differences", lambda c: c["witness"]["generators"].pop(), "as many generators"),
+    ("bilinear", "differences", lambda c: c["witness"]["generators"].reverse(), "coordinates of the difference"),
+    ("bilinear", "differences", lambda c: c["witness"]["generators"][0].pop(), "as many coordinates"),
+    ("bilinear", "differences", set_in("work", 100), "more work"),
+    ("bilinear", "converges", lambda c: c["uses"].reverse(), "it uses family"),
+    ("bilinear", "converges", lambda c: c["uses"].pop(), "does not use"),
+    ("haar", "diverges", said("holds", True), "does not prove such statements"),
+    ("haar", "diverges", set_in("uses", [0]), "the coset sums are 1"),
+    ("bilinear", "smooth", said("order", 1), "radius is not small enough"),
+    ("bilinear", "smooth", said("order", 2), "differences are of order 2"),
+    ("four_eight", "smooth", said("order", 4), "differences are of order 4"),
+    ("bilinear", "not-smooth", said("order", 0), "radius is not large enough"),
+    ("bilinear", "not-smooth", said("order", 2), "differences are of order 2"),
+    ("bilinear", "not-smooth", lambda c: c["uses"].pop(0), "not stable"),
+    ("bilinear", "holder-lower", said("bound", "1/3"), "another length or bound"),
+    ("bilinear", "holder-lower", said("length", 2), "another length or bound"),
+    ("bilinear", "holder-upper", said("bound", "3/5"), "another length or bound"),
+    ("bilinear", "holder-upper", lambda c: c["uses"].pop(), "does not use"),
+    ("quincunx", "holder-root", said("length", 1), "another length"),
+    ("quincunx", "holder-root", said("high", "1"), "another high"),
+    ("haar", "holder-root", lambda c: c["uses"].pop(2), "not total-sum-rules"),
+    ("bilinear", "interpolatory-stable", set_in("uses", []), "does not use"),
+    ("bilinear", "interpolatory-stable", said("holds", False), "does not prove such statements"),
+    ("bilinear", "box-spline", witness("shift", [0, 0]), "not that of the box spline"),
+    ("bilinear", "box-spline", witness("shift", [-1, -1, 0]), "the shift"),
+    ("bilinear", "box-spline", witness("power", 2), "power of the dilation"),
+    ("bilinear", "box-spline", witness("power", 0), "the power"),
+    ("bilinear", "box-spline", said("scale", 3), "power of the dilation"),
+    ("bilinear", "box-spline", said("directions", [[0, 1], [0, 1], [1, 0]]), "not that of the box spline"),
+    ("bilinear", "box-spline", said("directions", [[0, 1], [0, 1], [1, 0], [1, 1]]), "not that of the box spline"),
+    ("bilinear", "box-spline", said("directions", [[0, 1], [1, 0], [0, 1], [1, 0]]), "not sorted"),
+    ("bilinear", "box-spline", said("directions", [[0, 0], [0, 1], [0, 1], [1, 0], [1, 0]]), "is zero"),
+    ("bilinear", "box-spline", said("directions", [[0, 1]]), "not enough"),
+    ("bilinear", "box-spline", said("directions", [[0, 1], [0, 1], [0, 1], [0, 1]]), "do not span"),
+    ("four_eight", "box-spline", witness("power", 1), "power of the dilation"),
+    ("four_eight", "box-spline", witness("power", 4), "power of the dilation"),
+    ("four_eight", "box-spline", said("scale", 4), "power of the dilation"),
+    ("zwart_powell", "box-smooth", said("order", 2), "d = 3"),
+    ("zwart_powell", "box-not-smooth", said("order", 1), "d = 3"),
+    ("zwart_powell", "box-holder", said("value", 3), "d = 3"),
+    ("zwart_powell", "box-stable", said("holds", True), "not unimodular"),
+    ("bilinear", "box-stable", said("holds", False), "unimodular"),
+    ("bilinear", "directional-norm", said("norm", "1/3"), "the norm is another"),
+    ("bilinear", "directional-norm", said("level", 2), "the norm is another"),
+    ("bilinear", "directional-norm", said("level", 0), "the level"),
+    ("bilinear", "directional-norm", said("level", 60), "more work"),
+    ("bilinear", "directional-norm", said("direction", [0, 1]), "not the mask"),
+    ("bilinear", "directional-norm", said("direction", [0, 0]), "is zero"),
+    ("bilinear", "directional-norm", said("direction", [1, 0, 0]), "the direction"),
+    ("bilinear", "directional-norm", witness("quotient", quotient("bilinear", 0, 1)), "not the mask"),
+    ("bilinear", "directional-norm", witness("quotient", [[[0, 0, 0], "1"]]), "the quotient"),
+    ("bilinear", "directional-converges", lambda c: c["uses"].pop(), "does not use"),
+    ("bilinear", "directional-converges", lambda c: c["uses"].__setitem__(2, c["uses"][1]), "not a basis"),
+    ("trilinear", "directional-converges", lambda c: c["uses"].__setitem__(2, c["uses"][1]), "not a basis"),
+]
+
+
+@pytest.mark.parametrize(("name", "rule", "change", "words"), FORGED, ids=[f"{i}-{f[1]}" for i, f in enumerate(FORGED)])
+def test_a_forged_claim_is_named(name, rule, change, words):
+    made = copy.deepcopy(MADE[name])
+    number = next(i for i, c in enumerate(made["claims"]) if c["rule"] == rule)
+    change(made["claims"][number])
+    made["goal"] = [made["claims"][number]["statement"]]
+    rejected(made, number, f"claim {number}", words)
+
+
+def test_every_rule_is_forged():
+    assert {rule for _, rule, _, _ in FORGED} >= set(SURFACE_RULES) - set(RADIUS_RULES)
+
+
+def of(name, *claims):
+    return document(name, list(claims))
+
+
+def structure(k):
+    return [claim("coset-sums", holds=k > 0), claim("total-sum-rules", order=k)]
+
+
+def test_the_worked_example_of_differences():
+    """By hand, MULTIVARIATE.md: the mask 1, 1, 1, 1 of the square, b_0 = δ_(0,0) - δ_(1,0), b_1 = δ_(0,1) - δ_(1,0)."""
+    found = {
+        "cosets": [[0, 0], [0, 1], [1, 0], [1, 1]],
+        "window": [[0, 0], [0, 1], [1, 0]],
+        "basis": [[1, 0, -1], [0, 1, -1]],
+        "matrices": [
+            [["1", "0"], ["0", "1"]],
+            [["1", "1"], ["0", "0"]],
+            [["0", "-1"], ["0", "1"]],
+            [["0", "0"], ["0", "0"]],
+        ],
+        "generators": [["1", "-1"], ["1", "0"]],
+    }
+    claims = [
+        *structure(1),
+        claim("differences", [1], found, WORK, "family", family=0, order=1),
+        claim("word", witness={"word": [0]}, property="radius-lower", family=0, length=1, bound="1"),
+        claim("diverges", [3, 2], property="convergent", holds=False),
+    ]
+    assert check_document(of("haar", *claims)).verified
+
+
+def test_matrices_beyond_order_64_and_no_further():
+    """A basis of 120 rows is read, one of 121 is not."""
+    for order, words in ((120, "another order than the basis"), (121, "too long")):
+        made = of("haar", *structure(1), differences("haar", 1, 1))
+        made["claims"][2]["witness"]["matrices"] = [[["0"] * order] * order] * 4
+        rejected(made, 2, words)
+
+
+def test_long_denominators_of_many_entries():
+    """Over a common denominator each of 25,600 entries would have 66,000 bits."""
+    made = of("haar", *structure(1), differences("haar", 1, 1))
+    matrices = [[["0"] * 20 for _ in range(20)] for _ in range(64)]
+    matrices[0][0][0] = "1/" + "9" * 19_999
+    made["claims"][2]["witness"]["matrices"] = matrices
+    rejected(made, 2, "common denominator that is too large")
+
+
+def test_large_windows_for_many_terms_are_not_looked_at():
+    made = of("haar", *structure(1), differences("haar", 1, 1))
+    made["mask"]["terms"] = [[[i, j], "1/100"] for i in range(20) for j in range(20)]
+    made["claims"][1]["statement"]["order"] = 1
+    found = made["claims"][2]["witness"]
+    found["window"] = [[i, j] for i in range(50) for j in range(60)]
+    found["basis"] = [[0] * 3000, [0] * 3000]
+    made["claims"][2]["work"] = 40_000_000
+    rejected(made, 2, "too large for so many terms")
+
+
+def test_dependent_rows_with_all_identities_true():
+    """The first row of the basis a second time."""
+    made = of("bilinear", *structure(2), differences("bilinear", 2, 1))
+    found = made["claims"][2]["witness"]
+    found["basis"].append(found["basis"][0])
+    found["matrices"] = [
+        [*([*row, row[0]] for row in matrix), ["0"] * (len(matrix) + 1)] for matrix in found["matrices"]
+    ]
+    found["generators"] = [[*row, "0"] for row in found["generators"]]
+    rejected(made, 2, "row 8 of the basis depends")
+
+
+def test_a_smaller_space_that_the_operators_leave_is_rejected():
+    """One row less, and all that names it."""
+    made = of("bilinear", *structure(2), differences("bilinear", 2, 1))
+    found = made["claims"][2]["witness"]
+    found["basis"].pop()
+    found["matrices"] = [[row[:-1] for row in matrix[:-1]] for matrix in found["matrices"]]
+    found["generators"] = [row[:-1] for row in found["generators"]]
+    rejected(made, 2, "coordinates of the difference")
+
+
+def test_the_smallest_invariant_window_is_too_small():
+    """There ∇² has no room, and nothing is left of the bilinear B-spline: it would be C^∞."""
+    made = of("bilinear", *structure(2))
+    window = [[i, j] for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    basis = [[1, -2, 1, 0, 0, 0, 0, 0, 0]]
+    matrices = [[["0"]]] * 4
+    generators = [["1"], ["0"], ["0"]]
+    space = {
+        "cosets": [[0, 0], [0, 1], [1, 0], [1, 1]],
+        "window": window,
+        "basis": basis,
+        "matrices": matrices,
+        "generators": generators,
+    }
+    made["claims"].append(claim("differences", [1], space, WORK, "family", family=0, order=2))
+    rejected(made, 2, "the window does not contain the support of the difference (0, 2)")
+
+
+def test_images_that_leave_the_window():
+    """A window with room for the differences, and none for their images: the mask is moved away."""
+    made = of("haar", *structure(1), differences("haar", 1, 1))
+    for term in made["mask"]["terms"]:
+        term[0] = [term[0][0] + 8, term[0][1]]
+    rejected(made, 2, "leaves the window")
+
+
+def test_a_larger_window_changes_nothing():
+    made = of("haar", *structure(1), differences("haar", 1, 1))
+    found = made["claims"][2]["witness"]
+    found["window"].append([50, -50])
+    found["basis"] = [[*row, 0] for row in found["basis"]]
+    assert check_document(made).verified
+
+
+@pytest.mark.parametrize(
+    ("matrix", "isotropic"),
+    [
+        ([[2, 0], [0, 2]], True),
+        ([[1, 1], [1, -1]], True),
+        ([[1, -1], [1, 1]], True),
+        ([[1, -2], [1, 0]], True),
+        ([[2, -1], [1, -2]], True),
+        ([[0, 2], [1, 0]], True),
+        ([[-3, 0], [0, -3]], True),
+        ([[2, 0], [0, 3]], False),
+        ([[2, 1], [0, 2]], False),
+        ([[3, 1], [1, 3]], False),
+        ([[2, 0, 0], [0, 2, 0], [0, 0, 2]], True),
+        ([[0, 0, 2], [1, 0, 0], [0, 1, 0]], True),
+        ([[2, 1, 0], [0, 2, 0], [0, 0, 2]], False),
+        ([[0, 0, 0, 2], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]], True),
+    ],
+)
+def test_isotropic_dilations(matrix, isotropic):
+    assert Dilation(matrix, *inverse(matrix)).is_isotropic() is isotropic
+
+
+def test_without_an_isotropic_dilation_nothing_follows_for_smoothness():
+    """The anisotropic bilinear B-spline: it converges, with radius 1/2 for order 2, and nothing is said of α."""
+    claims = [*structure(2), differences("anisotropic", 2, 1)]
+    for rule, fields, uses in [
+        ("smooth", {"order": 0}, [3, 2]),
+        ("not-smooth", {"order": 1}, [3, 2]),
+        ("holder-lower", {"length": 1, "bound": "1/2"}, [3, 2]),
+        ("holder-upper", {"length": 1, "bound": "1/2"}, [3, 2, 1]),
+        ("holder-root", {"length": 1, "polynomial": ["-1", "2"], "low": "1/2", "high": "1/2"}, [3, 2, 1]),
+    ]:
+        made = of("anisotropic", *claims, trivial_bound(), claim(rule, uses, **fields))
+        rejected(made, 4, f"claim 4 ({rule}): the dilation is not seen to be isotropic")
+    made = of("sheared", *structure(1), claim("smooth", [1, 1], order=0))
+    rejected(made, 2, "not seen to be isotropic")
+
+
+def trivial_bound():
+    """JSR >= 1/1000, by a word of one letter."""
+    return claim("word", witness={"word": [0]}, work=WORK, property="radius-lower", family=0, length=1, bound="1/1000")
+
+
+def test_thresholds_are_strict():
+    """ρ = 1/2 and λ = 2: not C^1, and no more; ρ = 1 is no convergence."""
+    made = copy.deepcopy(MADE["haar"])
+    root = next(i for i, c in enumerate(made["claims"]) if c["rule"] == "diverges")
+    uses = made["claims"][root]["uses"]
+    made["claims"][root] = claim("converges", uses, property="convergent", holds=True)
+    rejected(made, root, "radius is not small enough")
+
+
+def test_an_upper_bound_needs_stability():
+    """Of the 4-8 scheme the formula for stable φ would give α = 4; it is 5."""
+    for rule in ("holder-upper", "holder-root"):
+        made = copy.deepcopy(MADE["four_eight"])
+        claims = made["claims"]
+        lower = next(c for c in claims if c["rule"] == "holder-lower")
+        stable = len(claims) - 1
+        fields = {"length": 1, "bound": "1/4"}
+        if rule == "holder-root":
+            fields = {"length": 1, "polynomial": ["-1", "4"], "low": "1/4", "high": "1/4"}
+        claims.append(claim(rule, [*lower["uses"], 1, stable], **fields))
+        rejected(made, len(claims) - 1, "it uses stable with another holds")
+
+
+@pytest.mark.parametrize(("name", "words"), [("moved", "a_0 is not 1"), ("perturbed", "another coefficient")])
+def test_an_interpolatory_mask_interpolates(name, words):
+    """Both converge, by their directional factors."""
+    factors = []
+    for x in ((1, 0), (0, 1)):
+        d = quotient(name, *x)
+        fields = {"direction": list(x), "level": 1, "norm": q(norm(d, 2, 1))}
+        factors.append(claim("directional-norm", witness={"quotient": d}, work=WORK, **fields))
+    converges = claim("directional-converges", [0, 1, 2], property="convergent", holds=True)
+    claims = [claim("coset-sums", holds=True), *factors, converges]
+    assert check_document(of(name, *claims)).verified
+    made = of(name, *claims, claim("interpolatory-stable", [3], property="stable", holds=True))
+    rejected(made, 4, words)
+
+
+def spline(directions, power=1, shift=(0, 0), scale=2):
+    found = {"power": power, "shift": list(shift)}
+    return claim("box-spline", witness=found, work=WORK, directions=sorted(map(list, directions)), scale=scale)
+
+
+def test_parallel_directions_are_counted_whatever_their_length_and_sign():
+    """(-1, 0), (1, 0), (2, 0) are one line: without (0, 1) nothing is spanned, d = 1."""
+    shown = spline([(-1, 0), (1, 0), (2, 0), (0, 1)])
+    assert check_document(of("parallel", shown, claim("box-not-smooth", [0], property="not-smooth", order=0))).verified
+    rejected(of("parallel", shown, claim("box-smooth", [0], property="smooth", order=0)), 1, "d = 1")
+    rejected(of("parallel", shown, claim("box-smooth", [0], property="smooth", order=1)), 1, "d = 1")
+    rejected(of("parallel", shown, claim("box-holder", [0], property="holder-value", value=1)), 1, "d = 1")
+    rejected(of("parallel", shown, claim("box-holder", [0], property="holder-value", value=0)), 1, "d = 1")
+    rejected(of("parallel", shown, claim("box-stable", [0], property="stable", holds=True)), 1, "not unimodular")
+
+
+def test_a_measure_on_a_line_is_no_box_spline():
+    rejected(of("line", spline([(1, 0), (1, 0)])), 0, "do not span")
+
+
+def test_the_sign_of_the_mask_is_seen():
+    """a(z) a(z^M) is the same for -a."""
+    directions = [(1, 0), (1, 0), (0, 1), (0, 1), (1, 1), (1, 1), (1, -1), (1, -1)]
+    assert check_document(of("four_eight", spline(directions, 2))).verified
+    rejected(of("negative", spline(directions, 2)), 0, "do not add up to m")
+
+
+def with_mask(**changes):
+    made = copy.deepcopy(MADE["flat"])
+    made["mask"] |= changes
+    return made
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"dilation": [[2, 0], [0, 1]]}, "not expanding"),
+        ({"dilation": [[1, 1], [1, 1]]}, "singular"),
+        ({"dilation": [[2, 1], [1, 1]]}, "not expanding"),
+        ({"dilation": [[2, 0]]}, "square"),
+        ({"dilation": [[2, 0], [0, 2, 0]]}, "square"),
+        ({"dilation": [[2]]}, "square"),
+        ({"dilation": [[65, 0], [0, 65]]}, "determinant"),
+        ({"dilation": [[2, 0], [0, 20_000]]}, "out of range"),
+        ({"dilation": [[True, 0], [0, 2]]}, "not an integer"),
+        ({"dilation": 2}, "not a list"),
+        ({"terms": []}, "empty"),
+        ({"terms": [[[0, 0], "0"]]}, "zero"),
+        ({"terms": [[[0, 0], "1"], [[0, 0], "1"]]}, "do not increase"),
+        ({"terms": [[[0, 1], "1"], [[0, 0], "1"]]}, "do not increase"),
+        ({"terms": [[[0, 0, 0], "1"]]}, "not one of Z^2"),
+        ({"terms": [[[0], "1"]]}, "not one of Z^2"),
+        ({"terms": [[[0, 10_001], "1"]]}, "out of range"),
+        ({"terms": [[[0, 0], 1]]}, "not a string"),
+        ({"terms": [[[0, 0], "2/4"]]}, "lowest terms"),
+        ({"terms": [[[0, 0], "1", "1"]]}, "too long"),
+        ({"terms": [[[0, 0]]]}, "not a pair"),
+        ({"terms": {"0,0": "1"}}, "not a list"),
+        ({"arity": 2}, "unknown key"),
+    ],
+)
+def test_what_is_no_mask(changes, words):
+    outcome = check_document(with_mask(**changes))
+    assert outcome.line.startswith("NOT VERIFIED document: ")
+    assert words in outcome.line
+
+
+def test_residues_tell_the_cosets_apart():
+    for matrix, terms in MASKS.values():
+        pairs = [(x, value) for x, value in terms.items()]
+        dilation = lattice_mask([tuple(row) for row in matrix], pairs).dilation
+        inside = [(i, j) for i in range(-4, 5) for j in range(-4, 5)] if len(matrix) == 2 else [(1, 2, 3), (-1, 0, 4)]
+        for x in inside:
+            image = tuple(sum(a * b for a, b in zip(row, x, strict=True)) for row in matrix)
+            assert dilation.divided(image) == x
+            assert not any(dilation.residue(image))
+        if len(matrix) == 2:
+            assert len({dilation.residue(x) for x in inside}) == dilation.cosets
+
+
+def test_rules_of_surfaces_prove_nothing_of_other_kinds():
+    made = copy.deepcopy(MADE["flat"])
+    made["mask"] = {"kind": "matrices", "matrices": [[["1"]]]}
+    assert not check_document(made).verified
+    made["mask"] = {"kind": "scalar", "arity": 2, "start": 0, "coefficients": ["1", "1"]}
+    assert not check_document(made).verified
+
+
+def test_a_certificate_of_another_mask_is_no_proof():
+    for name in ("bilinear", "zwart_powell", "butterfly", "quincunx"):
+        made = copy.deepcopy(MADE[name])
+        made["mask"]["terms"][0][1] = "1/7"
+        assert not check_document(made).verified
+        made = copy.deepcopy(MADE[name])
+        made["mask"]["dilation"][0][0] += 1
+        assert not check_document(made).verified
+
+
+SCHEMA = json.loads((Path(subdiv_cli.__file__).parent / "certificate" / "schema.json").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name", ALL_SURFACES)
+def test_the_schema_describes_them(name):
+    jsonschema.validate(json.loads(json.dumps(MADE[name])), SCHEMA)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda made: made["mask"].update(dilation=2),
+        lambda made: made["mask"]["terms"][0].append("1"),
+        lambda made: made["mask"]["terms"].__setitem__(0, [[0], "1"]),
+        lambda made: made["claims"][0]["statement"].update(order=1),
+        lambda made: made["claims"][3]["witness"].pop("window"),
+        lambda made: made["claims"][3]["witness"]["cosets"].__setitem__(0, [0]),
+        lambda made: made["claims"][3]["witness"]["basis"][0].__setitem__(0, "1"),
+        lambda made: made["claims"][0].update(rule="coset-sum"),
+    ],
+)
+def test_the_schema_describes_nothing_else(change):
+    made = json.loads(json.dumps(MADE["bilinear"]))
+    change(made)
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(made, SCHEMA)
+    assert not check_document(made).verified
+
+
+def test_every_rule_is_in_the_schema():
+    rules = SCHEMA["properties"]["claims"]["items"]["properties"]["rule"]["enum"]
+    assert set(rules) == set(RULES) | set(SURFACE_RULES)
+    properties = {s["properties"]["property"]["const"] for s in SCHEMA["$defs"]["statement"]["oneOf"]}
+    assert properties == set(PROPERTIES) | set(SURFACE_PROPERTIES)
