@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.certificate import certificate, document_text, family_certificate
 from subdiv_cli.checker import check_document
@@ -25,6 +25,9 @@ from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.scalar import Analysis, analyse
 
+if TYPE_CHECKING:
+    from subdiv_cli.schemes.multivariate import MultivariateScheme
+
 
 class DisagreementError(Exception):
     """The independent checker does not accept the certificate: an error in this program, never in the input."""
@@ -41,11 +44,15 @@ class Checked(NamedTuple):
         return None if self.document is None else document_text(self.document)
 
 
-def check(scheme: ScalarScheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:
+def check(scheme: ScalarScheme | MultivariateScheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:
     """Decide what the stages can decide within the effort, and have every verdict checked independently.
 
     The caller adds file, name and parameters to the result. Raises DisagreementError where the checker says no.
     """
+    if not isinstance(scheme, ScalarScheme):
+        from subdiv_cli.surfaces import check_surface  # no scalar mask needs it
+
+        return check_surface(scheme, expectations, effort)
     return certified(scheme, analyse(scheme, effort), expectations, effort)
 
 
@@ -53,7 +60,7 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
     """What the stages have found, with every verdict checked. Raises DisagreementError."""
     findings = analysis.findings
     written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
-    if written is not None and not _verified(written.document):
+    if written is not None and not verified(written.document):
         written = None
     if written is not None:
         pairs = zip(findings, written.claims, strict=True)
@@ -81,7 +88,7 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
         findings=findings,
     )
     judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
-    result = replace(result, expectations=judgements, status=_status(result, judgements))
+    result = replace(result, expectations=judgements, status=status_of(result, judgements))
     return Checked(result, None if written is None else written.document)
 
 
@@ -105,12 +112,12 @@ def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effo
 
     radius = answer(matrices, effort)
     document = family_certificate(matrices, radius)
-    if document is not None and not _verified(document):
+    if document is not None and not verified(document):
         document = None
     return CheckedRadius(radius, document)
 
 
-def _verified(document: Mapping[str, Any]) -> bool:
+def verified(document: Mapping[str, Any]) -> bool:
     """Whether the checker verifies it; False where it asks more than the checker does. Raises DisagreementError."""
     outcome = check_document(document)
     if not outcome.verified and not outcome.exhausted:
@@ -118,7 +125,7 @@ def _verified(document: Mapping[str, Any]) -> bool:
     return outcome.verified
 
 
-def _status(result: Result, judgements: Sequence[Judgement]) -> Status:
+def status_of(result: Result, judgements: Sequence[Judgement]) -> Status:
     """Every expectation must be proved; where a mask states none, convergence must."""
     verdicts = [judgement.verdict for judgement in judgements] or [result.convergent]
     if Verdict.REFUTED in verdicts:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from subdiv_cli.catalog.cache import Cache, Entry, key
 from subdiv_cli.maskfile import MaskFile, MaskFileError, load_path, read_bytes
 from subdiv_cli.model import DEFAULT_EFFORT, Drawing, Effort, Expectation, Judgement, Problem, Result, Verdict
+from subdiv_cli.schemes.scalar import ScalarScheme
 
 
 class Draw(NamedTuple):
@@ -83,7 +84,7 @@ def _perform(task: Task, settings: Settings) -> Done:
     data = load_path(task.file) if task.data is None and task.mask is None else task.data
     mask = task.mask if task.mask is not None else read_bytes(data or b"", file=task.file)
     try:
-        parameters, scheme = mask.values(settings.overrides), mask.scalar_scheme(settings.overrides)
+        parameters, scheme = mask.values(settings.overrides), mask.scheme(settings.overrides)
     except MaskFileError as error:
         return Done(replace(invalid(mask.file, error.problems), name=mask.name, kind=mask.kind))
     expectations = (*mask.expectations, *settings.required)
@@ -98,10 +99,17 @@ def _perform(task: Task, settings: Settings) -> Done:
             reference=mask.reference,
             parameters=parameters,
             expectations=tuple(_placed(judged, mask) for judged in result.expectations),
-            drawing=settings.draw and settings.draw(scheme, result.convergent is Verdict.PROVED),
+            drawing=_drawing(scheme, result, settings),
         ),
         certificate=done.certificate if settings.certificates else None,
     )
+
+
+def _drawing(scheme: Any, result: Result, settings: Settings) -> Drawing | None:
+    """Of masks in one variable, for the formats that draw."""
+    if settings.draw is None or not isinstance(scheme, ScalarScheme):
+        return None
+    return settings.draw(scheme, result.convergent is Verdict.PROVED)
 
 
 def _kept(data: bytes | None, scheme: Any, expectations: tuple[Expectation, ...], settings: Settings) -> Done:

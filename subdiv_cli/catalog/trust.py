@@ -33,10 +33,24 @@ _PROPERTIES = {
     "SD321": {"sobolev"},
     "SD401": {"independent"},
     "SD402": {"stable"},
+    "SD601": {"coset-sums"},
+    "SD602": {"total-sum-rules", "generation"},
+    "SD603": {"box-spline"},
+    "SD604": {"directional-norm"},
+    "SD605": {"family", "radius", "bounded", "radius-upper"},
+    "SD611": {"convergent"},
+    "SD612": {"smooth", "not-smooth"},
+    "SD613": {"not-smooth"},
+    "SD614": {"holder-lower", "holder-root", "holder-value", "radius", "bounded", "radius-upper"},
+    "SD615": {"holder-upper", "holder-root", "holder-value"},
+    "SD616": {"stable"},
 }
 """What claims of these findings must be about; those of later codes must only be verified."""
-_HOLDS = {"SD201", "SD202", "SD313", "SD401", "SD402"}
+_HOLDS = {"SD201", "SD202", "SD313", "SD401", "SD402", "SD601", "SD611", "SD616"}
 """Findings whose claims say whether something holds, proved or refuted."""
+
+_ANSWERS = {"scalar": ("SD201", "SD402", "SD401"), "multivariate": ("SD611", "SD616")}
+"""The findings on convergence, stability and linear independence."""
 
 
 def every_verdict_has_a_claim(result: Result) -> bool:
@@ -82,8 +96,9 @@ def _proved(finding: Finding, statements: Sequence[Mapping[str, Any]]) -> bool:
 def _follows(result: Result, statements: Sequence[Mapping[str, Any]]) -> bool:
     """Whether the short answers are those of the findings, and the orders those of the statements."""
     found = {finding.code: finding for finding in result.findings}
-    answers = ((result.convergent, "SD201"), (result.stable, "SD402"), (result.linearly_independent, "SD401"))
-    if any(code not in found or found[code].verdict is not verdict for verdict, code in answers):
+    given = (result.convergent, result.stable, result.linearly_independent)
+    answers = dict(zip(_ANSWERS[result.kind or "scalar"], given, strict=False))
+    if any(code not in found or found[code].verdict is not verdict for code, verdict in answers.items()):
         return False
     if result.smoothness.order is not None and result.convergent is not Verdict.PROVED:
         return False
@@ -102,7 +117,8 @@ def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator
             yield largest("smooth", "order") >= smooth.order
             yield not smooth.sharp or least("not-smooth", "order") <= smooth.order + 1
     if result.sum_rule_order:
-        yield any(s["property"] == "sum-rules" and s["order"] == result.sum_rule_order for s in statements)
+        rules = ("sum-rules", "total-sum-rules")
+        yield any(s["property"] in rules and s["order"] == result.sum_rule_order for s in statements)
     for name, degree in (("generation", result.generation), ("reproduction", result.reproduction)):
         if degree is not None:
             yield any(s["property"] == name and s["degree"] == degree for s in statements)

@@ -93,7 +93,7 @@ def _asked(file: str, parameters: Sequence[str]) -> _Asked:
     try:
         overrides = dict(parse_override(text) for text in parameters)
         read = read_path(file)
-        scheme = read.scalar_scheme(overrides)
+        scheme = read.scheme(overrides)
     except MaskFileError as error:
         from subdiv_cli.cli.streams import look_of
 

@@ -1,0 +1,228 @@
+"""The certificate of a mask in several variables, as MULTIVARIATE.md says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from math import comb, prod
+from typing import Any, cast
+
+from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.radius import Radii, root_fields, spelled
+from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple, as_word
+from subdiv_cli.certificate.writer import MOST_WORK, Certificate
+from subdiv_cli.model import Data, Finding, Verdict, exact_root
+
+_DECIDED = (Verdict.PROVED, Verdict.REFUTED)
+Map = Mapping[str, Data]
+
+
+def surface_certificate(mask: Json, findings: Sequence[Finding]) -> Certificate | None:
+    """The proof of the proved and refuted findings on a mask, given as certificates embed it.
+
+    None where the whole asks more of the checker than it does.
+    """
+    proof = _Proof(mask, findings)
+    claims = tuple(tuple(proof.claims_of(found)) if found.verdict in _DECIDED else () for found in findings)
+    if sum(claim["work"] for claim in proof.claims.made) > MOST_WORK:
+        return None
+    goal = [proof.claims.statement(number) for number in dict.fromkeys(n for numbers in claims for n in numbers)]
+    if not goal:
+        return None
+    document = {
+        "format": "subdiv-certificate",
+        "version": 1,
+        "mask": mask,
+        "goal": goal,
+        "claims": proof.claims.made,
+    }
+    return Certificate(document, claims)
+
+
+class _Proof:
+    """A certificate under construction. Each method returns the number of a claim."""
+
+    def __init__(self, mask: Json, findings: Sequence[Finding]) -> None:
+        self.claims = Claims()
+        self.found = {finding.code: finding for finding in findings}
+        self.s = len(mask["dilation"])
+        self.terms = len(mask["terms"])
+        self.m = len(as_tuple(self.found["SD601"].witness["cosets"]))
+        self._families: list[None] = []
+        self._family: int | None = None
+
+    def claims_of(self, finding: Finding) -> list[int]:
+        """Those that say what a decided finding says."""
+        rules: dict[str, Callable[[Finding], list[int]]] = {
+            "SD601": lambda _: [self._coset_sums()],
+            "SD602": self._sum_rules_and_generation,
+            "SD603": lambda _: [self._box()],
+            "SD604": self._norms,
+            "SD605": lambda _: [self._radius(), self._differences()],
+            "SD611": lambda _: [self._convergent()],
+            "SD612": lambda found: [self._smooth(found)],
+            "SD613": lambda found: [self._not_smooth(found)],
+            "SD614": self._lower,
+            "SD615": self._upper,
+            "SD616": lambda _: [self._stable()],
+        }
+        return rules[finding.code](finding)
+
+    def _add(
+        self, rule: str, statement: Json, witness: Json | None = None, uses: Sequence[int] = (), work: int = 1
+    ) -> int:
+        name = statement.pop("property", rule)
+        return self.claims.add(rule, {"property": name, **statement}, witness or {}, uses, work)
+
+    def _coset_sums(self) -> int:
+        holds = self.found["SD601"].verdict is Verdict.PROVED
+        return self._add("coset-sums", {"holds": holds}, work=self.terms + self.m)
+
+    def _sum_rules(self) -> int:
+        k = as_integer(self.found["SD602"].witness["order"])
+        return self._add("total-sum-rules", {"order": k}, work=(self.terms + self.m) * comb(k + self.s, self.s))
+
+    def _sum_rules_and_generation(self, finding: Finding) -> list[int]:
+        k, rules = as_integer(finding.witness["order"]), self._sum_rules()
+        return [rules, self._add("generation", {"degree": k - 1}, uses=[rules])] if k else [rules]
+
+    def _box(self) -> int:
+        found = self.found["SD603"].witness
+        pairs = zip(as_tuple(found["directions"]), as_tuple(found["multiplicities"]), strict=True)
+        directions = sorted(spelled(xi) for xi, count in pairs for _ in range(as_integer(count)))  # type: ignore[type-var]
+        c, r, n = as_integer(found["scale"]), as_integer(found["power"]), len(directions)
+        reach = [sum(abs(cast("list[int]", xi)[i]) for xi in directions) for i in range(self.s)]
+        longest = prod((c - 1) * x + 1 for x in reach)
+        work = n * c * longest + r * self.terms * longest + self._breadth()
+        witness = {"power": r, "shift": spelled(found["shift"])}
+        return self._add("box-spline", {"directions": directions, "scale": c}, witness, work=work)
+
+    def _breadth(self) -> int:
+        count = len(as_tuple(self.found["SD603"].witness["directions"]))
+        total = sum(as_integer(n) for n in as_tuple(self.found["SD603"].witness["multiplicities"]))
+        return comb(count, self.s - 1) * self.s * (24 + total)
+
+    def _norms(self, finding: Finding) -> list[int]:
+        w = finding.witness
+        c = self._factor()
+        numbers = []
+        each = zip(*(as_tuple(w[key]) for key in ("directions", "levels", "norms")), strict=True)
+        for (theta, level, norm), quotient in zip(each, as_tuple(finding.proof["quotients"]), strict=True):
+            terms = as_tuple(quotient)
+            indices = [as_tuple(as_tuple(term)[0]) for term in terms]
+            spans = [max(column) - min(column) for column in zip(*indices, strict=True)]
+            growth = (c ** as_integer(level) - 1) // (c - 1)
+            length = prod(cast(int, span) * growth + 1 for span in spans)
+            statement = {"direction": spelled(theta), "level": level, "norm": rational(as_rational(norm))}
+            work = len(terms) * (2 * c + length)
+            numbers.append(self._add("directional-norm", statement, {"quotient": spelled(quotient)}, work=work))
+        return numbers
+
+    def _factor(self) -> int:
+        """c of a dilation c I."""
+        c = exact_root(self.m, self.s)
+        assert c is not None
+        return c
+
+    def _differences(self) -> int:
+        """The claim that introduces the transition operators on V_k."""
+        space = cast(Map, self.found["SD605"].proof["space"])
+        if self._family is None:
+            k, n, w = as_integer(space["order"]), len(as_tuple(space["basis"])), len(as_tuple(space["window"]))
+            s, m = self.s, self.m
+            work = n * w * ((m + 1) * n + self.terms + comb(k + s, s) + comb(k + s - 1, s - 1))
+            self._families.append(None)
+            witness = {key: spelled(space[key]) for key in ("cosets", "window", "basis")}
+            witness |= {key: _rationals(space[key]) for key in ("matrices", "generators")}
+            statement = {"property": "family", "family": 0, "order": k}
+            self._family = self._add("differences", statement, witness, [self._sum_rules()], work)
+        return self._family
+
+    def _radius(self) -> int:
+        """The claim on its joint spectral radius from above, or on the number itself."""
+        proof = self.found["SD605"].proof
+        self._differences()
+        order = len(as_tuple(cast(Map, proof["space"])["basis"]))
+        return Radii(self.claims, self._families, self.m, []).claim(cast(Map, proof["radius"]), 0, order)
+
+    def _word(self, word: Sequence[int], bound: Fraction) -> int:
+        self._differences()
+        order = len(as_tuple(cast(Map, self.found["SD605"].proof["space"])["basis"]))
+        statement = {"property": "radius-lower", "family": 0, "length": len(word), "bound": rational(bound)}
+        return self._add("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
+
+    def _convergent(self) -> int:
+        found = self.found["SD611"]
+        holds, by = found.verdict is Verdict.PROVED, found.witness["by"]
+        rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
+        if by == "SD604":
+            rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
+        elif by == "SD605":
+            word = () if holds else as_word(found.witness)
+            uses = [self._radius() if holds else self._word(word, Fraction(1)), self._differences()]
+        return self._add(rule, {"property": "convergent", "holds": holds}, uses=uses)
+
+    def _stable(self) -> int:
+        found = self.found["SD616"]
+        statement = {"property": "stable", "holds": found.verdict is Verdict.PROVED}
+        if found.witness["by"] == "SD603":
+            count = len(as_tuple(self.found["SD603"].witness["directions"]))
+            return self._add("box-stable", statement, uses=[self._box()], work=24 * self.s * comb(count, self.s))
+        return self._add("interpolatory-stable", statement, uses=[self._convergent()], work=self.terms)
+
+    def _smooth(self, finding: Finding) -> int:
+        if finding.verdict is Verdict.REFUTED:
+            return self._not_smooth(finding)
+        n = as_integer(finding.witness["order"])
+        if finding.witness["by"] == "SD603":
+            return self._add("box-smooth", {"property": "smooth", "order": n}, uses=[self._box()], work=self._breadth())
+        return self._add("smooth", {"order": n}, uses=[self._radius(), self._differences()])
+
+    def _not_smooth(self, finding: Finding) -> int:
+        n, by = as_integer(finding.witness["order"]), finding.witness["by"]
+        statement: Json = {"property": "not-smooth", "order": n}
+        if by == "SD603":
+            return self._add("box-not-smooth", statement, uses=[self._box()], work=self._breadth())
+        if by == "SD602":
+            return self._add("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
+        word = as_word(self.found["SD605"].witness)
+        below = self._word(word * self.s, Fraction(1, self.m ** (n * len(word))))
+        return self._add("not-smooth", statement, uses=[self._stable(), below, self._differences()])
+
+    def _lower(self, finding: Finding) -> list[int]:
+        if finding.witness["by"] == "SD603":
+            return [self._box_exponent(finding)]
+        root = cast("Map | None", finding.witness.get("root"))
+        if root is not None and self.found["SD616"].verdict is Verdict.PROVED:
+            return [self._exponent(finding, root)]
+        bound = rational(as_rational(root["high"] if root is not None else finding.witness["bound"]))
+        statement = {"length": finding.witness["length"], "bound": bound}
+        radius = self._radius()
+        return [self._add("holder-lower", statement, uses=[radius, self._differences()]), radius]
+
+    def _upper(self, finding: Finding) -> list[int]:
+        if finding.witness["by"] == "SD603":
+            return [self._box_exponent(finding)]
+        root = cast("Map | None", self.found["SD614"].witness.get("root"))
+        if root is not None:
+            return [self._exponent(self.found["SD614"], root)]
+        bound = as_rational(finding.witness["radius"])
+        statement = {"length": finding.witness["length"], "bound": rational(bound)}
+        below = self._word(as_word(finding.witness), bound)
+        return [
+            self._add("holder-upper", statement, uses=[below, self._differences(), self._sum_rules(), self._stable()])
+        ]
+
+    def _exponent(self, finding: Finding, root: Map) -> int:
+        statement = {"length": finding.witness["length"], **root_fields(root)}
+        uses = [self._radius(), self._differences(), self._sum_rules(), self._stable()]
+        return self._add("holder-root", statement, uses=uses)
+
+    def _box_exponent(self, finding: Finding) -> int:
+        statement = {"property": "holder-value", "value": int(as_rational(finding.witness["value"]))}
+        return self._add("box-holder", statement, uses=[self._box()], work=self._breadth())
+
+
+def _rationals(data: Data) -> Any:
+    """Nested tuples of numbers, each as `p/q`, integers too."""
+    return [_rationals(x) for x in data] if isinstance(data, tuple) else rational(as_rational(data))
