@@ -31,7 +31,7 @@ def root_text(root: Root) -> str:
     f = fmpz_poly(list(root.coefficients))
     others = [z.real for z in isolated_roots(f) if z.imag.is_zero()]
     others = [z for z in others if not z.overlaps(number_of(root).region.real)]
-    places = max(1, _SIGNIFICANT - math.floor(math.log10(root.low)))
+    places = max(1, _SIGNIFICANT - math.floor(math.log10(root.low.numerator) - math.log10(root.low.denominator)))
     while True:
         unit = Fraction(1, 10**places)
         low, high = root.low // unit * unit, -(-root.high // unit) * unit

@@ -7,6 +7,7 @@ JSR <= x. This is the rule `polytope` of certificate/RADIUS.md.
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -19,6 +20,8 @@ from subdiv_cli.model import Data
 
 _PLACES = 60
 """Binary places of the vertices."""
+_LARGEST = 2.0**60
+"""Of a coordinate: integers have at most 40 digits in a certificate."""
 _WEIGHT_BITS = 39
 _SLACK = (34, 31, 26, 16)
 """The bound is raised by a factor 1 + 2^-s, s the first of these that leaves room for the roundings."""
@@ -35,12 +38,15 @@ class Bound(NamedTuple):
 def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
     """The bound σ·(largest gauge of an image), raised a little; σ is what the body's matrices were divided by.
 
-    None where roundings spoil it, or vertices are complex.
+    None where roundings spoil it, or vertices are complex, or too large for a certificate.
     """
-    if grown.body.complex:
+    if grown.body.complex or not math.isfinite(grown.value) or not (abs(grown.body.columns) < _LARGEST).all():
         return None
     with ctx.workprec(_PRECISION):
-        proof = _Enclosing(family, grown)
+        try:
+            proof = _Enclosing(family, grown)
+        except ZeroDivisionError:  # the rounded vertices do not span
+            return None
         for slack in _SLACK:
             x = _short(sigma * max(Fraction(1), Fraction(grown.value)) * (1 + Fraction(1, 1 << slack)))
             if (images := proof.images(float(sigma / x), x)) is not None:

@@ -172,7 +172,7 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
     known = [part for part in parts if part is not None]
     if len(known) < len(parts):
         return None
-    top = max(known, key=lambda part: (part.exact is not None and part.ceiling, part.ceiling))
+    top = max(known, key=lambda part: (part.exact is not None, part.ceiling))
     others = [part for part in known if part is not top]
     proof: dict[str, Data] = {
         "rule": "blocks",

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from flint import fmpq, fmpq_mat, fmpq_poly
 
-from subdiv_cli.exact.linalg import identity, nullspace
+from subdiv_cli.exact.linalg import at_matrix, identity, nullspace
 from subdiv_cli.jsr.family import Family
 
 _TRIES = 12
@@ -69,16 +69,8 @@ def _kernels(family: Family) -> list[fmpq_mat]:
         for _ in range(2):
             a = a + generator.choice(family.matrices) * generator.choice(family.matrices) * generator.randint(1, 3)
         factors = [g for g, _ in a.charpoly().numer().factor()[1]]
-        found += [(g.degree(), _at_matrix(fmpq_poly(g), a)) for g in factors[:3]]
+        found += [(g.degree(), at_matrix(fmpq_poly(g), a)) for g in factors[:3]]
     return [m for _, m in sorted(found, key=lambda pair: pair[0])]
-
-
-def _at_matrix(f: fmpq_poly, a: fmpq_mat) -> fmpq_mat:
-    unit = identity(a.nrows())
-    total = unit * 0
-    for c in reversed(list(f)):
-        total = total * a + unit * c
-    return total
 
 
 def _spin(matrices: Sequence[fmpq_mat], vector: Sequence[Fraction]) -> list[list[fmpq]] | None:

@@ -18,7 +18,7 @@ from subdiv_cli.pipeline import joint_spectral_radius
 
 
 class Proved(NamedTuple):
-    """What is known of a radius ρ; the bounds are doubles that follow from the verified goal."""
+    """What is known of a radius ρ; the bounds are doubles that follow from the verified goal, None beyond them."""
 
     lower: float
     upper: float
@@ -44,7 +44,7 @@ def proved(matrices, work=DEFAULT_EFFORT):
     assert exactly(document["mask"]["matrices"]) == matrices
     goal = {statement["property"]: statement for statement in document["goal"]}
     assert all(statement["family"] == 0 for statement in goal.values())
-    lower, upper = Fraction(radius.lower), Fraction(radius.upper)
+    lower, upper = (x if x is None else Fraction(x) for x in (radius.lower, radius.upper))
     said = goal.get("bounded", goal.get("radius"))
     if said is None:
         bound = goal["radius-upper"]
@@ -64,7 +64,8 @@ def proved(matrices, work=DEFAULT_EFFORT):
 def _encloses(lower, upper, said):
     """Whether the root that a verified statement names, to the power 1/n, lies in [lower, upper]: by signs."""
     n, m = said["length"], [int(c) for c in said["polynomial"]]
-    left, right = max(lower**n, Fraction(said["low"])), min(upper**n, Fraction(said["high"]))
+    low, high = Fraction(said["low"]), Fraction(said["high"])
+    left, right = max(lower**n, low), high if upper is None else min(upper**n, high)
     return left <= right and at(m, left) * at(m, right) <= 0
 
 

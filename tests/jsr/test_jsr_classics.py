@@ -174,6 +174,24 @@ def test_little_effort_is_honest():
         assert found.upper >= value * (1 - 1e-15)
 
 
+@pytest.mark.parametrize("scale", [10**60, 10**400, Fraction(1, 10**60), Fraction(1, 10**400)])
+def test_huge_and_tiny_matrices(scale):
+    """Doubles need not reach the radius; the certificate does."""
+    for family in (GOLDEN, [ROTATION], [[[2, 1], [0, 1]], [[1, 5], [0, -3]]]):
+        plain, found = proved(family), proved([[[scale * x for x in row] for row in m] for m in exactly(family)])
+        assert found.root is not None
+        assert found.root[0] == plain.root[0]
+        assert found.rules == plain.rules
+
+
+@pytest.mark.parametrize("scale", [10**20, 10**100, 10**400])
+def test_entries_of_very_different_sizes(scale):
+    """Denominators beyond 64 bits, and vertices far from any circle."""
+    small = Fraction(1, scale)
+    assert proved([[[small, 1], [0, small]], [[1, 0], [small, 0]]]).root == (1, (-1, 1))
+    assert proved([[[1, scale], [small, 1]], [[0, scale], [0, 1]]]).root == (1, (-2, 1))
+
+
 def test_the_laws_for_the_golden_pair():
     """Scaled, transposed, in another basis, all products of three, and squared by Kronecker's product."""
     golden = exactly(GOLDEN)

@@ -91,7 +91,7 @@ def is_narrow(found):
     return found.upper - found.lower <= 1e-3 * found.upper
 
 
-@settings(max_examples=300)
+@settings(max_examples=150)
 @given(families(orders=(1, 4)))
 def test_brute_force_agrees(family):
     found, (low, high) = proved(family, WORK), products(family)
@@ -107,7 +107,7 @@ def test_most_random_families_are_known_exactly():
     """Otherwise the laws say little: of some hundred families nearly all close."""
     seen = []
 
-    @settings(max_examples=150, database=None)
+    @settings(max_examples=100, database=None)
     @given(families())
     def collect(family):
         seen.append(proved(family, WORK))
@@ -118,7 +118,7 @@ def test_most_random_families_are_known_exactly():
     assert {rule for found in seen for rule in found.rules} >= {"closing", "blocks", "zero", "radius-of-blocks"}
 
 
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(families(), st.fractions(-3, 3, max_denominator=5))
 def test_scaling(family, factor):
     assume(factor)
@@ -126,14 +126,14 @@ def test_scaling(family, factor):
     assert same(proved(family, WORK), proved(scaled, WORK), abs(float(factor)))
 
 
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(families().flatmap(lambda family: st.tuples(st.just(family), bases(len(family[0])))))
 def test_similarity(pair):
     family, basis = pair
     assert same(proved(family, WORK), proved(similar(family, basis), WORK))
 
 
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(families())
 def test_transposition(family):
     assert same(proved(family, WORK), proved([transposed(m) for m in family], WORK))
