@@ -1,32 +1,22 @@
 """The closed polytope: its vertices are words of the family applied to leading eigenvectors, and JSR^ℓ = Λ exactly.
 
-σ = Λ^(1/ℓ). Vertices are numbered as RADIUS.md says: the leaders, the tree, then their reflections. An image is a pair
-(u, i), M_i v_u / σ, known by the number u p + i.
+Vertices are numbered as RADIUS.md says: the leaders, the tree, then their reflections.
 """
 
 from __future__ import annotations
 
-from math import lcm
-from typing import Any
-
-from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.eigenvectors import Vector, enclosed, leading_eigenvector, slope_bits
+from subdiv_cli.checker.eigenvectors import enclosed, slope_bits
 from subdiv_cli.checker.matrices import Family
-from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.polytopes import body, reflected, weight_count
-from subdiv_cli.checker.reading import Rejected, require
-from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale, isolated_root
+from subdiv_cli.checker.reading import require
+from subdiv_cli.checker.roots import Root, isolated_root
 from subdiv_cli.checker.trees import Tree, check_ties, read_tree, ties_work
-
-HEADROOM = 64
-"""A coordinate is below 2^64."""
-EXTRA_BITS = 30
-"""An extra vertex is integers / 2^30."""
+from subdiv_cli.checker.vertices import HEADROOM, Vertices, leader_of, returns_of, weighted
 
 
 def closing(c: Claim) -> None:
-    """JSR^ℓ = Λ, and products of L matrices are at most a constant times σ^L.
+    """JSR^ℓ = Λ, and products of L matrices are at most a constant times σ^L, σ = Λ^(1/ℓ).
 
     Π x = sΛ x ≠ 0 for a product Π of ℓ matrices, so JSR^ℓ >= Λ. The hull P of all ±v is a body with M_i P ⊂ σ P: every
     M_i v_u / σ is a vertex (an edge of the tree), ± a leader (a return), a combination Σ c_k v_k with Σ |c_k| <= 1 (a
@@ -37,9 +27,13 @@ def closing(c: Claim) -> None:
     _count(c, family, root, tree)
     returns = returns_of(c, tree, c.statement["length"])
     ties = _tied(c, tree, returns)
-    leaders = [_leader(c, family, root, leader) for leader in c.witness["leaders"]]
-    images = _Enclosures(c, family, root, tree, leaders)
-    _check_insides(c, family, images, tree, {*tree.children, *returns, *ties})
+    leaders = [leader_of(c, family, leader, leader["sign"], root.polynomial) for leader in c.witness["leaders"]]
+    vertices = Vertices(c, family, root, max(slope_bits(x, root.high) for x in leaders))
+    d, at, bits = len(root.polynomial) - 1, vertices.at, c.witness["bits"]
+    for x in leaders:
+        c.spend(3 * family.order * d, x.bits + d * (at.low.bit_length() + at.scale.bit_length()))
+    vertices.grow(tree, (enclosed(x, at, bits) for x in leaders))
+    _check_insides(c, family, vertices, tree, {*tree.children, *returns, *ties})
     if ties:
         check_ties(c, family, root, tree, leaders)
 
@@ -52,22 +46,6 @@ def _count(c: Claim, family: Family, root: Root, tree: Tree) -> None:
     c.count(work, max(family.bits, c.witness["bits"] + HEADROOM))
 
 
-def returns_of(c: Claim, tree: Tree, length: int) -> set[int]:
-    """The images that are ± a leader, or its reflection: by the last letter of its word after all others."""
-    returns = set()
-    for number, leader in enumerate(c.witness["leaders"]):
-        word, u = leader["word"], number
-        require(len(word) == length, f"the word of leader {number} is of another length")
-        require(max(word) < tree.letters, f"the word of leader {number} has a letter that is not there")
-        for letter in word[:-1]:
-            require(u * tree.letters + letter in tree.children, f"the path of leader {number} is not in the tree")
-            u = tree.children[u * tree.letters + letter]
-        image = u * tree.letters + word[-1]
-        require(image not in tree.children, f"the return of leader {number} is in the tree")
-        returns.add(image)
-    return returns
-
-
 def _tied(c: Claim, tree: Tree, returns: set[int]) -> list[int]:
     ties = []
     for tie in c.witness["ties"]:
@@ -78,83 +56,12 @@ def _tied(c: Claim, tree: Tree, returns: set[int]) -> list[int]:
     return ties
 
 
-def _leader(c: Claim, family: Family, root: Root, leader: dict[str, Any]) -> Vector:
-    """x with Π x = sΛ x, exactly, where g(Π) e_j = 0 and m(x) divides g(s x). Its word has been looked at.
-
-    Where it is reflected, Π is J times the word's product, and Π² = ± the product of the mirrored word times that.
-    """
-    order, m, sign, g = family.order, root.polynomial, leader["sign"], leader["annihilator"]
-    require(sign != 0 and leader["scale"] > 0, "the sign of a leader is not 1 or -1, or its scale not positive")
-    require(leader["column"] < order, "the column of a leader is not there")
-    require(2 <= len(g) <= order + 1 and g[-1] != 0, "the annihilator of a leader is not of a degree 1, …, N")
-    bits = len(leader["word"]) * (family.bits + order.bit_length()) + sum(map(fraction_bits, g))
-    c.spend((len(leader["word"]) + 1) * order**3, (order.bit_length() + 1) * bits)
-    matrix, denominator = family.product(leader["word"])
-    if leader["reflected"]:
-        require(c.witness["symmetry"] != 0, "a leader is reflected, and nothing is symmetric")
-        matrix = matrix[::-1]
-    common = lcm(*(x.denominator for x in g))
-    at_sign = [x.numerator * (common // x.denominator) * sign**k for k, x in enumerate(g)]
-    c.spend(order**2, order * (bits + max(map(abs, m)).bit_length()))
-    require(not remainder(at_sign, m), "the root's polynomial does not divide the annihilator of a leader")
-    x = leading_eigenvector((matrix, denominator), g, sign, leader["column"], leader["scale"], m)
-    if x is None:
-        raise Rejected("the annihilator of a leader does not vanish on its column")
-    return x
-
-
-def _check_insides(c: Claim, family: Family, images: _Enclosures, tree: Tree, taken: set[int]) -> None:
+def _check_insides(c: Claim, family: Family, vertices: Vertices, tree: Tree, taken: set[int]) -> None:
     """All images but those taken lie inside, by their weights."""
     w = c.witness
-    vertices = reflected(c, family, images.vertices)
-    errors = images.errors * (len(vertices) // len(images.errors))
-    ball = body(c, vertices, errors, w["basis"], w["weight_bits"], w["bits"] + HEADROOM)
-    insides = [image for image in range(len(tree.parents) * tree.letters) if image not in taken]
-    require(len(insides) == len(w["images"]), f"there are {len(insides)} images inside, not as many as weights")
-    for image, weights in zip(insides, w["images"], strict=True):
-        u, letter = divmod(image, tree.letters)
-        middle, error = images.of(u, letter)
+    hull = reflected(c, family, vertices.vectors)
+    errors = vertices.errors * (len(hull) // len(vertices.errors))
+    ball = body(c, hull, errors, w["basis"], w["weight_bits"], w["bits"] + HEADROOM)
+    for u, letter, weights in weighted(c, tree, taken):
+        middle, error = vertices.image(u, letter)
         require(ball.contains(middle, 1, error, weights), f"the image of vertex {u} by letter {letter} is not inside")
-
-
-class _Enclosures:
-    """Vertices as integers / 2^bits, each with one error for all its coordinates, in units of 2^-bits."""
-
-    def __init__(self, c: Claim, family: Family, root: Root, tree: Tree, leaders: list[Vector]) -> None:
-        bits, d = c.witness["bits"], len(root.polynomial) - 1
-        tiny = max(0, root.low.denominator.bit_length() - root.low.numerator.bit_length() + 1)
-        at = enclose(c, root, bits + 2 * tiny + 2 + max(slope_bits(x, root.high) for x in leaders))
-        scale = inverse_scale(c, at, c.statement["length"], bits)
-        self._matrices, self._value, self._error = family.matrices, scale.value, scale.error
-        self._below = family.denominator << bits
-        self._rows = [max(sum(map(abs, row)) for row in matrix) for matrix in family.matrices]
-        self.vertices: list[list[int]] = []
-        self.errors: list[int] = []
-        images = tree.letters * len(tree.parents)
-        c.spend(images * family.order, bits + HEADROOM + family.bits + scale.value.bit_length())
-        for x in leaders:
-            c.spend(3 * family.order * d, x.bits + d * (at.low.bit_length() + at.scale.bit_length()))
-            v, error = enclosed(x, at, bits)
-            require(max(map(abs, v)) > error, "a leader may be zero")
-            self._add(v, error, bits)
-        for parent, by in zip(tree.parents[len(leaders) :], tree.by[len(leaders) :], strict=True):
-            if parent < 0:
-                self._add([(x << bits) >> EXTRA_BITS for x in c.witness["extras"][by]], 1, bits)
-            else:
-                self._add(*self.of(parent, by), bits)
-
-    def _add(self, v: list[int], error: int, bits: int) -> None:
-        limit = 1 << (bits + HEADROOM)
-        require(max(map(abs, v)) < limit and error < limit, f"vertex {len(self.vertices)} is too large")
-        self.vertices.append(v)
-        self.errors.append(error)
-
-    def of(self, u: int, letter: int) -> tuple[list[int], int]:
-        """M_letter v_u / σ, rounded down, and its error.
-
-        With g = 1/σ in [G, G + γ]/2^bits, v = w + δ, |δ_i| <= ε: g M v - (G/2^bits) M w = g M δ + (g - G/2^bits) M w is
-        at most g ‖M‖∞ ε + (γ/2^bits) max |M w|. One unit more for each of the two roundings.
-        """
-        y = matrices.apply(self._matrices[letter], self.vertices[u])
-        error = (self._value + self._error) * self._rows[letter] * self.errors[u] + self._error * max(map(abs, y))
-        return [self._value * x // self._below for x in y], error // self._below + 2
