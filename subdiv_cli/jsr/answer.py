@@ -15,7 +15,7 @@ from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.exact.text import certain
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import Product, radius_bound
-from subdiv_cli.jsr.radius import joint_spectral_radius
+from subdiv_cli.jsr.radius import joint_spectral_radius, rough_radius
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.model import Data, Effort, Interval, Root, exact_root
 from subdiv_cli.model.family import FamilyRadius
@@ -24,7 +24,7 @@ from subdiv_cli.model.family import FamilyRadius
 def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> FamilyRadius:
     """The joint spectral radius of p >= 1 square matrices of one order, as far as the effort goes."""
     family = Family([matrix(rows) for rows in matrices])
-    radius = joint_spectral_radius(family, effort)
+    radius = joint_spectral_radius(family, effort) or rough_radius(family, effort)
     stopped: Literal["budget"] | None = "budget" if effort.struck else None
     if radius is None:
         return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)

@@ -18,7 +18,7 @@ from subdiv_cli.exact.enclosures import bounds
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.arrays import Numbers
 from subdiv_cli.jsr.closing import close
-from subdiv_cli.jsr.enclosing import Bound, enclose
+from subdiv_cli.jsr.enclosing import Bound, by_columns, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.polytope import Body, Grown, Start, grow
@@ -61,6 +61,19 @@ def _of_one_block(family: Family, effort: Effort) -> Radius | None:
         return _of_blocks(blocks, effort)
     attempt = _Attempt(family, candidates(family, _DEEP)[1], effort)
     return attempt.closed() or attempt.enclosed()
+
+
+def rough_radius(family: Family, effort: Effort) -> Radius | None:
+    """A bound where there is no better one: for large orders, or vertices that floats do not get hold of.
+
+    For large orders no product stands beside it: its characteristic polynomial asks too much of a checker.
+    """
+    if not effort.allows(family.order**2):
+        return None
+    found = candidates(family, 2)[1] if family.order <= LARGEST_ORDER else ()
+    bound = by_columns(family)
+    proof: dict[str, Data] = {"rule": "polytope", "length": 1, "bound": bound.upper, **bound.witness}
+    return Radius(family.full_word(found[0]) if found else None, None, (1, bound.upper), False, proof)
 
 
 class _Attempt:

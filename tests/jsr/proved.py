@@ -49,7 +49,7 @@ def proved(matrices, work=DEFAULT_EFFORT):
     if said is None:
         bound = goal["radius-upper"]
         assert upper ** bound["length"] >= Fraction(bound["bound"])
-        assert lower <= 0 or lower ** goal["radius-lower"]["length"] <= Fraction(goal["radius-lower"]["bound"])
+        assert lower == 0 or lower ** goal["radius-lower"]["length"] <= Fraction(goal["radius-lower"]["bound"])
         assert radius.exact == ("0" if upper == 0 else None)
     else:
         assert radius.exact is not None

@@ -165,6 +165,22 @@ def test_an_enclosure_where_no_polytope_closes(family):
     assert found.lower <= value <= found.upper
 
 
+@pytest.mark.parametrize("order", [41, 64])
+def test_a_large_order_has_a_bound(order):
+    """A circulant matrix with column sums 3, and a reversal: no polytope is grown."""
+    shift = [[int((i - j) % order in (0, 1, 5)) for j in range(order)] for i in range(order)]
+    turn = [[int(i == order - 1 - j) for j in range(order)] for i in range(order)]
+    found = proved([shift, turn])
+    assert found.rules == ["polytope"]
+    assert found.lower == 0.0
+    assert 3 <= found.upper <= 3 + 1e-6
+
+
+def test_vertices_that_floats_do_not_get_hold_of():
+    found = proved([[[10**20, 1], [1, 1]], [[1, 10**20], [1, 0]]])
+    assert 1e20 <= found.lower <= found.upper <= 1.0001e20
+
+
 def test_little_effort_is_honest():
     """With little work there is a wider enclosure, or none, and never a wrong one."""
     value = (2 + 2**0.5) ** (1 / 3)
