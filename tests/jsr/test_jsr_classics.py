@@ -165,6 +165,18 @@ def test_an_enclosure_where_no_polytope_closes(family):
     assert found.lower <= value <= found.upper
 
 
+@pytest.mark.parametrize("digits", [250, 900])
+def test_long_numbers(digits):
+    """Near the golden pair; a closed form of such coefficients is not spelled, but proved."""
+    more = 1 + Fraction(1, 10**digits + 1)
+    found = proved([[[more, 1], [0, 1]], [[1, 0], [1, 1]]])
+    assert found.root is not None
+    assert found.lower == pytest.approx(PHI, rel=1e-14)
+    long = 10 ** (digits + 10)
+    found = proved([[[0, Fraction(long + 1, long - 1)], [1, 0]], [[1, 0], [0, Fraction(1, long + 3)]]])
+    assert found.lower <= 1 + 1e-15 <= found.upper + 2e-15
+
+
 @pytest.mark.parametrize("order", [41, 64])
 def test_a_large_order_has_a_bound(order):
     """A circulant matrix with column sums 3, and a reversal: no polytope is grown."""
