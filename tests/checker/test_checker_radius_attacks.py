@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from hand_made import claim
-from hand_made_radius import matrices_document
+from hand_made import claim, document, poly
+from hand_made_radius import four_point_attained, matrices_document
 
 from subdiv_cli.checker import check_document
 
@@ -81,10 +81,69 @@ def word(matrices, letters, bound):
     return matrices_document(matrices, [made])
 
 
+def closed_part(family, said):
+    """A family of one number, by a leader alone."""
+    number = said["low"]
+    witness = hull(leaders=[leader(annihilator=["-" + number, "1"])], ties=[], basis=[0])
+    return claim("closing", property="bounded", family=family, length=1, **said, witness=witness)
+
+
 UNIT = [["1", "0"], ["0", "1"]]
 FIVE, TWO, SMALL = root(["-5", "1"], "5", "5"), root(["-2", "1"], "2", "2"), root(["-1", "1"], "1", "1")
 E0, E1 = leader(), leader(column=1)
+POWERS = [[["0", "-2", "0", "0"], ["2", "0", "0", "0"], ["0"] * 4, ["0"] * 4]]
+"""Twice a quarter turn: JSR² = 4, and z⁴ + 5z² + 4 = (z² + 1)(z² + 4) annihilates it too."""
+OTHER_PAIR = {
+    "annihilator": ["4", "0", "5", "0", "1"],
+    "factor": ["4", "0", "5", "0", "1"],
+    "center": ["0", "2"],
+}
+
+
+def not_the_largest():
+    """(1+z)² (1 + 4z + z²)/12: the matrix C has the eigenvalues 1/12, twice, and 1/3, which is the radius."""
+    small = root(["-1", "12"], "1/12", "1/12")
+    squares = {"squares": poly(0, 1), "rest": poly(0, 4, 1, over=12), "power": 0}
+    claims = [
+        claim("sum-rules", mask=0, order=2, witness={"quotient": poly(0, 1, 4, 1, over=12)}),
+        claim("transition", [0], property="family", family=0, mask=0, nu=2),
+        claim("positive-symbol", [1, 0], squares, property="radius", family=0, length=1, **small),
+    ]
+    return document(2, poly(0, 1, 6, 10, 6, 1, over=12), claims)
+
+
+def attained_at_an_integer():
+    """The products of D of the four-point scheme are bounded at 1/4, and yet α = 2 is not attained."""
+    made = four_point_attained()
+    (number,) = [i for i, c in enumerate(made["claims"]) if c["rule"] == "positive-symbol"]
+    uses = next(c["uses"] for c in made["claims"] if c["rule"] == "holder-root")
+    assert made["claims"][number]["statement"]["property"] == "bounded"
+    made["claims"].append(claim("attained-bounded", uses, property="attained", holds=True))
+    made["goal"] = [made["claims"][-1]["statement"]]
+    return made
+
+
 ATTACKS = {
+    "the modulus of another pair": (
+        turned(
+            POWERS, SMALL, [turning(**OTHER_PAIR)], extras=[[0, 0, 2**30, 0], [0, 0, 0, 2**30]], tree=[-1, 0, -1, 1],
+            basis=[0, 3, 1, 2], images=[[], []],
+        ),
+        "the eigenvalue does not have that modulus",
+    ),
+    "a complex image with too much weight": (
+        turned([*TURN, [["3", "0"], ["0", "3"]]], SMALL, [turning()], images=[[0, 12, 0]]),
+        "the image of vertex 0 by letter 1 is not inside",
+    ),
+    "the radius of the smaller part": (
+        blocks(
+            DOUBLE, [1, 1], [1, 2], UNIT, closed_part(1, SMALL), closed_part(2, TWO),
+            claim("radius-of-blocks", [0, 1, 2], property="radius", family=0, length=1, **SMALL),
+        ),
+        "the radius of part 2 may be larger",
+    ),
+    "an eigenvalue that is not the largest": (not_the_largest(), "the root is not the largest real one"),
+    "a class of functions at an integer": (attained_at_an_integer(), "the exponent may be an integer"),
     "an annihilator with a root that is none": (
         closing(ONE, FIVE, [leader(annihilator=["5", "-6", "1"])] * 2),
         "a leader may be zero",
@@ -203,8 +262,8 @@ ATTACKS = {
 
 @pytest.mark.parametrize("name", ATTACKS)
 def test_the_checker_says_why_it_does_not_take_it(name):
-    document, why = ATTACKS[name]
-    outcome = check_document(document)
+    forged, why = ATTACKS[name]
+    outcome = check_document(forged)
     assert not outcome.verified
     assert why in outcome.line, outcome.line
 
@@ -222,11 +281,19 @@ def test_the_attacks_fail_by_their_trick_alone():
         turned(TURN, SMALL, [turning()]),
         polytope(DOUBLE, "2", UNIT, [[0, 2], [1, 4]]),
         word(DOUBLE, [0], "2"),
+        turned(
+            POWERS, root(["-4", "1"], "4", "4"), [turning(**OTHER_PAIR)], extras=[[0, 0, 2**30, 0], [0, 0, 0, 2**30]],
+            tree=[-1, 0, -1, 1], basis=[0, 3, 1, 2], images=[[], []],
+        ),
+        blocks(
+            DOUBLE, [1, 1], [1, 2], UNIT, closed_part(1, SMALL), closed_part(2, TWO),
+            claim("radius-of-blocks", [0, 1, 2], property="radius", family=0, length=1, **TWO),
+        ),
         blocks([[["0", "1"], ["0", "0"]]], [1, 1], [1, 2], UNIT, upper(1, "0"), upper(2, "0"),
                upper(0, "0", [0, 1, 2], "upper-of-blocks")),
     ]  # fmt: skip
-    for document in honest:
-        outcome = check_document(document)
+    for made in honest:
+        outcome = check_document(made)
         assert outcome.verified, outcome.line
 
 
@@ -234,7 +301,7 @@ LONG = "1" + "0" * 9999
 
 
 @pytest.mark.parametrize(
-    "document",
+    "forged",
     [
         closing(ONE, root(["-" + LONG, "1"], LONG, LONG), [leader(word=[0] * 1000)] * 2, length=1000, bits=4096),
         closing(ONE, root(["-2", "0", "1"], "1/" + LONG, LONG), [E0, E1], bits=4096),
@@ -243,6 +310,6 @@ LONG = "1" + "0" * 9999
     ],
     ids=range(4),
 )  # fmt: skip
-def test_huge_numbers_end_at_once(document):
+def test_huge_numbers_end_at_once(forged):
     """Whatever they prove: no more work than is bounded."""
-    assert "fails on it" not in check_document(document).line
+    assert "fails on it" not in check_document(forged).line
