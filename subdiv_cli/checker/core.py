@@ -7,8 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from subdiv_cli.checker.matrices import Family
+from subdiv_cli.checker.numerals import shown
 from subdiv_cli.checker.polynomials import Polynomial
-from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, parse, read_object, require, shown
+from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, parse, read_object, require
 
 FORMAT, VERSION = "subdiv-certificate", 1
 MAX_FAMILIES = 1000

@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import cache, lru_cache, partial
-from math import gcd, lcm
+from functools import cache, partial
+from math import lcm
 from typing import Any
 
 from subdiv_cli.checker.matrices import Family, family
+from subdiv_cli.checker.numerals import MAX_DIGITS, UnreadableError, demand, digits, fraction, rational, shown
 from subdiv_cli.checker.polynomials import Polynomial, over_common_denominator
 
 Fields = Mapping[str, str]
 """The keys of an object, all of them obligatory, and the kind of each value."""
 
 MAX_BYTES = 64 << 20
-MAX_DIGITS = 20_000
-"""Decimal digits of a number, and of the common denominator of a polynomial."""
 MAX_LENGTH = 4_000
 """Coefficients of a polynomial, letters of a word, members of a list."""
 MAX_INTEGER = 1_000_000
@@ -70,10 +68,6 @@ _OBJECTS: Mapping[str, Fields] = {
 }
 _LENGTHS = {"vertices[]": MAX_VERTICES, "tie[]": MAX_VERTICES, "flat[]": MAX_VERTICES * MAX_ORDER}
 """Of lists that may have more members than others."""
-_SHORT = 40
-"""Characters of a number that is kept once it is read."""
-_RATIONAL = re.compile(r"-?([0-9]+)(?:/([0-9]+))?")
-_DIGITS = re.compile(r"0|-?[1-9][0-9]*")
 
 
 class Rejected(Exception):  # noqa: N818 (an answer, not an error)
@@ -102,28 +96,11 @@ def parse(text: str) -> object:
         raise Rejected("nested too deeply") from None
 
 
-def shown(value: object) -> str:
-    """Untrusted text in a message: short and ASCII."""
-    return ascii(value[:40] if isinstance(value, str) else type(value).__name__)
-
-
-class _UnreadableError(Exception):
-    """A value that is not as specified; the places on the way out to it, innermost first, and what is wrong there."""
-
-    def __init__(self, why: str, place: str = "") -> None:
-        self.why, self.place = why, place
-
-
-def _demand(condition: bool, why: str) -> None:
-    if not condition:
-        raise _UnreadableError(why)
-
-
 def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
     """The values of an object that has exactly these keys."""
     try:
         return _object_of(value, fields)
-    except _UnreadableError as error:
+    except UnreadableError as error:
         raise Rejected(f"{error.place}{what} {error.why}") from None
 
 
@@ -131,24 +108,24 @@ def read(kind: str, value: object, what: str) -> Any:
     """A value of one of the kinds below; a kind that ends in [] is a list."""
     try:
         return _reader(kind)(value)
-    except _UnreadableError as error:
+    except UnreadableError as error:
         raise Rejected(f"{error.place}{what} {error.why}") from None
 
 
 def _object_of(value: object, fields: Fields) -> dict[str, Any]:
     if type(value) is not dict:
-        raise _UnreadableError("is not an object")
+        raise UnreadableError("is not an object")
     if value.keys() != fields.keys():
         for key in value:
-            _demand(key in fields, f"has the unknown key {shown(key)}")
-        raise _UnreadableError(f"has no key '{min(fields.keys() - value.keys())}'")
+            demand(key in fields, f"has the unknown key {shown(key)}")
+        raise UnreadableError(f"has no key '{min(fields.keys() - value.keys())}'")
     result = dict(value)
     try:
         for key, kind in fields.items():
             if kind != "any":
                 result[key] = _reader(kind)(value[key])
-    except _UnreadableError as error:
-        raise _UnreadableError(error.why, f"{error.place}'{key}' of ") from None
+    except UnreadableError as error:
+        raise UnreadableError(error.why, f"{error.place}'{key}' of ") from None
     return result
 
 
@@ -167,63 +144,57 @@ def _members(reader: Callable[[Any], Any], most: int, value: object, of: str = "
     members = _list(value, most)
     try:
         return tuple(map(reader, members))
-    except _UnreadableError as error:
-        raise _UnreadableError(error.why, error.place + of) from None
+    except UnreadableError as error:
+        raise UnreadableError(error.why, error.place + of) from None
 
 
 def _list(value: object, most: int) -> list[Any]:
     if type(value) is not list:
-        raise _UnreadableError("is not a list")
-    _demand(len(value) <= most, "is too long")
+        raise UnreadableError("is not a list")
+    demand(len(value) <= most, "is too long")
     return value
 
 
 def _integer(least: int, greatest: int, value: object) -> int:
     if type(value) is not int:
-        raise _UnreadableError("is not an integer")
-    _demand(least <= value <= greatest, "is out of range")
+        raise UnreadableError("is not an integer")
+    demand(least <= value <= greatest, "is out of range")
     return value
 
 
 def _boolean(value: object) -> bool:
     if type(value) is not bool:
-        raise _UnreadableError("is not a boolean")
+        raise UnreadableError("is not a boolean")
     return value
-
-
-def _fraction(value: object) -> Fraction:
-    if type(value) is str and len(value) <= _SHORT:
-        return _short_fraction(value)
-    return Fraction(*_ratio(value))
 
 
 def _polynomial(value: object) -> Polynomial:
     fields = _object_of(value, {"start": "integer", "coefficients": "any"})
-    pairs = _members(_rational, MAX_LENGTH, fields["coefficients"], "a coefficient of ")
+    pairs = _members(rational, MAX_LENGTH, fields["coefficients"], "a coefficient of ")
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
-        raise _UnreadableError("has a common denominator that is too large")
+        raise UnreadableError("has a common denominator that is too large")
     return f
 
 
 def _family(value: object) -> Family:
     """Square matrices of one order, rows of rationals, over one common denominator."""
     matrices = _members(_rows, MAX_ORDER, value, "a matrix of ")
-    _demand(len(matrices) > 0, "is empty")
+    demand(len(matrices) > 0, "is empty")
     order, common = len(matrices[0]), 1
-    _demand(all(len(rows) == order for rows in matrices), "has matrices of two orders")
+    demand(all(len(rows) == order for rows in matrices), "has matrices of two orders")
     for rows in matrices:
         for row in rows:
             for _, q in row:
                 common = lcm(common, q)
-                _demand(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
+                demand(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
     return family([[[p * (common // q) for p, q in row] for row in rows] for rows in matrices], common)
 
 
 def _rows(value: object) -> tuple[tuple[tuple[int, int], ...], ...]:
-    rows = _members(partial(_members, _rational, MAX_ORDER, of="an entry of "), MAX_ORDER, value, "a row of ")
-    _demand(len(rows) > 0, "is empty")
-    _demand(all(len(row) == len(rows) for row in rows), "has a row of another length")
+    rows = _members(partial(_members, rational, MAX_ORDER, of="an entry of "), MAX_ORDER, value, "a row of ")
+    demand(len(rows) > 0, "is empty")
+    demand(all(len(row) == len(rows) for row in rows), "has a row of another length")
     return rows
 
 
@@ -233,76 +204,30 @@ def _matrix(value: object) -> Family:
 
 def _root(value: object) -> tuple[int, ...]:
     """The coefficients of an integer polynomial, the constant one first."""
-    return _members(partial(_digits, MAX_DIGITS), MAX_DEGREE + 1, value)
+    return _members(partial(digits, MAX_DIGITS), MAX_DEGREE + 1, value)
 
 
 def _element(value: object) -> tuple[Fraction, ...]:
     """A number, or a polynomial in Λ, the constant first."""
-    return _members(_fraction, MAX_DEGREE, value) if type(value) is list else (_fraction(value),)
+    return _members(fraction, MAX_DEGREE, value) if type(value) is list else (fraction(value),)
 
 
 def _coordinates(value: object) -> tuple[int, ...]:
-    return _members(partial(_digits, MAX_COORDINATE), MAX_ORDER, value)
-
-
-def _digits(most: int, value: object) -> int:
-    """`"n"`, an integer without leading zeros."""
-    if type(value) is not str:
-        raise _UnreadableError("is not a string of digits")
-    _demand(len(value) <= most + 1, "has too many digits")
-    digits = value.lstrip("-")
-    _demand(len(digits) <= most and _DIGITS.fullmatch(value) is not None, f"is not an integer: {shown(value)}")
-    return -_decimal(digits) if value[0] == "-" else _decimal(digits)
+    return _members(partial(digits, MAX_COORDINATE), MAX_ORDER, value)
 
 
 def _flat(value: object) -> list[int]:
     """Integers in a row whose meaning their rule knows."""
     members: list[int] = _list(value, 2 * MAX_VERTICES)
-    _demand(set(map(type, members)) <= {int}, "has a member that is not an integer")
-    _demand(not members or -MAX_ENTRY <= min(members) <= max(members) <= MAX_ENTRY, "has a member that is too large")
+    demand(set(map(type, members)) <= {int}, "has a member that is not an integer")
+    demand(not members or -MAX_ENTRY <= min(members) <= max(members) <= MAX_ENTRY, "has a member that is too large")
     return members
-
-
-def _rational(value: object) -> tuple[int, int]:
-    """`"p/q"` or `"p"` in lowest terms as (p, q), q > 0."""
-    if type(value) is str and len(value) <= _SHORT:
-        return _short_ratio(value)
-    return _ratio(value)
-
-
-def _ratio(value: object) -> tuple[int, int]:
-    if type(value) is not str:
-        raise _UnreadableError('is not a string "p/q"')
-    _demand(len(value) <= 2 * MAX_DIGITS + 2, "has too many digits")
-    match = _RATIONAL.fullmatch(value)
-    if match is None:
-        raise _UnreadableError(f"is not a rational: {shown(value)}")
-    digits, below = match[1], match[2] or "1"
-    _demand(max(len(digits), len(below)) <= MAX_DIGITS, "has too many digits")
-    p, q = _decimal(digits), _decimal(below)
-    canonical = (digits[0] != "0" or value == "0") and below[0] != "0" and match[2] != "1" and gcd(p, q) == 1
-    _demand(canonical, "is not in lowest terms")
-    return (-p if value[0] == "-" else p), q
-
-
-_short_ratio = lru_cache(4096)(_ratio)
-"""Short numbers come again and again."""
-_short_fraction = lru_cache(4096)(lambda text: Fraction(*_ratio(text)))
-
-
-def _decimal(digits: str) -> int:
-    """In pieces, because Python refuses to read long integers at once."""
-    value = 0
-    for i in range(0, len(digits), 600):
-        piece = digits[i : i + 600]
-        value = value * 10 ** len(piece) + int(piece)
-    return value
 
 
 _READERS: Mapping[str, Callable[[Any], Any]] = {
     "any": lambda value: value,
     "boolean": _boolean,
-    "rational": _fraction,
+    "rational": fraction,
     "polynomial": _polynomial,
     "family": _family,
     "matrix": _matrix,

@@ -1,0 +1,84 @@
+"""Text to integers and rationals. Whatever is not exactly as specified is unreadable."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from functools import lru_cache
+from math import gcd
+
+MAX_DIGITS = 20_000
+"""Decimal digits of a number, and of the common denominator of a polynomial."""
+_SHORT = 40
+"""Characters of a number that is kept once it is read."""
+_RATIONAL = re.compile(r"-?([0-9]+)(?:/([0-9]+))?")
+_DIGITS = re.compile(r"0|-?[1-9][0-9]*")
+
+
+def shown(value: object) -> str:
+    """Untrusted text in a message: short and ASCII."""
+    return ascii(value[:40] if isinstance(value, str) else type(value).__name__)
+
+
+class UnreadableError(Exception):
+    """A value that is not as specified; the places on the way out to it, innermost first, and what is wrong there."""
+
+    def __init__(self, why: str, place: str = "") -> None:
+        self.why, self.place = why, place
+
+
+def demand(condition: bool, why: str) -> None:
+    if not condition:
+        raise UnreadableError(why)
+
+
+def fraction(value: object) -> Fraction:
+    if type(value) is str and len(value) <= _SHORT:
+        return _short_fraction(value)
+    return Fraction(*_ratio(value))
+
+
+def digits(most: int, value: object) -> int:
+    """`"n"`, an integer without leading zeros."""
+    if type(value) is not str:
+        raise UnreadableError("is not a string of digits")
+    demand(len(value) <= most + 1, "has too many digits")
+    unsigned = value.lstrip("-")
+    demand(len(unsigned) <= most and _DIGITS.fullmatch(value) is not None, f"is not an integer: {shown(value)}")
+    return -_decimal(unsigned) if value[0] == "-" else _decimal(unsigned)
+
+
+def rational(value: object) -> tuple[int, int]:
+    """`"p/q"` or `"p"` in lowest terms as (p, q), q > 0."""
+    if type(value) is str and len(value) <= _SHORT:
+        return _short_ratio(value)
+    return _ratio(value)
+
+
+def _ratio(value: object) -> tuple[int, int]:
+    if type(value) is not str:
+        raise UnreadableError('is not a string "p/q"')
+    demand(len(value) <= 2 * MAX_DIGITS + 2, "has too many digits")
+    match = _RATIONAL.fullmatch(value)
+    if match is None:
+        raise UnreadableError(f"is not a rational: {shown(value)}")
+    digits, below = match[1], match[2] or "1"
+    demand(max(len(digits), len(below)) <= MAX_DIGITS, "has too many digits")
+    p, q = _decimal(digits), _decimal(below)
+    canonical = (digits[0] != "0" or value == "0") and below[0] != "0" and match[2] != "1" and gcd(p, q) == 1
+    demand(canonical, "is not in lowest terms")
+    return (-p if value[0] == "-" else p), q
+
+
+_short_ratio = lru_cache(4096)(_ratio)
+"""Short numbers come again and again."""
+_short_fraction = lru_cache(4096)(lambda text: Fraction(*_ratio(text)))
+
+
+def _decimal(digits: str) -> int:
+    """In pieces, because Python refuses to read long integers at once."""
+    value = 0
+    for i in range(0, len(digits), 600):
+        piece = digits[i : i + 600]
+        value = value * 10 ** len(piece) + int(piece)
+    return value
