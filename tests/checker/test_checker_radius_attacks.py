@@ -40,11 +40,19 @@ def hull(**changes):
     return {**said, **changes}
 
 
-def closing(matrices, said, leaders, length=1, **changes):
+def closing(matrices, said, leaders, length=1, rule="closing", **changes):
     witness = hull(leaders=leaders, **{"ties": [], **changes})
     return matrices_document(
-        matrices, [claim("closing", property="bounded", family=0, length=length, **said, witness=witness)]
+        matrices, [claim(rule, property="bounded", family=0, length=length, **said, witness=witness)]
     )
+
+
+def monotone(matrices, said, leaders, length=1, **changes):
+    return closing(matrices, said, leaders, length, "monotone-closing", **{"basis": [0, 0], **changes})
+
+
+def tie(vertex, letter, weight, of=0):
+    return {"vertex": vertex, "letter": letter, "weights": [{"vertex": of, "weight": weight}]}
 
 
 def turned(matrices, said, leaders, length=2, **changes):
@@ -88,6 +96,17 @@ def closed_part(family, said):
     return claim("closing", property="bounded", family=family, length=1, **said, witness=witness)
 
 
+EVEN = [["2", "1"], ["1", "2"]]
+"""The eigenvalues 3 of (1, 1) and 1 of (1, -1)."""
+THREE = root(["-3", "1"], "3", "3")
+TOP = leader(annihilator=["3", "-4", "1"])
+"""(1, 1)."""
+PHI = root(["-1", "-1", "1"], "1", "2")
+SHEARED = leader(annihilator=["-1", "-1", "1"], column=1)
+"""(1, φ)."""
+PHI_SQUARED = root(["1", "-3", "1"], "2", "3")
+SHEARED_TWICE = leader(word=[0, 0], annihilator=["1", "-3", "1"], column=1)
+FIBONACCI = [["0", "1"], ["1", "1"]]
 UNIT = [["1", "0"], ["0", "1"]]
 FIVE, TWO, SMALL = root(["-5", "1"], "5", "5"), root(["-2", "1"], "2", "2"), root(["-1", "1"], "1", "1")
 E0, E1 = leader(), leader(column=1)
@@ -134,6 +153,59 @@ ATTACKS = {
     "a complex image with too much weight": (
         turned([*TURN, [["3", "0"], ["0", "3"]]], SMALL, [turning()], images=[[0, 12, 0]]),
         "the image of vertex 0 by letter 1 is not inside",
+    ),
+    "a monotone hull of a leader with both signs": (
+        monotone([EVEN], SMALL, [leader(annihilator=["3", "-4", "1"])]),
+        "a coordinate of a leader may be negative",
+    ),
+    "a monotone hull of a negative eigenvalue": (
+        monotone([[["0", "1"], ["1", "0"]]], SMALL, [leader(annihilator=["-1", "0", "1"], sign=-1)]),
+        "a leader has the sign -1",
+    ),
+    "a monotone hull of matrices with signs": (
+        monotone([EVEN, [["4", "-4"], ["0", "0"]]], THREE, [TOP], images=[[0, 4]]),
+        "a matrix has a negative entry",
+    ),
+    "a monotone hull with a negative vertex": (
+        monotone([EVEN], THREE, [TOP], extras=[[2**30, -(2**30)]], tree=[-1, 0], images=[[0, 4]]),
+        "an extra vertex has a negative coordinate",
+    ),
+    "a monotone hull that is flat": (
+        monotone(DOUBLE, SMALL, [leader()]), "a coordinate of a basis vertex may be zero"
+    ),
+    "a coordinate of a tie that is larger": (
+        monotone([EVEN, [["0", "0"], ["2", "2"]]], THREE, [TOP], ties=[tie(0, 1, "1")]),
+        "the tie of vertex 0 by letter 1 does not hold",
+    ),
+    "a monotone tie with a negative weight": (
+        monotone([EVEN, UNIT], THREE, [TOP], ties=[tie(0, 1, "-1")]),
+        "a weight of a tie may be negative",
+    ),
+    "a negative weight in a monotone hull": (
+        monotone([EVEN, [["5", "0"], ["0", "5"]]], THREE, [TOP], images=[[0, -4]]),
+        "a weight is not positive",
+    ),
+    "an irrational weight above 1": (
+        monotone([FIBONACCI, [["2", "0"], ["0", "2"]]], PHI, [SHEARED], ties=[tie(0, 1, ["-2", "2"])]),
+        "the weights of a tie are more than 1",
+    ),
+    "another irrational weight": (
+        monotone([FIBONACCI, [["8/5", "0"], ["0", "17/10"]]], PHI, [SHEARED], ties=[tie(0, 1, ["-7/11", "1"])]),
+        "the tie of vertex 0 by letter 1 does not hold",
+    ),
+    "a σ that is negative": (
+        monotone(
+            [FIBONACCI, UNIT], PHI_SQUARED, [SHEARED_TWICE], 2, tree=[0, 0], sigma=["1", "-1"],
+            ties=[tie(0, 1, ["-2", "1"]), tie(1, 1, ["-2", "1"])],
+        ),
+        "σ may be negative",
+    ),
+    "a σ with another power": (
+        monotone(
+            [FIBONACCI, UNIT], PHI_SQUARED, [SHEARED_TWICE], 2, tree=[0, 0], sigma=["0", "1"],
+            ties=[tie(0, 1, ["-2", "1"]), tie(1, 1, ["-2", "1"])],
+        ),
+        "the power of σ is not Λ",
     ),
     "the radius of the smaller part": (
         blocks(
@@ -281,6 +353,13 @@ def test_the_attacks_fail_by_their_trick_alone():
         turned(TURN, SMALL, [turning()]),
         polytope(DOUBLE, "2", UNIT, [[0, 2], [1, 4]]),
         word(DOUBLE, [0], "2"),
+        monotone([EVEN, UNIT], THREE, [TOP], images=[[0, 3]]),
+        monotone([EVEN, UNIT], THREE, [TOP], ties=[tie(0, 1, "1/3")]),
+        monotone([EVEN, [["0", "0"], ["3/2", "3/2"]]], THREE, [TOP], ties=[tie(0, 1, "1")]),
+        monotone([FIBONACCI, UNIT], PHI_SQUARED, [SHEARED_TWICE], 2, tree=[0, 0], sigma=["-1", "1"],
+                 ties=[tie(0, 1, ["-2", "1"]), tie(1, 1, ["-2", "1"])]),
+        closing([FIBONACCI, UNIT], PHI, [SHEARED], basis=[0, 1], extras=[[2**30, 0]], tree=[-1, 0],
+                ties=[tie(0, 1, ["-1", "1"])], weight_bits=10, images=[[0, 391, 1, -391], [1, 633]]),
         turned(
             POWERS, root(["-4", "1"], "4", "4"), [turning(**OTHER_PAIR)], extras=[[0, 0, 2**30, 0], [0, 0, 0, 2**30]],
             tree=[-1, 0, -1, 1], basis=[0, 3, 1, 2], images=[[], []],

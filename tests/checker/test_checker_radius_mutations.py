@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from closings import closing, polytope
 from hand_made import claim, q
-from hand_made_radius import ALL_RADIUS, matrices_document
+from hand_made_radius import ALL_RADIUS, matrices_document, of_family
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_checker_mutations import largest_eigenvalue, naive_product, numbers
@@ -46,6 +46,9 @@ class Scheme(NamedTuple):
 
 FAMILIES = {
     "golden": Family(PHI, True),
+    "monotone": Family(PHI, True),
+    "monotone_enclosed": Family(1.40924722212, True),
+    "one_vertex": Family(PHI, True),
     "rotation": Family(1.0, True),
     "triangular": Family(3.0, False),
     "nilpotent": Family(0.0, False),
@@ -57,6 +60,7 @@ FAMILIES = {
     "two_leaders": Family(2.0, True),
     "golden_from_above": Family(PHI, True),
     "jordan": Family(1.0, False, True),
+    "irrational_weights": Family(1 + 5**-0.5, True),
 }
 TENTH = [Fraction(c) for c in ("-1/10", "1/5", "3/10", "1/5", "-1/10")]
 """a/(1+z)² of the four-point scheme with w = 1/10."""
@@ -119,7 +123,12 @@ def jordan():
     return matrices_document([[["1", "1"], ["0", "1"]]], [made])
 
 
-OWN = (swap_and_halve, golden_in_two_letters, two_leaders, golden_from_above, jordan)
+def irrational_weights():
+    """A tie with weights in Q(λ) and σ in Q(λ): test_ties.py has more of them."""
+    return of_family([[[1, -1], [0, 1]], [["4/5", 0], ["-4/5", "4/5"]]])
+
+
+OWN = (swap_and_halve, golden_in_two_letters, two_leaders, golden_from_above, jordan, irrational_weights)
 MADE = {**ALL_RADIUS, **{make.__name__: make for make in OWN}}
 
 
@@ -246,9 +255,10 @@ def test_the_truth_says_that_the_true_certificates_are_true(name):
 
 
 def test_the_witnesses_are_of_all_kinds():
-    """Ties, extras, several leaders, reflections and complex ones are among what is changed."""
+    """Ties, irrational ones too, extras, several leaders, reflections and complex ones are among what is changed."""
     witnesses = [c["witness"] for name in MADE for c in certificate(name)["claims"] if "closing" in c["rule"]]
     assert any(w.get("ties") for w in witnesses)
+    assert any("sigma" in w for w in witnesses)
     assert any(w["extras"] for w in witnesses)
     assert any(len(w["leaders"]) > 1 for w in witnesses)
     assert any(w["symmetry"] for w in witnesses)
@@ -302,7 +312,7 @@ def true_or_rejected(name, path, new):
     return outcome.verified
 
 
-EXACT = {"word", "annihilator", "factor", "sign", "polynomial", "sizes", "parts", "tree"}
+EXACT = {"word", "annihilator", "factor", "sign", "polynomial", "sigma", "sizes", "parts", "tree"}
 """Keys of numbers that no change leaves true: there is one witness with them, or a change makes another statement."""
 
 
