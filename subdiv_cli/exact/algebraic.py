@@ -275,4 +275,4 @@ def roots(f: fmpq_poly) -> tuple[tuple[AlgebraicNumber, int], ...]:
     found = []
     for factor, multiplicity in f.numer().factor()[1]:
         found += [(AlgebraicNumber(factor, z), multiplicity) for z in isolated_roots(factor)]
-    return tuple(sorted(found, key=lambda pair: -float(pair[0].region.__abs__().mid())))
+    return tuple(sorted(found, key=lambda pair: pair[0].region.__abs__().mid(), reverse=True))

@@ -16,6 +16,7 @@ from flint import acb, acb_mat, arb, arb_mat, ctx, fmpq_mat
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated, negated, roots, squared_modulus
 from subdiv_cli.exact.enclosures import ball
+from subdiv_cli.exact.linalg import minimal_polynomial
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.model import Root
@@ -104,12 +105,12 @@ def _same(x: AlgebraicNumber, y: AlgebraicNumber) -> bool:
 
 def _eigenvectors(product: fmpq_mat, candidate: Candidate, eigenvalue: AlgebraicNumber) -> list[Leader]:
     """A basis of the eigenspace among the columns of h(Π), the longest ones first."""
-    annihilator = tuple(to_fraction(c) for c in product.minpoly())
+    annihilator = tuple(to_fraction(c) for c in minimal_polynomial(product))
     with ctx.workprec(256):
         columns = _eigenvector_columns(product, annihilator, eigenvalue)
-        lengths = [max(float(abs(x).mid()) for x in column) for column in columns]
+        lengths = [max(abs(x).mid() for x in column) for column in columns]
         chosen: list[int] = []
-        for j in sorted(range(len(columns)), key=lambda j: (-lengths[j], j)):
+        for j in sorted(range(len(columns)), key=lambda j: lengths[j], reverse=True):
             if lengths[j] > 0 and _independent([columns[k] for k in (*chosen, j)]):
                 chosen.append(j)
         return [Leader(candidate, eigenvalue, annihilator, j, _normalising(columns[j])) for j in chosen]
@@ -117,7 +118,7 @@ def _eigenvectors(product: fmpq_mat, candidate: Candidate, eigenvalue: Algebraic
 
 def _normalising(column: Sequence[Ball]) -> Fraction:
     """A power of two that makes the largest entry about 1."""
-    largest = max((abs(x).mid() for x in column), key=float)
+    largest = max(abs(x).mid() for x in column)
     mantissa, exponent = largest.man_exp()
     return Fraction(2) ** -(int(exponent) + int(mantissa).bit_length())
 

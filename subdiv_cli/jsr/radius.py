@@ -19,7 +19,7 @@ from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.arrays import Numbers
 from subdiv_cli.jsr.body import Body, Start
 from subdiv_cli.jsr.closing import close
-from subdiv_cli.jsr.enclosing import Bound, enclose
+from subdiv_cli.jsr.enclosing import Bound, by_columns, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.measure import gauge
@@ -72,6 +72,19 @@ def _of_one_block(family: Family, effort: Effort) -> Radius | None:
 
 def _zero() -> Radius:
     return Radius(None, None, (1, Fraction(0)), True, {"rule": "zero", "length": 1, "bound": Fraction(0)})
+
+
+def rough_radius(family: Family, effort: Effort) -> Radius | None:
+    """A bound where there is no better one: for large orders, or vertices that floats do not get hold of.
+
+    For large orders no product stands beside it: its characteristic polynomial asks too much of a checker.
+    """
+    if not effort.allows(family.order**2):
+        return None
+    found = candidates(family, 2)[1] if family.order <= LARGEST_ORDER else ()
+    bound = by_columns(family)
+    proof: dict[str, Data] = {"rule": "polytope", "length": 1, "bound": bound.upper, **bound.witness}
+    return Radius(family.full_word(found[0]) if found else None, None, (1, bound.upper), False, proof)
 
 
 class _Attempt:
@@ -195,7 +208,7 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
     known = [part for part in parts if part is not None]
     if len(known) < len(parts):
         return None
-    top = max(known, key=lambda part: (part.exact is not None and part.ceiling, part.ceiling))
+    top = max(known, key=lambda part: (part.exact is not None, part.ceiling))
     others = [part for part in known if part is not top]
     proof: dict[str, Data] = {
         "rule": "blocks",
