@@ -118,6 +118,6 @@ def _shown(value: object) -> str:
     """Short, whatever the size: Python refuses to write long integers."""
     if isinstance(value, tuple):
         return ", ".join(map(_shown, value[:8])) + (", …" if len(value) > 8 else "")
-    if isinstance(value, Fraction) and max(abs(value.numerator), value.denominator) >= 10**40:
-        return "a long fraction"
+    if isinstance(value, Fraction | int) and max(abs(value.numerator), value.denominator) >= 10**40:
+        return "a long fraction" if value.denominator > 1 else "a long number"
     return str(value) if isinstance(value, (int, str, Fraction)) else ""
