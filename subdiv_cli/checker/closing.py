@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from math import lcm
+from math import isqrt, lcm
 from typing import Any
 
 from subdiv_cli.checker import matrices
@@ -18,7 +18,7 @@ from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.monotone import MonotoneBody, monotone_body, require_nonnegative
 from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.polytopes import Body, body, reflected, weight_count
-from subdiv_cli.checker.reading import Rejected, require
+from subdiv_cli.checker.reading import Rejected, require, require_few
 from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale, isolated_root
 from subdiv_cli.checker.trees import Smaller, Ties, Tree, read_tree, ties_work
 
@@ -142,28 +142,49 @@ def _tied(c: Claim, tree: Tree, returns: set[int]) -> list[int]:
 
 
 def _leader(c: Claim, family: Family, root: Root, leader: dict[str, Any]) -> Vector:
-    """x with Π x = sΛ x, exactly, where g(Π) e_j = 0 and m(x) divides g(s x). Its word has been looked at.
+    """x with Π x = sΛ x, in polynomials in Λ."""
+    require(leader["sign"] != 0, "the sign of a leader is not 1 or -1")
+    return eigenvector(c, family, leader, leader["sign"], root.polynomial)
 
-    Where it is reflected, Π is J times the word's product, and Π² = ± the product of the mirrored word times that.
+
+def eigenvector(c: Claim, family: Family, leader: dict[str, Any], sign: int, m: Sequence[int]) -> Vector:
+    """x with Π x = μ x for μ = s times a root of m, exactly, where g(Π) e_j = 0 and m(x) divides g(s x).
+
+    Its word has been looked at. Where it is reflected, Π is J times the word's product, and Π² = ± the product of the
+    mirrored word times that.
     """
-    order, m, sign, g = family.order, root.polynomial, leader["sign"], leader["annihilator"]
-    require(sign != 0 and leader["scale"] > 0, "the sign of a leader is not 1 or -1, or its scale not positive")
-    require(leader["column"] < order, "the column of a leader is not there")
+    order, word, g = family.order, leader["word"], leader["annihilator"]
+    require(leader["scale"] > 0 and leader["column"] < order, "the scale is not positive, or the column not there")
     require(2 <= len(g) <= order + 1 and g[-1] != 0, "the annihilator of a leader is not of a degree 1, …, N")
-    bits = len(leader["word"]) * (family.bits + order.bit_length()) + sum(map(fraction_bits, g))
-    c.spend((len(leader["word"]) + 1) * order**3, (order.bit_length() + 1) * bits)
-    matrix, denominator = family.product(leader["word"])
+    common = lcm(*(x.denominator for x in g))
+    at_sign = [x.numerator * (common // x.denominator) * sign**k for k, x in enumerate(g)]
+    _spend_eigenvector(c, family, word, max(map(abs, at_sign)).bit_length() + common.bit_length(), len(g), m)
+    require(not remainder(at_sign, m), "the polynomial of the eigenvalue does not divide the annihilator of a leader")
+    matrix, denominator = family.product(word)
     if leader["reflected"]:
         require(c.witness["symmetry"] != 0, "a leader is reflected, and nothing is symmetric")
         matrix = matrix[::-1]
-    common = lcm(*(x.denominator for x in g))
-    at_sign = [x.numerator * (common // x.denominator) * sign**k for k, x in enumerate(g)]
-    c.spend(order**2, order * (bits + max(map(abs, m)).bit_length()))
-    require(not remainder(at_sign, m), "the root's polynomial does not divide the annihilator of a leader")
     x = leading_eigenvector((matrix, denominator), g, sign, leader["column"], leader["scale"], m)
     if x is None:
         raise Rejected("the annihilator of a leader does not vanish on its column")
     return x
+
+
+def _spend_eigenvector(c: Claim, family: Family, word: Sequence[int], bits: int, terms: int, m: Sequence[int]) -> None:
+    """Of `eigenvector`, an annihilator with so many terms, `bits` long; a product costs as its geometric mean squared.
+
+    The word's product; remainders by m, which lengthen what is left by m; Horner's rule, which lengthens vectors by the
+    product; a greatest common divisor for each of their coordinates.
+    """
+    order, by_m = family.order, max(map(abs, m)).bit_length()
+    product = len(word) * (family.bits + order.bit_length())
+    steps = max(0, terms - len(m)) + 1
+    rest, vector = bits + steps * by_m, bits + terms * product
+    c.spend(len(word) * order**3, product)
+    c.spend(2 * steps * len(m), isqrt(rest * by_m))
+    c.spend(terms * order**2, isqrt(vector * product))
+    c.spend(2 * steps * order * len(m), isqrt((vector + steps * by_m) * by_m))
+    c.spend(len(m) + order * terms, max(rest, vector + steps * by_m))
 
 
 class _Enclosures:
@@ -194,7 +215,7 @@ class _Enclosures:
 
     def _add(self, v: list[int], error: int, bits: int) -> None:
         limit = 1 << (bits + HEADROOM)
-        require(max(map(abs, v)) < limit and error < limit, f"vertex {len(self.vertices)} is too large")
+        require_few(max(map(abs, v)) < limit and error < limit, f"vertex {len(self.vertices)} is too large")
         self.vertices.append(v)
         self.errors.append(error)
 

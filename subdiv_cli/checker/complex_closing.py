@@ -9,20 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import isqrt, lcm
+from math import isqrt
 from operator import mul
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from subdiv_cli.checker import matrices
-from subdiv_cli.checker.closing import EXTRA_BITS, HEADROOM, returns_of
+from subdiv_cli.checker.closing import EXTRA_BITS, HEADROOM, eigenvector, returns_of
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.disc import Disc, modulus_is, read_disc
-from subdiv_cli.checker.eigenvectors import Vector, leading_eigenvector
 from subdiv_cli.checker.matrices import Family
-from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.polytopes import Body, body
-from subdiv_cli.checker.reading import Rejected, require
-from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale, isolated_root
+from subdiv_cli.checker.reading import require, require_few
+from subdiv_cli.checker.roots import Root, enclose, inverse_scale, isolated_root
 from subdiv_cli.checker.trees import Tree, read_tree
 
 
@@ -51,27 +49,6 @@ def _count(c: Claim, family: Family, tree: Tree, length: int) -> None:
     c.count(work + len(c.witness["leaders"]) * (length + 1) * order**3, max(family.bits, c.witness["bits"] + HEADROOM))
 
 
-def _leader(c: Claim, family: Family, disc: Disc, leader: dict[str, Any]) -> Vector:
-    """x with Π x = μ x, in polynomials in μ: g(Π) e_j = 0 and the factor f of the disc divides g."""
-    order, g, f = family.order, leader["annihilator"], disc.polynomial
-    require(leader["scale"] > 0 and leader["column"] < order, "the scale is not positive, or the column not there")
-    require(2 <= len(g) <= order + 1 and g[-1] != 0, "the annihilator of a leader is not of a degree 1, …, N")
-    bits = len(leader["word"]) * (family.bits + order.bit_length()) + sum(map(fraction_bits, g))
-    c.spend((len(leader["word"]) + 1) * order**3, (order.bit_length() + 1) * bits)
-    matrix, denominator = family.product(leader["word"])
-    if leader["reflected"]:
-        require(c.witness["symmetry"] != 0, "a leader is reflected, and nothing is symmetric")
-        matrix = matrix[::-1]
-    common = lcm(*(x.denominator for x in g))
-    c.spend(order**2, order * (bits + max(map(abs, f)).bit_length()))
-    integers = [x.numerator * (common // x.denominator) for x in g]
-    require(not remainder(integers, f), "the eigenvalue's polynomial does not divide the annihilator of a leader")
-    x = leading_eigenvector((matrix, denominator), g, 1, leader["column"], leader["scale"], f)
-    if x is None:
-        raise Rejected("the annihilator of a leader does not vanish on its column")
-    return x
-
-
 class _Enclosures:
     """Vertices (Re, Im) as integers / 2^bits, each with one error for all its coordinates, in units of 2^-bits."""
 
@@ -87,7 +64,7 @@ class _Enclosures:
         self.errors: list[int] = []
         c.spend(2 * tree.letters * len(tree.parents) * order, bits + HEADROOM + family.bits + scale.value.bit_length())
         for leader in c.witness["leaders"]:
-            x = _leader(c, family, disc, leader)
+            x = eigenvector(c, family, leader, 1, disc.polynomial)
             v, error = disc.enclosed(c, x, bits)
             require(max(map(abs, v)) > error, "a leader may be zero")
             self._add(v, error, bits)
@@ -101,7 +78,7 @@ class _Enclosures:
 
     def _add(self, v: list[int], error: int, bits: int) -> None:
         limit = 1 << (bits + HEADROOM)
-        require(max(map(abs, v)) < limit and error < limit, f"vertex {len(self.vertices)} is too large")
+        require_few(max(map(abs, v)) < limit and error < limit, f"vertex {len(self.vertices)} is too large")
         self.vertices.append(v)
         self.errors.append(error)
 

@@ -86,9 +86,15 @@ def require(condition: bool, why: str) -> None:
         raise Rejected(why)
 
 
+def require_few(condition: bool, why: str) -> None:
+    """Of something that there may be only so much of."""
+    if not condition:
+        raise Exhausted(why)
+
+
 def parse(text: str) -> object:
     """JSON without floats, constants, long integers and duplicate keys."""
-    require(len(text) <= MAX_BYTES, "the file is too large")
+    require_few(len(text) <= MAX_BYTES, "the file is too large")
     try:
         return json.loads(
             text, object_pairs_hook=_object, parse_int=_small, parse_float=_no_float, parse_constant=_no_float
@@ -134,7 +140,7 @@ def read(kind: str, value: object, what: str) -> Any:
 def _list(value: object, most: int, what: str) -> list[Any]:
     if type(value) is not list:
         raise Rejected(f"{what} is not a list")
-    require(len(value) <= most, f"{what} is too long")
+    require_few(len(value) <= most, f"{what} is too long")
     return value
 
 
@@ -162,7 +168,7 @@ def _polynomial(value: object, what: str) -> Polynomial:
     pairs = [_rational(c, coefficient) for c in coefficients]
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
-        raise Rejected(f"the common denominator of {what} is too large")
+        raise Exhausted(f"the common denominator of {what} is too large")
     return f
 
 
@@ -180,7 +186,9 @@ def _family(value: object, what: str) -> Family:
             pairs.append([_rational(x, f"an entry of {what}") for x in row])
             for _, q in pairs[-1]:
                 common = lcm(common, q)
-                require(common.bit_length() <= MAX_DIGITS * 10 // 3, f"the common denominator of {what} is too large")
+                require_few(
+                    common.bit_length() <= MAX_DIGITS * 10 // 3, f"the common denominator of {what} is too large"
+                )
     rows = [[p * (common // q) for p, q in row] for row in pairs]
     return family([rows[i : i + order] for i in range(0, len(rows), order)], common)
 
@@ -211,7 +219,7 @@ def _digits(value: object, most: int, what: str) -> int:
     """`"n"`, an integer without leading zeros."""
     if type(value) is not str:
         raise Rejected(f"{what} is not a string of digits")
-    require(len(value) <= most + 1, f"{what} has too many digits")
+    require_few(len(value) <= most + 1, f"{what} has too many digits")
     digits = value.lstrip("-")
     require(len(digits) <= most and _DIGITS.fullmatch(value) is not None, f"{what} is not an integer: {shown(value)}")
     return -_decimal(digits) if value[0] == "-" else _decimal(digits)
@@ -229,12 +237,12 @@ def _rational(value: object, what: str) -> tuple[int, int]:
     """`"p/q"` or `"p"` in lowest terms as (p, q), q > 0."""
     if type(value) is not str:
         raise Rejected(f'{what} is not a string "p/q"')
-    require(len(value) <= 2 * MAX_DIGITS + 2, f"{what} has too many digits")
+    require_few(len(value) <= 2 * MAX_DIGITS + 2, f"{what} has too many digits")
     match = _RATIONAL.fullmatch(value)
     if match is None:
         raise Rejected(f"{what} is not a rational: {shown(value)}")
     digits, below = match[1], match[2] or "1"
-    require(max(len(digits), len(below)) <= MAX_DIGITS, f"{what} has too many digits")
+    require_few(max(len(digits), len(below)) <= MAX_DIGITS, f"{what} has too many digits")
     p, q = _decimal(digits), _decimal(below)
     canonical = (digits[0] != "0" or value == "0") and below[0] != "0" and match[2] != "1" and gcd(p, q) == 1
     require(canonical, f"{what} is not in lowest terms")

@@ -29,7 +29,7 @@ from subdiv_cli.checker.polynomials import (
     totients,
     vanishes_on_circle,
 )
-from subdiv_cli.checker.reading import Rejected, require
+from subdiv_cli.checker.reading import Rejected, require, require_few
 
 MAX_LEVEL = 64
 """Of a norm: a longer iterated symbol is too long anyway, unless the symbol is constant."""
@@ -98,11 +98,11 @@ def norm(c: Claim) -> None:
     degree = q.length - 1 + (k - nu) * (p - 1)
     length = degree * (p**level - 1) // (p - 1) + 1
     c.count((degree + 1) * length)
-    require(length <= MAX_PRODUCT, "the iterated symbol is too long")
+    require_few(length <= MAX_PRODUCT, "the iterated symbol is too long")
     symbol = times(times_sigma(q, p, k - nu), p ** (nu - 1))
     width = slot_bits(symbol, level)
     c.count((degree + 1) * length // 64, max(width, symbol.bits * level))
-    require(length * width <= MAX_PACKED, "the numbers are too long")
+    require_few(length * width <= MAX_PACKED, "the numbers are too long")
     largest = Fraction(iterated_norm(symbol, p, level), symbol.denominator**level)
     require(c.statement["norm"] == largest, "the norm is another")
 
