@@ -21,7 +21,7 @@ from subdiv_cli.jsr.body import Body, Start
 from subdiv_cli.jsr.closing import close
 from subdiv_cli.jsr.enclosing import Bound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
-from subdiv_cli.jsr.leaders import Leader, Leaders, leaders, vector
+from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.measure import gauge
 from subdiv_cli.jsr.polytope import Grown, grow
 from subdiv_cli.jsr.reduce import Blocks, by_pattern, by_subspace
@@ -53,7 +53,7 @@ def joint_spectral_radius(family: Family, effort: Effort) -> Radius | None:
 
 def _of_one_block(family: Family, effort: Effort) -> Radius | None:
     """A quick look, a deeper search, a look for invariant subspaces, and then whatever the effort allows."""
-    _, found = candidates(family, _QUICK)
+    found = _affordable(family, candidates(family, _QUICK)[1])
     if not found:
         blocks = by_subspace(family)
         return None if blocks is None else _of_blocks(blocks, effort)
@@ -62,8 +62,16 @@ def _of_one_block(family: Family, effort: Effort) -> Radius | None:
         return radius
     if (blocks := by_subspace(family)) is not None:
         return _of_blocks(blocks, effort)
-    attempt = _Attempt(family, candidates(family, _DEEP)[1], effort)
+    attempt = _Attempt(family, _affordable(family, candidates(family, _DEEP)[1]), effort)
     return attempt.closed() or attempt.enclosed()
+
+
+def _affordable(family: Family, found: Sequence[Candidate]) -> Sequence[Candidate]:
+    """Those whose exact products have no very long numbers; where none is left, the letter of largest radius."""
+    if not found or any(len(candidate.word) * family.bits <= LONGEST_PRODUCT for candidate in found):
+        return [candidate for candidate in found if len(candidate.word) * family.bits <= LONGEST_PRODUCT]
+    sizes = np.abs(np.linalg.eigvals(family.floats)).max(axis=1)
+    return (Candidate((int(sizes.argmax()),)),)
 
 
 class _Attempt:
