@@ -7,7 +7,7 @@ q = a/σ^k, and n the degree of a.
 from __future__ import annotations
 
 from fractions import Fraction
-from math import gcd
+from math import gcd, isqrt
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
@@ -115,7 +115,8 @@ def product(c: Claim) -> None:
     require(radius > 0, "the radius is not positive")
     order = max(1, -(-(q.length - 1) // (p - 1)))
     bits = len(word) * (q.bits + order.bit_length()) + _bits(radius)
-    c.count(len(word) * order**3 + order**4, 2 * order * bits)
+    c.count(len(word) * order**3 + order**4, (isqrt(order) + 1) * bits)  # numbers of the product times longer ones
+    c.spend(4 * order**2, 2 * order * bits)
     first = q.start + (p - 1) * (order - 1)
     family = {epsilon: matrices.section(q, p, first + epsilon, order) for epsilon in set(word)}
     total = family[word[0]]

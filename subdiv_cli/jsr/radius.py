@@ -35,6 +35,8 @@ _QUICK, _DEEP = 10, 24
 """Lengths of products in the first and in the second search."""
 _QUICK_WORK = 1000
 """Gauges in the first polytope."""
+_LONGEST_ROOT = 60_000
+"""Bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
 _ROUNDING = 1e-9
 _SLACK = (Fraction(1, 32), Fraction(1, 256), Fraction(1, 4096), Fraction(1, 1 << 20))
 """By how much the matrices are scaled down where the polytope at the candidate itself does not close."""
@@ -94,7 +96,7 @@ class _Attempt:
             starts = self._balanced(starts)
         self.grown = grow(self._body(starts, self.sigma), self.effort)
         root = self.leaders.root()
-        if not self.grown.closed or root is None:
+        if not self.grown.closed or root is None or _is_long(root[1]):
             return None
         if (witness := close(self.family, self.leaders, self.grown, self.effort)) is None:
             return None
@@ -156,6 +158,11 @@ class _Attempt:
         word = self.family.full_word(self.leaders.each[0].candidate)
         proof: dict[str, Data] = {"length": 1, "bound": bound.upper, **bound.witness}
         return Radius(word, None, (1, bound.upper), False, proof)
+
+
+def _is_long(root: Root) -> bool:
+    """Whether the polynomial of a root is longer than a checker would read."""
+    return max(abs(c).bit_length() for c in root.coefficients) > _LONGEST_ROOT
 
 
 def to_fraction_of_ball(found: Leaders) -> Fraction:
