@@ -22,6 +22,7 @@ from subdiv_cli.model import (
 )
 from subdiv_cli.model.family import FamilyRadius
 from subdiv_cli.schemes.scalar import ScalarScheme
+from subdiv_cli.stages.figures import digits, estimate
 from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.scalar import Analysis, analyse
 
@@ -72,7 +73,7 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
         convergent=found["SD201"].verdict,
         smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
         refinable=refinable,
-        holder=_holder(found),
+        holder=_holder(found, analysis),
         sobolev=_sobolev(found["SD321"]),
         stable=found["SD402"].verdict,
         linearly_independent=found["SD401"].verdict,
@@ -131,7 +132,7 @@ def _integer(found: dict[str, Finding], code: str, key: str) -> int | None:
     return value if isinstance(value, int) else None
 
 
-def _holder(found: dict[str, Finding]) -> Exponent | None:
+def _holder(found: dict[str, Finding], analysis: Analysis) -> Exponent | None:
     """None without sum rules. What is exact for D = S_(Δ^k) is the exponent of φ where φ is stable."""
     below, above = found["SD311"], found["SD312"]
     if below.verdict is Verdict.SKIPPED:
@@ -139,13 +140,15 @@ def _holder(found: dict[str, Finding]) -> Exponent | None:
     lower = below.value.lower if below.value else None
     upper = above.value.upper if above.value else None
     if below.closed is None or above.verdict is not Verdict.PROVED:
-        return Exponent(lower=lower, upper=upper)
+        return Exponent(lower=lower, upper=upper, estimate=estimate(analysis.numbers, lower, upper))
     attained = {Verdict.PROVED: True, Verdict.REFUTED: False}.get(found["SD313"].verdict)
     upper = below.value.upper if below.value else upper
-    return Exponent(lower=lower, upper=upper, exact=below.closed, attained=attained)
+    return Exponent(lower=lower, upper=upper, exact=below.closed, attained=attained, digits=digits(below.closed))
 
 
 def _sobolev(finding: Finding) -> Exponent | None:
     """None without sum rules, or where the effort ended."""
-    value = finding.value
-    return None if value is None else Exponent(lower=value.lower, upper=value.upper, exact=finding.closed)
+    value, exact = finding.value, finding.closed
+    if value is None:
+        return None
+    return Exponent(lower=value.lower, upper=value.upper, exact=exact, digits=None if exact is None else digits(exact))

@@ -28,7 +28,7 @@ _PROPERTIES = {
     "SD304": {"eigen-condition", "sum-rules"},
     "SD310": {"norm", "product", "family", "radius", "bounded", "radius-upper"},
     "SD311": {"holder-lower", "holder", "holder-root"},
-    "SD312": {"holder-upper"},
+    "SD312": {"holder-upper", "holder", "holder-root"},
     "SD313": {"attained"},
     "SD321": {"sobolev"},
     "SD401": {"independent"},

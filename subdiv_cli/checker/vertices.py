@@ -15,8 +15,8 @@ from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.eigenvectors import Vector, leading_eigenvector, size_of_leader
 from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.polynomials import remainder
-from subdiv_cli.checker.reading import Rejected, require
-from subdiv_cli.checker.roots import Root, enclose, inverse_scale
+from subdiv_cli.checker.reading import Rejected, require, require_few
+from subdiv_cli.checker.roots import Root, enclose, fraction_bits, inverse_scale
 from subdiv_cli.checker.trees import Tree
 
 HEADROOM = 64
@@ -51,14 +51,16 @@ def leader_of(c: Claim, family: Family, leader: dict[str, Any], sign: int, m: Se
     require(sign != 0 and leader["scale"] > 0, "the sign of a leader is not 1 or -1, or its scale not positive")
     require(leader["column"] < order, "the column of a leader is not there")
     require(2 <= len(g) <= order + 1 and g[-1] != 0, "the annihilator of a leader is not of a degree 1, …, N")
-    for operations, bits in size_of_leader(order, len(leader["word"]), family.bits, g, m):
+    c.spend(1, sum(map(fraction_bits, g)))
+    common = lcm(*(x.denominator for x in g))
+    at_sign = [x.numerator * (common // x.denominator) * sign**k for k, x in enumerate(g)]
+    sizes = size_of_leader(order, len(leader["word"]), family.bits, (*at_sign, common), leader["scale"], m)
+    for operations, bits in sizes:
         c.spend(operations, bits)
     matrix, denominator = family.product(leader["word"])
     if leader["reflected"]:
         require(c.witness["symmetry"] != 0, "a leader is reflected, and nothing is symmetric")
         matrix = matrix[::-1]
-    common = lcm(*(x.denominator for x in g))
-    at_sign = [x.numerator * (common // x.denominator) * sign**k for k, x in enumerate(g)]
     require(not remainder(at_sign, m), "the eigenvalue's polynomial does not divide the annihilator of a leader")
     x = leading_eigenvector((matrix, denominator), g, sign, leader["column"], leader["scale"], m)
     if x is None:
@@ -99,7 +101,7 @@ class Vertices:
 
     def _add(self, v: list[int], error: int) -> None:
         limit = 1 << (self._bits + HEADROOM)
-        require(max(map(abs, v)) < limit and error < limit, f"vertex {len(self.vectors)} is too large")
+        require_few(max(map(abs, v)) < limit and error < limit, f"vertex {len(self.vectors)} is too large")
         self.vectors.append(v)
         self.errors.append(error)
 

@@ -12,6 +12,7 @@ from subdiv_cli.exact.algebraic import number_of
 from subdiv_cli.exact.closed import root_text
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.linalg import matrix
+from subdiv_cli.exact.rationals import whole
 from subdiv_cli.exact.text import certain
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import Product, radius_bound
@@ -83,7 +84,7 @@ def _closed_form(length: int, root: Root) -> str | None:
         if None not in parts:
             x, length = Fraction(parts[0] or 0, parts[1] or 1), length // divisor
             break
-    text = str(x)
+    text = whole(x)
     return text if length == 1 else f"{text}^(1/{length})" if x.denominator == 1 else f"({text})^(1/{length})"
 
 

@@ -24,6 +24,8 @@ from subdiv_cli.model import Root
 _MOST_LEADERS = 16
 _LONGEST = 200
 """Letters of a common power of all words."""
+LONGEST_PRODUCT = 1 << 18
+"""Bits of the entries of a product that is looked at exactly."""
 
 Ball = Any
 """An arb or an acb, alike throughout one family: the stubs of their unions do not add up."""
@@ -73,7 +75,7 @@ def leaders(family: Family, candidates: Sequence[Candidate]) -> Leaders | None:
     of the first one is left out.
     """
     length = lcm(*(len(candidate.word) for candidate in candidates))
-    if length > _LONGEST:
+    if length > _LONGEST or length * family.bits > LONGEST_PRODUCT:
         candidates, length = candidates[:1], len(candidates[0].word)
     each: list[Leader] = []
     for candidate in candidates:

@@ -2,8 +2,8 @@
 
 Theorems. For isotropic M, λ = |det M|^(1/s) (Jia 1998; Han 2003): sum rules of order k > n and ρ_k < λ^-n give C^n;
 stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k > n of its sum rules. Box splines (SD603):
-C^n iff n <= d - 2, whatever their stability. Hypotheses: M isotropic, checked (others are skipped); stability (SD616), for
-refutations that are not of box splines.
+C^n iff n <= d - 2, whatever their stability. Hypotheses: M isotropic, checked (others are skipped); stability (SD616),
+for refutations that are not of box splines.
 
 Witness: `order`; `by`, SD605 or SD603; SD613: `by`, SD603, SD602 (the sum rules are too few) or SD605 with `word`.
 """
