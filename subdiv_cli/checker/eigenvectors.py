@@ -18,27 +18,28 @@ def size_of_leader(
 ) -> list[tuple[int, int]]:
     """What a product and its `leading_eigenvector` take: operations, and the bits of their numbers.
 
-    g: the numerators of the annihilator, and their common denominator. A step of the product lengthens its numbers by
-    those of the family, one of the eigenvector by those of the product, one modulo m by those of m. Then each number is
-    divided by a common divisor.
+    g: the numerators of the annihilator, of degree n, and then their common denominator. A step of the product lengthens
+    its numbers by those of the family, one of the eigenvector by those of the product, one modulo m by those of m. Powers
+    of E take as much as multiplying by them; in the end each number is divided by a common divisor.
     """
+    n, d, steps = len(g) - 2, len(m) - 1, max(0, len(g) - len(m))
     product = letters * (family_bits + order.bit_length())
     annihilator = max(map(abs, g)).bit_length()
     modulus = max(map(abs, m)).bit_length() + 1
-    powers = len(g) * (product + order.bit_length()) + annihilator
-    scaled = powers + fraction_bits(scale)
-    steps = max(0, len(g) - len(m))
-    rest, reduced = annihilator + steps * modulus, scaled + steps * modulus
+    rest = annihilator + steps * modulus
+    powers = n * (product + order.bit_length()) + annihilator
+    scaled, denominator = powers + scale.numerator.bit_length(), powers + scale.denominator.bit_length()
+    reduced = scaled + steps * modulus
     return [
         (letters * order**3, _mean(product, family_bits)),
         (order**2, product),
-        (steps * (len(g) + len(m)), _mean(rest, modulus)),
-        (len(m), rest),
-        (len(g) * order**2, _mean(powers, product)),
-        (len(g) * order, scaled // 2),
-        (2 * len(g), scaled),
-        (steps * (len(g) + len(m)) * order, _mean(reduced, modulus)),
-        (min(len(g), len(m)) * order, reduced),
+        (steps * (n + d + 2), _mean(rest, modulus)),
+        (d, rest),
+        (n * order**2, _mean(powers, product)),
+        (n * (order + 3), scaled // 2),
+        (steps * (n + d) * order, _mean(reduced, modulus)),
+        (min(n, d) * order, reduced),
+        (2, denominator + steps * modulus),
     ]
 
 
