@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.certificate import certificate, document_text, family_certificate
 from subdiv_cli.checker import check_document
@@ -17,13 +17,14 @@ from subdiv_cli.model import (
     Judgement,
     Result,
     Smoothness,
-    Status,
     Verdict,
 )
-from subdiv_cli.model.family import FamilyRadius
+from subdiv_cli.model.judge import judge, status
 from subdiv_cli.schemes.scalar import ScalarScheme
-from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.scalar import Analysis, analyse
+
+if TYPE_CHECKING:
+    from subdiv_cli.model.family import FamilyRadius
 
 
 class DisagreementError(Exception):
@@ -81,7 +82,7 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
         findings=findings,
     )
     judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
-    result = replace(result, expectations=judgements, status=_status(result, judgements))
+    result = replace(result, expectations=judgements, status=status(result.convergent, judgements))
     return Checked(result, None if written is None else written.document)
 
 
@@ -116,14 +117,6 @@ def _verified(document: Mapping[str, Any]) -> bool:
     if not outcome.verified and not outcome.exhausted:
         raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
     return outcome.verified
-
-
-def _status(result: Result, judgements: Sequence[Judgement]) -> Status:
-    """Every expectation must be proved; where a mask states none, convergence must."""
-    verdicts = [judgement.verdict for judgement in judgements] or [result.convergent]
-    if Verdict.REFUTED in verdicts:
-        return "failed"
-    return "passed" if all(v is Verdict.PROVED for v in verdicts) else "undecided"
 
 
 def _integer(found: dict[str, Finding], code: str, key: str) -> int | None:

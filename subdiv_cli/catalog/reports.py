@@ -173,13 +173,22 @@ def _closed(text: str | None) -> ClosedForm | None:
     """A closed form of the reports' grammar; another stays an enclosure."""
     if text is None:
         return None
-    if (found := _ROOT_LOG.fullmatch(text)) is not None:
-        root = Root(_coefficients(found["polynomial"]), Fraction(found["low"]), Fraction(found["high"]))
-        return RootLog(int(found["base"]), root, int(found["divisor"] or 1), text)
     try:
-        return read_closed_form(text)
-    except Fault:
+        return read_root_logarithm(text) or read_closed_form(text)
+    except (Fault, ValueError):  # Python reads no integer of more than 4300 digits
         return None
+
+
+def read_root_logarithm(text: str) -> RootLog | None:
+    """`-log2(root(32*x^3+4*x-1, 0.19, 0.20))/2`, the root enclosed as there; None for another text.
+
+    Raises ValueError for integers of more than 4300 digits.
+    """
+    found = _ROOT_LOG.fullmatch(text)
+    if found is None:
+        return None
+    root = Root(_coefficients(found["polynomial"]), Fraction(found["low"]), Fraction(found["high"]))
+    return RootLog(int(found["base"]), root, int(found["divisor"] or 1), text)
 
 
 _ROOT_LOG = re.compile(

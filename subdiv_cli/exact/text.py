@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from flint import arb, ctx, fmpz_poly
+from flint import arb, ctx, fmpz, fmpz_poly
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, is_reciprocal, isolated_roots
 from subdiv_cli.exact.enclosures import ball, bounds
@@ -79,9 +79,10 @@ def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
     return repr(float((low + high) / 2))
 
 
-def polynomial(f: fmpz_poly, variable: str = "x") -> str:
-    """`81*x^2-27*x+1`."""
-    return _terms([(i, Fraction(int(c))) for i, c in enumerate(f)][::-1], variable, "*") or "0"
+def polynomial(f: fmpz_poly) -> str:
+    """`81*x^2-27*x+1`, each coefficient in full: it is part of an exact number."""
+    terms = [(i, Fraction(int(c))) for i, c in enumerate(f)][::-1]
+    return _terms(terms, "x", "*", spelled=lambda c: str(fmpz(c.numerator))) or "0"
 
 
 def laurent(a: Laurent) -> str:
@@ -89,13 +90,19 @@ def laurent(a: Laurent) -> str:
     return _terms([(a.low + i, c) for i, c in enumerate(a.coefficients())], "z", " ", " ") or "0"
 
 
-def _terms(terms: list[tuple[int, Fraction]], variable: str, times: str, space: str = "") -> str:
+def _terms(
+    terms: list[tuple[int, Fraction]],
+    variable: str,
+    times: str,
+    space: str = "",
+    spelled: Callable[[Fraction], str] = number,
+) -> str:
     text = ""
     for exponent, c in terms:
         if not c:
             continue
         power = "" if exponent == 0 else variable if exponent == 1 else f"{variable}^{exponent}"
-        size = "" if power and abs(c) == 1 else number(abs(c))
+        size = "" if power and abs(c) == 1 else spelled(abs(c))
         sign = ("-" if c < 0 else "") if not text else f"{space}{'-' if c < 0 else '+'}{space}"
         text += sign + size + (times if size and power else "") + power
     return text

@@ -10,7 +10,7 @@ from typing import Any
 import subdiv_cli
 from subdiv_cli.model import Data, Exponent, Finding, Interval, Judgement, Problem, Result
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import exact, finite
+from subdiv_cli.report.numbers import closed, exact, finite
 from subdiv_cli.report.words import found, summary
 
 _LONG = 10**4000
@@ -96,7 +96,7 @@ def _exponent(exponent: Exponent | None, *, attained: bool) -> dict[str, Any] | 
     shown: dict[str, Any] = {
         "lower": finite(exponent.lower),
         "upper": finite(exponent.upper),
-        "exact": None if exponent.exact is None else str(exponent.exact),
+        "exact": None if exponent.exact is None else closed(exponent.exact),
     }
     return {**shown, "attained": exponent.attained} if attained else shown
 

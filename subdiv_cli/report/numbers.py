@@ -6,10 +6,12 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
-from subdiv_cli.model import Data, Exponent, Interval
+from subdiv_cli.model import ClosedForm, Data, Exponent, Interval, Log
 
 PLACES = 10
 """Decimal places at most, where a number is not known exactly."""
+_LONGEST = 160
+"""Characters of a closed form that is still read with profit; of a longer one the digits are shown alone."""
 
 
 def exact(value: Fraction | int) -> str:
@@ -21,6 +23,13 @@ def exact(value: Fraction | int) -> str:
 
         value = Fraction(value)
         return f"{Decimal(value.numerator):f}" + (f"/{Decimal(value.denominator):f}" if value.denominator > 1 else "")
+
+
+def closed(value: ClosedForm) -> str:
+    """A closed form in the grammar of reports, of any length."""
+    if isinstance(value, Log):
+        return f"log{value.base}({exact(value.argument)})" + (f"/{value.divisor}" if value.divisor > 1 else "")
+    return exact(value) if isinstance(value, Fraction) else value.text
 
 
 def finite(bound: float | None) -> float | None:
@@ -97,7 +106,8 @@ def enclosed(lower: float | None, upper: float | None, closed: str | None = None
 def interval(value: Interval | Exponent) -> str | None:
     """An interval or an exponent as text, exact value first."""
     attained = getattr(value, "attained", None)
-    shown = enclosed(value.lower, value.upper, None if value.exact is None else str(value.exact))
+    text = value.exact if value.exact is None or isinstance(value.exact, str) else closed(value.exact)
+    shown = enclosed(value.lower, value.upper, None if text is None or len(text) > _LONGEST else text)
     return shown if shown is None or attained is None else f"{shown}, {'attained' if attained else 'not attained'}"
 
 

@@ -1,13 +1,15 @@
-"""Expectations judged against what was found: proved, refuted or undecided, never guessed."""
+"""Expectations judged against what was found, and the status that follows: standard library only.
+
+A result from the cache is judged anew, so nothing here may need more than that.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
-from flint import ctx
-
-from subdiv_cli.exact.closed import closed_ball
-from subdiv_cli.model import ClosedForm, Expectation, Exponent, Log, Result, Verdict
+from subdiv_cli.model import ClosedForm, Expectation, Exponent, Judgement, Log, Result, Status, Verdict
+from subdiv_cli.model.closed import compare
 
 
 def judge(expectation: Expectation, found: Result) -> Verdict:
@@ -27,6 +29,14 @@ def judge(expectation: Expectation, found: Result) -> Verdict:
             return _exponent(expectation, found.holder)
         case "sobolev":
             return _exponent(expectation, found.sobolev)
+
+
+def status(convergent: Verdict, judgements: Sequence[Judgement]) -> Status:
+    """Every expectation must be proved; where a mask states none, convergence must."""
+    verdicts = [judgement.verdict for judgement in judgements] or [convergent]
+    if Verdict.REFUTED in verdicts:
+        return "failed"
+    return "passed" if all(v is Verdict.PROVED for v in verdicts) else "undecided"
 
 
 def _yes_or_no(verdict: Verdict, expectation: Expectation) -> Verdict:
@@ -61,12 +71,12 @@ def _exponent(expectation: Expectation, found: Exponent | None) -> Verdict:
         return Verdict.UNDECIDED
     low, high = _closed(expectation.lower), expectation.upper
     lower, upper = _ends(found)
-    below = _compare(upper, low)
-    above = None if high is None else _compare(lower, _closed(high))
+    below = _compared(upper, low)
+    above = None if high is None else _compared(lower, _closed(high))
     if below == -1 or above == 1:
         return Verdict.REFUTED
-    reaches = _compare(lower, low) in (0, 1)
-    stays = high is None or _compare(upper, _closed(high)) in (-1, 0)
+    reaches = _compared(lower, low) in (0, 1)
+    stays = high is None or _compared(upper, _closed(high)) in (-1, 0)
     return Verdict.PROVED if reaches and stays else Verdict.UNDECIDED
 
 
@@ -83,12 +93,6 @@ def _closed(x: bool | int | ClosedForm) -> ClosedForm:
     return Fraction(x) if isinstance(x, int) else x
 
 
-def _compare(a: ClosedForm | None, b: ClosedForm) -> int | None:
-    """The sign of a - b; None where a is unknown or 256 bits do not tell. Canonical forms are equal iff alike."""
-    if a is None:
-        return None
-    if a == b:
-        return 0
-    with ctx.workprec(256):
-        x, y = closed_ball(a), closed_ball(b)
-        return 1 if x > y else -1 if x < y else None
+def _compared(a: ClosedForm | None, b: ClosedForm) -> int | None:
+    """The sign of a - b; None where a is unknown or too close to b."""
+    return None if a is None else compare(a, b)
