@@ -1,37 +1,42 @@
 """Closed forms as real numbers: rational enclosures and exact order, standard library only.
 
-Logarithms are those of `decimal`, correctly rounded to 90 digits; the error that is added to each is some ten digits
-larger than all roundings together.
+Logarithms are those of `decimal`, correctly rounded; the error that is added to each is some ten digits larger than
+all roundings together.
 """
 
 from __future__ import annotations
 
-from decimal import Context, Decimal
+from decimal import Context, Decimal, localcontext
 from fractions import Fraction
+from functools import lru_cache
 
 from subdiv_cli.model import ClosedForm, Root, RootLog
 
 _BITS = 272
-_CONTEXT = Context(prec=90)
-_ERROR = Fraction(1, 10**75)
-_LN_2 = Fraction(_CONTEXT.ln(Decimal(2)))
+_DIGITS = {False: 40, True: 90}
+"""Of logarithms, at first and refined."""
+_SPARE = 15
+"""Digits that roundings cannot reach."""
 
 
+@lru_cache(maxsize=256)
 def enclosure(x: ClosedForm, *, refined: bool = False) -> tuple[Fraction, Fraction]:
-    """lower <= x <= upper, 70 digits apart or, for a logarithm of a root, as the root is enclosed.
-
-    `refined` bisects that enclosure to 256 bits.
-    """
+    """lower <= x <= upper, to some 20 digits at least; `refined`, to 70."""
     if isinstance(x, Fraction):
         return x, x
     if isinstance(x, RootLog):
         low, high = _bisected(x.root) if refined else (x.root.low, x.root.high)
-        ends = -_logarithm(high)[1], -_logarithm(low)[0]
+        ends = [_exponent(1 / end, x.base, x.divisor, refined) for end in (low, high)]
     else:
-        ends = _logarithm(x.argument)
-    scale = _logarithm(Fraction(x.base))
-    quotients = [end / factor / x.divisor for end in ends for factor in scale]
-    return min(quotients), max(quotients)
+        ends = [_exponent(x.argument, x.base, x.divisor, refined)]
+    return min(value - error for value, error in ends), max(value + error for value, error in ends)
+
+
+def _exponent(x: Fraction, base: int, divisor: int, refined: bool) -> tuple[Fraction, Fraction]:
+    """log_base(x) / divisor, and how far that may be off."""
+    (y, e), (s, f) = _logarithm(x, refined), _logarithm(Fraction(base), refined)
+    with localcontext(Context(prec=_DIGITS[refined])):
+        return Fraction(y / s / divisor), Fraction(4 * (e + abs(y) * f))
 
 
 def compare(a: ClosedForm, b: ClosedForm) -> int | None:
@@ -45,12 +50,19 @@ def compare(a: ClosedForm, b: ClosedForm) -> int | None:
     return None
 
 
-def _logarithm(x: Fraction) -> tuple[Fraction, Fraction]:
-    """ln x enclosed, for x > 0 of any size: x = m 2^e with m of 272 bits, cut."""
+@lru_cache(maxsize=256)
+def _logarithm(x: Fraction, refined: bool) -> tuple[Decimal, Decimal]:
+    """ln x, and how far that may be off, for x > 0 of any size: x = m 2^e with m of 272 bits, cut."""
     e = x.numerator.bit_length() - x.denominator.bit_length() - _BITS
     m = (x.numerator << max(0, -e)) // (x.denominator << max(0, e))
-    value, error = Fraction(_CONTEXT.ln(Decimal(m))) + e * _LN_2, (1 + abs(e)) * _ERROR
-    return value - error, value + error
+    digits = _DIGITS[refined]
+    with localcontext(Context(prec=digits)):
+        return Decimal(m).ln() + e * _logarithm_of_2(digits), (1 + abs(e)) * Decimal(10) ** (_SPARE - digits)
+
+
+@lru_cache
+def _logarithm_of_2(digits: int) -> Decimal:
+    return Context(prec=digits).ln(Decimal(2))
 
 
 def _bisected(root: Root) -> tuple[Fraction, Fraction]:

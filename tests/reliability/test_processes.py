@@ -156,7 +156,8 @@ def test_a_mask_that_needs_more_than_the_budget(tmp_path, jobs):
     assert len(results) == 8
 
 
-def test_a_step_that_no_budget_interrupts_is_ended_from_outside(tmp_path, monkeypatch, forked):
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_a_step_that_no_budget_interrupts_is_ended_from_outside(tmp_path, monkeypatch, forked, jobs):
     """A library call looks at no clock: after a while its process is ended, and the mask is undecided."""
     import time
 
@@ -168,7 +169,7 @@ def test_a_step_that_no_budget_interrupts_is_ended_from_outside(tmp_path, monkey
     perform = pool.perform
     monkeypatch.setattr(pool, "perform", hang)
     monkeypatch.setattr(pool, "PATIENCE", (2.0, 0.5))
-    results = list(check_all([str(masks(tmp_path, 12))], jobs=2, seconds=0.5))
+    results = list(check_all([str(masks(tmp_path, 12))], jobs=jobs, seconds=0.5))
     assert (results[3].status, results[3].stopped, results[3].findings) == ("undecided", "budget", ())
     assert [result.status for result in results if result is not results[3]] == ["passed"] * 11
 

@@ -3,6 +3,7 @@
 `UPDATE_GOLDEN=1 pytest tests/report` writes the files anew; read the difference before committing it.
 """
 
+import json
 import os
 import re
 from dataclasses import replace
@@ -14,8 +15,9 @@ import report_samples as samples
 from hypothesis import given
 from hypothesis import strategies as st
 
-from subdiv_cli.model import UNKNOWN, Exponent, Finding, Problem, Result, Verdict
+from subdiv_cli.model import UNKNOWN, Exponent, Finding, Log, Problem, Result, Verdict
 from subdiv_cli.report import FOR_PEOPLE, FORMATS, renderer
+from subdiv_cli.report.json import render as render_json
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.text import render
@@ -78,6 +80,16 @@ def test_a_number_too_long_for_str_is_printed():
     value = 10**5000 + 1
     text = render([replace(samples.FOUR_POINT, facts={"big": Fraction(value, 7)})], Look())
     assert "1" + "0" * 4999 + "1/7" in re.sub(r"\s+", "", text)
+
+
+def test_a_closed_form_too_long_to_read_is_left_to_its_digits():
+    """The JSON has it in full."""
+    exponent = Exponent(lower=0.5849625007, upper=0.5849625008, exact=Log(2, Fraction(3 * 10**5000 + 1, 2 * 10**5000)))
+    result = replace(samples.FOUR_POINT, holder=exponent)
+    assert "0.5849625007 .. 0.5849625008" in render([result], Look())
+    assert "log2(" not in render([result], Look(verbosity=-1))
+    (found,) = json.loads(render_json([result], Look()))["results"]
+    assert found["holder"]["exact"] == f"log2(3{'0' * 4999}1/2{'0' * 5000})"
 
 
 def test_without_colour_there_is_not_one_escape_and_with_it_the_same_text():
