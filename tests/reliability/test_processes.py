@@ -114,7 +114,7 @@ def test_ctrl_c_in_one_process(tmp_path):
 @LINUX
 def test_workers_end_with_a_run_that_is_killed(tmp_path):
     """They are at work while it dies, and end when they find nobody to give a result to."""
-    running = start("check", masks(tmp_path, 20_000), "--jobs", 2, "--no-cache")
+    running = start("check", masks(tmp_path, 3000), "--jobs", 2, "--no-cache")
     workers = wait_for(lambda: children(running.pid) if len(children(running.pid)) == 2 else None)
     running.kill()
     running.communicate()
