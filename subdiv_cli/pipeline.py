@@ -56,9 +56,8 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
     written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
     if written is not None and not _verified(written.document):
         written = None
-    if written is not None:
-        pairs = zip(findings, written.claims, strict=True)
-        findings = tuple(replace(finding, claims=claims) if claims else finding for finding, claims in pairs)
+    claims = written.claims if written is not None else [()] * len(findings)
+    findings = tuple(_named(finding, numbers) for finding, numbers in zip(findings, claims, strict=True))
     found = {finding.code: finding for finding in findings}
     sharp = found["SD303"].verdict is Verdict.REFUTED
     refinable = Smoothness(order=_integer(found, "SD302", "order"), sharp=sharp)
@@ -84,6 +83,11 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
     judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
     result = replace(result, expectations=judgements, status=status(result.convergent, judgements))
     return Checked(result, None if written is None else written.document)
+
+
+def _named(finding: Finding, claims: tuple[int, ...]) -> Finding:
+    """With the numbers of its claims; its proof is in them, and is long."""
+    return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
 
 
 class CheckedRadius(NamedTuple):
