@@ -74,7 +74,7 @@ def command(
 ) -> ExitCode:
     """The joint spectral radius of a family of rational matrices.
 
-    That is the growth rate of the largest products, lim max ‖M_(w_L) … M_(w_1)‖^(1/L). FILE is TOML; - is stdin.
+    That is the growth rate of the largest products, lim max ||M_(w_L) ... M_(w_1)||^(1/L). FILE is TOML; - is stdin.
     """
     from subdiv_cli.maskfile import MaskFileError
 
