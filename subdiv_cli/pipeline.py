@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.certificate import certificate, document_text, family_certificate
 from subdiv_cli.checker import check_document
@@ -17,14 +17,16 @@ from subdiv_cli.model import (
     Judgement,
     Result,
     Smoothness,
-    Status,
     Verdict,
 )
-from subdiv_cli.model.family import FamilyRadius
+from subdiv_cli.model.judge import status
 from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages.figures import digits, estimate
 from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.scalar import Analysis, analyse
+
+if TYPE_CHECKING:
+    from subdiv_cli.model.family import FamilyRadius
 
 
 class DisagreementError(Exception):
@@ -56,9 +58,8 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
     written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
     if written is not None and not _verified(written.document):
         written = None
-    if written is not None:
-        pairs = zip(findings, written.claims, strict=True)
-        findings = tuple(replace(finding, claims=claims) if claims else finding for finding, claims in pairs)
+    claims = written.claims if written is not None else [()] * len(findings)
+    findings = tuple(_named(finding, numbers) for finding, numbers in zip(findings, claims, strict=True))
     found = {finding.code: finding for finding in findings}
     sharp = found["SD303"].verdict is Verdict.REFUTED
     refinable = Smoothness(order=_integer(found, "SD302", "order"), sharp=sharp)
@@ -81,9 +82,19 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
         reproduction=_integer(found, "SD104", "degree"),
         findings=findings,
     )
-    judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
-    result = replace(result, expectations=judgements, status=_status(result, judgements))
+    judgements = judged(expectations, result)
+    result = replace(result, expectations=judgements, status=status(result.convergent, judgements))
     return Checked(result, None if written is None else written.document)
+
+
+def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgement, ...]:
+    """Every expectation against a result, closed forms compared exactly."""
+    return tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
+
+
+def _named(finding: Finding, claims: tuple[int, ...]) -> Finding:
+    """With the numbers of its claims; its proof is in them, and is long."""
+    return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
 
 
 class CheckedRadius(NamedTuple):
@@ -117,14 +128,6 @@ def _verified(document: Mapping[str, Any]) -> bool:
     if not outcome.verified and not outcome.exhausted:
         raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
     return outcome.verified
-
-
-def _status(result: Result, judgements: Sequence[Judgement]) -> Status:
-    """Every expectation must be proved; where a mask states none, convergence must."""
-    verdicts = [judgement.verdict for judgement in judgements] or [result.convergent]
-    if Verdict.REFUTED in verdicts:
-        return "failed"
-    return "passed" if all(v is Verdict.PROVED for v in verdicts) else "undecided"
 
 
 def _integer(found: dict[str, Finding], code: str, key: str) -> int | None:

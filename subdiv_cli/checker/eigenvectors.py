@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from subdiv_cli.checker.matrices import Matrix, apply
 from subdiv_cli.checker.polynomials import remainder
-from subdiv_cli.checker.roots import Enclosure, fraction_bits
+from subdiv_cli.checker.roots import Enclosure
 
 
 def size_of_leader(
@@ -18,9 +18,9 @@ def size_of_leader(
 ) -> list[tuple[int, int]]:
     """What a product and its `leading_eigenvector` take: operations, and the bits of their numbers.
 
-    g: the numerators of the annihilator, of degree n, and then their common denominator. A step of the product lengthens
-    its numbers by those of the family, one of the eigenvector by those of the product, one modulo m by those of m. Powers
-    of E take as much as multiplying by them; in the end each number is divided by a common divisor.
+    g: the numerators of the annihilator, of degree n, and then their common denominator. A step of the product
+    lengthens its numbers by those of the family, one of the eigenvector by those of the product, one modulo m by those
+    of m. Powers of E take as much as multiplying by them; in the end each number is divided by a common divisor.
     """
     n, d, steps = len(g) - 2, len(m) - 1, max(0, len(g) - len(m))
     product = letters * (family_bits + order.bit_length())
