@@ -255,17 +255,19 @@ class _Monotone(_Closing):
         return [int(j) // copies + size * (int(j) % copies) for j in self._body.columns.argmax(axis=1)]
 
     def _condition(self) -> arb | None:
-        """The longest 1/f over these coordinates f, where they are positive and those of the leaders are proved to be
+        """The largest 1/x of coordinates x that a checker must see to be positive, if they are: those of the basis
 
-        zero or positive.
+        vertices, and of the leaders, where they are not proved to be zero.
         """
         self._floors = [self._vertex(number)[k] for k, number in enumerate(self._basis)]
-        proved = all(
-            bool(x > 0) or self._ties.is_zero(u, k)
+        of_leaders = [
+            x
             for u in range(len(self._leaders.each))
             for k, x in enumerate(self._vertices[u].entries())
-        )
-        return _largest([1 / x for x in self._floors]) if proved and all(x > 0 for x in self._floors) else None
+            if x > 0 or not self._ties.is_zero(u, k)
+        ]
+        positive = [*self._floors, *of_leaders]
+        return _largest([1 / x for x in positive]) if all(x > 0 for x in positive) else None
 
     def _distance(self, rest: Sequence[Ball]) -> arb:
         parts = [x.max(arb(0)) / floor for x, floor in zip(rest, self._floors, strict=True)]

@@ -71,33 +71,43 @@ class Leaders(NamedTuple):
 def leaders(family: Family, candidates: Sequence[Candidate]) -> Leaders | None:
     """The leaders of candidates with equally large eigenvalues; None where all their products are nilpotent.
 
-    They are raised to powers of one length. One whose eigenvalue is not, up to sign, the same algebraic number as that
-    of the first one is left out.
+    They are raised to powers of one length. All share one eigenvalue up to sign, a real one where there is one as large
+    as the first: real vertices may be ties. Candidates that do not have it are left out.
     """
     length = lcm(*(len(candidate.word) for candidate in candidates))
     if length > _LONGEST or length * family.bits > LONGEST_PRODUCT:
         candidates, length = candidates[:1], len(candidates[0].word)
+    powers = [candidate.power(length // len(candidate.word), family.letters) for candidate in candidates]
+    products = [family.candidate(power) for power in powers]
+    spectra = [_leading_eigenvalues(product) for product in products]
+    shared = _shared(spectra)
+    if shared is None:
+        return None
     each: list[Leader] = []
-    for candidate in candidates:
-        power = candidate.power(length // len(candidate.word), family.letters)
-        product = family.candidate(power)
-        eigenvalue = _leading_eigenvalue(product, each[0].eigenvalue if each else None)
-        if eigenvalue is not None:
-            each += _eigenvectors(product, power, eigenvalue)
+    for power, product, spectrum in zip(powers, products, spectra, strict=True):
+        alike = [x for x in spectrum if _same(x, shared) or (shared.is_real and _same(x, negated(shared)))]
+        if alike:
+            each += _eigenvectors(product, power, max(alike, key=_preference))
     return Leaders(length, tuple(each[:_MOST_LEADERS])) if each else None
 
 
-def _leading_eigenvalue(product: fmpq_mat, like: AlgebraicNumber | None) -> AlgebraicNumber | None:
-    """An eigenvalue of largest modulus, as balls see it: a positive one before others, complex ones in the upper half
-
-    plane. It must be ± the given one; None where there is none, or where all are zero.
-    """
+def _leading_eigenvalues(product: fmpq_mat) -> list[AlgebraicNumber]:
+    """Eigenvalues ≠ 0 of the largest modulus, as balls see it; of complex pairs those in the upper half plane."""
     spectrum = [number for number, _ in roots(product.charpoly()) if not number.region.imag < 0]
     top = spectrum[0].region.__abs__()
-    leading = [number for number in spectrum if number.region.__abs__().overlaps(top) and number.rational != 0]
-    if like is not None:
-        leading = [x for x in leading if _same(x, like) or (like.is_real and _same(x, negated(like)))]
-    return max(leading, key=lambda x: (x.is_real, bool(x.region.real > 0)), default=None)
+    return [number for number in spectrum if number.region.__abs__().overlaps(top) and number.rational != 0]
+
+
+def _shared(spectra: Sequence[Sequence[AlgebraicNumber]]) -> AlgebraicNumber | None:
+    """The best of those that 256 bits do not tell from the first in modulus; None where there are none."""
+    every = [number for spectrum in spectra for number in spectrum]
+    with ctx.workprec(256):
+        return max((x for x in every if x.modulus().overlaps(every[0].modulus())), key=_preference, default=None)
+
+
+def _preference(number: AlgebraicNumber) -> tuple[bool, bool]:
+    """A positive one before others, complex ones last."""
+    return number.is_real, bool(number.region.real > 0)
 
 
 def _same(x: AlgebraicNumber, y: AlgebraicNumber) -> bool:

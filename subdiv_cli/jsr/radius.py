@@ -91,7 +91,7 @@ def rough_radius(family: Family, effort: Effort) -> Radius | None:
     """
     if not effort.allows(family.order**2):
         return None
-    found = candidates(family, 2)[1] if family.order <= LARGEST_ORDER else ()
+    found = candidates(family, 2)[1] if family.order <= LARGEST_BLOCK else ()
     bound = by_columns(family)
     proof: dict[str, Data] = {"rule": "polytope", "length": 1, "bound": bound.upper, **bound.witness}
     return Radius(family.full_word(found[0]) if found else None, None, (1, bound.upper), False, proof)
