@@ -40,14 +40,24 @@ def _exponent(x: Fraction, base: int, divisor: int, refined: bool) -> tuple[Frac
 
 
 def compare(a: ClosedForm, b: ClosedForm) -> int | None:
-    """The sign of a - b; None where 256 bits do not tell. Canonical forms are equal iff alike."""
-    if a == b:
+    """The sign of a - b; None where 256 bits do not tell, as with equal numbers that are not written alike."""
+    if a == b or _are_one(a, b):
         return 0
     for refined in (False, True):
         (low, high), (lower, upper) = enclosure(a, refined=refined), enclosure(b, refined=refined)
         if low > upper or high < lower:
             return 1 if low > upper else -1
     return None
+
+
+def _are_one(a: ClosedForm, b: ClosedForm) -> bool:
+    """Whether both are of the only root of one polynomial in the larger of two intervals."""
+    if not isinstance(a, RootLog) or not isinstance(b, RootLog):
+        return False
+    if (a.base, a.divisor, a.root.coefficients) != (b.base, b.divisor, b.root.coefficients):
+        return False
+    (low, high), (lower, upper) = a.root[1:], b.root[1:]
+    return low <= lower <= upper <= high or lower <= low <= high <= upper
 
 
 @lru_cache(maxsize=256)
