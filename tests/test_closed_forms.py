@@ -74,3 +74,13 @@ def test_an_exact_number_is_spelled_in_full():
     assert again._replace(root=exact.root) == exact
     assert again.root.coefficients == exact.root.coefficients
     assert again.root.low <= exact.root.low <= exact.root.high <= again.root.high
+
+
+def test_one_root_in_two_intervals():
+    """As an expectation and a certificate write it: equal where one interval holds the other, else not told."""
+    x = exponent(2, 1, GOLDEN)
+    wide = x._replace(root=GOLDEN._replace(low=Fraction(1), high=Fraction(2)), text="")
+    other = x._replace(root=GOLDEN._replace(low=Fraction(1617, 1000), high=Fraction(16185, 10000)), text="")
+    assert compare(x, wide) == compare(wide, x) == 0
+    assert compare(x, other) is None
+    assert compare(x, wide._replace(divisor=2)) == -1
