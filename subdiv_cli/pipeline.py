@@ -17,15 +17,16 @@ from subdiv_cli.model import (
     Judgement,
     Result,
     Smoothness,
-    Status,
     Verdict,
 )
-from subdiv_cli.model.family import FamilyRadius
+from subdiv_cli.model.judge import status
 from subdiv_cli.schemes.scalar import ScalarScheme
+from subdiv_cli.stages.figures import digits, estimate
 from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.scalar import Analysis, analyse
 
 if TYPE_CHECKING:
+    from subdiv_cli.model.family import FamilyRadius
     from subdiv_cli.schemes.multivariate import MultivariateScheme
 
 
@@ -62,9 +63,8 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
     written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
     if written is not None and not verified(written.document):
         written = None
-    if written is not None:
-        pairs = zip(findings, written.claims, strict=True)
-        findings = tuple(replace(finding, claims=claims) if claims else finding for finding, claims in pairs)
+    claims = written.claims if written is not None else [()] * len(findings)
+    findings = tuple(named(finding, numbers) for finding, numbers in zip(findings, claims, strict=True))
     found = {finding.code: finding for finding in findings}
     sharp = found["SD303"].verdict is Verdict.REFUTED
     refinable = Smoothness(order=_integer(found, "SD302", "order"), sharp=sharp)
@@ -79,7 +79,7 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
         convergent=found["SD201"].verdict,
         smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
         refinable=refinable,
-        holder=_holder(found),
+        holder=_holder(found, analysis),
         sobolev=_sobolev(found["SD321"]),
         stable=found["SD402"].verdict,
         linearly_independent=found["SD401"].verdict,
@@ -87,9 +87,19 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
         reproduction=_integer(found, "SD104", "degree"),
         findings=findings,
     )
-    judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
-    result = replace(result, expectations=judgements, status=status_of(result, judgements))
+    judgements = judged(expectations, result)
+    result = replace(result, expectations=judgements, status=status(result.convergent, judgements))
     return Checked(result, None if written is None else written.document)
+
+
+def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgement, ...]:
+    """Every expectation against a result, closed forms compared exactly."""
+    return tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
+
+
+def named(finding: Finding, claims: tuple[int, ...]) -> Finding:
+    """With the numbers of its claims; its proof is in them, and is long."""
+    return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
 
 
 class CheckedRadius(NamedTuple):
@@ -125,20 +135,12 @@ def verified(document: Mapping[str, Any]) -> bool:
     return outcome.verified
 
 
-def status_of(result: Result, judgements: Sequence[Judgement]) -> Status:
-    """Every expectation must be proved; where a mask states none, convergence must."""
-    verdicts = [judgement.verdict for judgement in judgements] or [result.convergent]
-    if Verdict.REFUTED in verdicts:
-        return "failed"
-    return "passed" if all(v is Verdict.PROVED for v in verdicts) else "undecided"
-
-
 def _integer(found: dict[str, Finding], code: str, key: str) -> int | None:
     value = found[code].witness.get(key)
     return value if isinstance(value, int) else None
 
 
-def _holder(found: dict[str, Finding]) -> Exponent | None:
+def _holder(found: dict[str, Finding], analysis: Analysis) -> Exponent | None:
     """None without sum rules. What is exact for D = S_(Δ^k) is the exponent of φ where φ is stable."""
     below, above = found["SD311"], found["SD312"]
     if below.verdict is Verdict.SKIPPED:
@@ -146,13 +148,15 @@ def _holder(found: dict[str, Finding]) -> Exponent | None:
     lower = below.value.lower if below.value else None
     upper = above.value.upper if above.value else None
     if below.closed is None or above.verdict is not Verdict.PROVED:
-        return Exponent(lower=lower, upper=upper)
+        return Exponent(lower=lower, upper=upper, estimate=estimate(analysis.numbers, lower, upper))
     attained = {Verdict.PROVED: True, Verdict.REFUTED: False}.get(found["SD313"].verdict)
     upper = below.value.upper if below.value else upper
-    return Exponent(lower=lower, upper=upper, exact=below.closed, attained=attained)
+    return Exponent(lower=lower, upper=upper, exact=below.closed, attained=attained, digits=digits(below.closed))
 
 
 def _sobolev(finding: Finding) -> Exponent | None:
     """None without sum rules, or where the effort ended."""
-    value = finding.value
-    return None if value is None else Exponent(lower=value.lower, upper=value.upper, exact=finding.closed)
+    value, exact = finding.value, finding.closed
+    if value is None:
+        return None
+    return Exponent(lower=value.lower, upper=value.upper, exact=exact, digits=None if exact is None else digits(exact))

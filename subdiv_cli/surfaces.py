@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from subdiv_cli.certificate.multivariate import surface_certificate
 from subdiv_cli.maskfile.canonical import canonical
-from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Judgement, Result, Smoothness, Verdict
-from subdiv_cli.pipeline import Checked, status_of, verified
+from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Result, Smoothness, Verdict
+from subdiv_cli.model.judge import status
+from subdiv_cli.pipeline import Checked, judged, named, verified
 from subdiv_cli.schemes.multivariate import MultivariateScheme
-from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.multivariate.analysis import analyse
 
 
@@ -21,9 +21,8 @@ def check_surface(scheme: MultivariateScheme, expectations: Sequence[Expectation
     written = surface_certificate(dict(canonical(scheme)), findings)
     if written is not None and not verified(written.document):
         written = None
-    if written is not None:
-        pairs = zip(findings, written.claims, strict=True)
-        findings = tuple(replace(finding, claims=claims) if claims else finding for finding, claims in pairs)
+    claims = written.claims if written is not None else [()] * len(findings)
+    findings = tuple(named(finding, numbers) for finding, numbers in zip(findings, claims, strict=True))
     found = {finding.code: finding for finding in findings}
     refinable = _smoothness(found)
     converges = found["SD611"].verdict
@@ -43,8 +42,8 @@ def check_surface(scheme: MultivariateScheme, expectations: Sequence[Expectation
         generation=order - 1 if order else None,
         findings=findings,
     )
-    judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
-    result = replace(result, expectations=judgements, status=status_of(result, judgements))
+    judgements = judged(expectations, result)
+    result = replace(result, expectations=judgements, status=status(result.convergent, judgements))
     return Checked(result, None if written is None else written.document)
 
 

@@ -51,7 +51,7 @@ def test_the_github_workflow(project):
     for name in ("report.html", "report.sarif", "report.md"):
         assert "21" in (project / name).read_text("utf-8") or name == "report.sarif"
     broken = project / "masks" / "flat_1111.toml"
-    broken.write_text(broken.read_text().replace("smoothness = 0", "smoothness = 5"))
+    broken.write_text(broken.read_text().replace("stable = false", "stable = true"))
     shown = [run(check.replace("${{ matrix.part }}", str(part)), project, code) for part, code in ((1, 0), (2, 1))]
     assert re.search(r"^::error title=.*file=masks/flat_1111\.toml,line=\d+::", "\n".join(shown), re.MULTILINE)
 
@@ -83,8 +83,8 @@ def test_the_hook_in_a_scratch_repository(project):
     assert len(files) == 21
     assert run(f"{hook['entry']} {shlex.join(files)}", project) == ""
     broken = project / "masks" / "flat_1111.toml"
-    broken.write_text(broken.read_text().replace("smoothness = 0", "smoothness = 5"))
-    assert "expected smoothness = 5: ✗ refuted" in run(f"{hook['entry']} {shlex.join(files)}", project, 1)
+    broken.write_text(broken.read_text().replace("stable = false", "stable = true"))
+    assert "expected stable = true: ✗ refuted" in run(f"{hook['entry']} {shlex.join(files)}", project, 1)
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="no bash")

@@ -2,4 +2,8 @@
 
 from subdiv_cli.catalog.shipped import masks_directory
 
-__all__ = ["masks_directory"]
+__all__ = ["ClusterError", "masks_directory"]
+
+
+class ClusterError(Exception):
+    """The Dask cluster cannot be used; the text says why."""

@@ -7,6 +7,7 @@ from contextlib import suppress
 from importlib import import_module
 from typing import Any
 
+from subdiv_cli.catalog import ClusterError
 from subdiv_cli.catalog.ordered import Numbered, Order
 from subdiv_cli.catalog.pool import lost
 from subdiv_cli.catalog.task import Done, Settings, Task, invalid, perform
@@ -16,10 +17,6 @@ AHEAD = 4
 """Tasks under way for each thread of the cluster: enough that none waits for the network."""
 TIMEOUT = 10
 """Seconds to find the scheduler."""
-
-
-class ClusterError(Exception):
-    """The cluster cannot be used; the text says why."""
 
 
 class Cluster:

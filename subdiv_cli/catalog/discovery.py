@@ -38,7 +38,9 @@ def discover(paths: Iterable[str | Path]) -> Discovery:
     found = _Found()
     for path in map(str, paths):
         try:
-            if path != "-" and Path(path).is_dir():
+            if not path:
+                found.entries.append(_NAMELESS)
+            elif path != "-" and Path(path).is_dir():
                 found.search(path)
             elif _PATTERN.search(path) and not os.path.lexists(path):
                 found.match(path)
@@ -49,6 +51,15 @@ def discover(paths: Iterable[str | Path]) -> Discovery:
         except ValueError:  # a null character in the name
             found.entries.append(unreadable(path, FileNotFoundError()))
     return Discovery(entries=tuple(found.entries), skipped=found.skipped)
+
+
+_NAMELESS = Problem(
+    code="SD002",
+    message="the name of a file is empty",
+    help="is it a variable that is not set? the directory here is .",
+    file='""',
+)
+"""Not the directory here, which `Path("")` is: nobody has asked for it."""
 
 
 class _Found:

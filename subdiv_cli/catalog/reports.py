@@ -163,7 +163,8 @@ def _smoothness(data: Mapping[str, Any]) -> Smoothness:
 def _exponent(data: Mapping[str, Any] | None) -> Exponent | None:
     if data is None:
         return None
-    return Exponent(data["lower"], data["upper"], _closed(data["exact"]), data.get("attained"))
+    exact, figures = _closed(data["exact"]), (data.get("digits"), data.get("estimate"))
+    return Exponent(data["lower"], data["upper"], exact, data.get("attained"), *figures)
 
 
 def _closed(text: str | None) -> ClosedForm | None:

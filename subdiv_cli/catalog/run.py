@@ -115,7 +115,8 @@ def _stream(
 
         return Cluster(cluster, tasks, settings).stream
     jobs = min(jobs, max(1, len(tasks) // FEWEST))
-    if jobs > 1 and not settings.debug:
+    bounded = settings.seconds is not None  # a step that looks at no clock can only be ended from outside
+    if (jobs > 1 or bounded) and tasks and not settings.debug:
         from subdiv_cli.catalog.pool import Pool
 
         return Pool(tasks, settings, jobs).stream

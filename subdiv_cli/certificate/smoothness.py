@@ -91,8 +91,9 @@ def _fitting(word: tuple[int, ...], length: int, power: Fraction) -> tuple[tuple
 
 def holder_upper(proof: Proof, finding: Finding) -> list[int]:
     if "word" in finding.witness:
-        claims = _above(proof, as_word(finding.witness), as_rational(finding.witness["radius"]))
-        return claims if (exactly := _exactly(proof)) is None else [exactly, *claims]
+        if (exactly := _exactly(proof)) is not None:
+            return [exactly]
+        return _above(proof, as_word(finding.witness), as_rational(finding.witness["radius"]))
     k = as_integer(finding.witness["difference_order"])
     statement = {"length": 1, "radius": rational(Fraction(1, proof.p**k))}
     uses = [proof.sum_rules(proof.last), *proof.reductions]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from subdiv_cli.certificate import smoothness, sobolev, structure, values
 from subdiv_cli.certificate.claims import Claims, Json, mask_document, matrices_document, rational
@@ -12,7 +12,9 @@ from subdiv_cli.certificate.proof import Proof
 from subdiv_cli.certificate.radius import Radii
 from subdiv_cli.certificate.witness import as_rational, as_word
 from subdiv_cli.model import Finding, Verdict
-from subdiv_cli.model.family import FamilyRadius
+
+if TYPE_CHECKING:
+    from subdiv_cli.model.family import FamilyRadius
 
 MOST_WORK = 50_000_000
 """What the checker does for one certificate; a longer one is not written."""

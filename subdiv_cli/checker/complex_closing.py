@@ -9,21 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import isqrt, lcm
+from math import isqrt
 from operator import mul
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from subdiv_cli.checker import matrices
-from subdiv_cli.checker.closing import EXTRA_BITS, HEADROOM, returns_of
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.disc import Disc, modulus_is, read_disc
-from subdiv_cli.checker.eigenvectors import Vector, leading_eigenvector, size_of_leader
+from subdiv_cli.checker.disc import modulus_is, read_disc
 from subdiv_cli.checker.matrices import Family
-from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.polytopes import Body, body
-from subdiv_cli.checker.reading import Rejected, require
-from subdiv_cli.checker.roots import Root, enclose, inverse_scale, isolated_root
+from subdiv_cli.checker.reading import require
+from subdiv_cli.checker.roots import isolated_root
 from subdiv_cli.checker.trees import Tree, read_tree
+from subdiv_cli.checker.vertices import HEADROOM, Vertices, leader_of, returns_of, weighted
 
 
 def complex_closing(c: Claim) -> None:
@@ -41,75 +38,16 @@ def complex_closing(c: Claim) -> None:
     disc = read_disc(c, **first)
     require(modulus_is(c, disc, root), "the eigenvalue does not have that modulus")
     returns = returns_of(c, tree, twice // 2)
-    images = _Enclosures(c, family, root, tree, disc)
-    _check_insides(c, family, images, tree, {*tree.children, *returns})
+    vectors = [leader_of(c, family, leader, 1, disc.polynomial) for leader in leaders]
+    vertices = Vertices(c, family, root)
+    vertices.grow(tree, (disc.enclosed(c, x, c.witness["bits"]) for x in vectors))
+    _check_insides(c, family, vertices, tree, {*tree.children, *returns})
 
 
 def _count(c: Claim, family: Family, tree: Tree, length: int) -> None:
     order, weights = family.order, sum(map(len, c.witness["images"])) // 3
     work = 2 * tree.letters * len(tree.parents) * order**2 + 4 * weights * order + 8 * order**3
     c.count(work + len(c.witness["leaders"]) * (length + 1) * order**3, max(family.bits, c.witness["bits"] + HEADROOM))
-
-
-def _leader(c: Claim, family: Family, disc: Disc, leader: dict[str, Any]) -> Vector:
-    """x with Π x = μ x, in polynomials in μ: g(Π) e_j = 0 and the factor f of the disc divides g."""
-    order, g, f = family.order, leader["annihilator"], disc.polynomial
-    require(leader["scale"] > 0 and leader["column"] < order, "the scale is not positive, or the column not there")
-    require(2 <= len(g) <= order + 1 and g[-1] != 0, "the annihilator of a leader is not of a degree 1, …, N")
-    for operations, bits in size_of_leader(order, len(leader["word"]), family.bits, g, f):
-        c.spend(operations, bits)
-    matrix, denominator = family.product(leader["word"])
-    if leader["reflected"]:
-        require(c.witness["symmetry"] != 0, "a leader is reflected, and nothing is symmetric")
-        matrix = matrix[::-1]
-    common = lcm(*(x.denominator for x in g))
-    integers = [x.numerator * (common // x.denominator) for x in g]
-    require(not remainder(integers, f), "the eigenvalue's polynomial does not divide the annihilator of a leader")
-    x = leading_eigenvector((matrix, denominator), g, 1, leader["column"], leader["scale"], f)
-    if x is None:
-        raise Rejected("the annihilator of a leader does not vanish on its column")
-    return x
-
-
-class _Enclosures:
-    """Vertices (Re, Im) as integers / 2^bits, each with one error for all its coordinates, in units of 2^-bits."""
-
-    def __init__(self, c: Claim, family: Family, root: Root, tree: Tree, disc: Disc) -> None:
-        bits, order = c.witness["bits"], family.order
-        tiny = max(0, root.low.denominator.bit_length() - root.low.numerator.bit_length() + 1)
-        at = enclose(c, root, bits + 2 * tiny + 2)
-        scale = inverse_scale(c, at, c.statement["length"], bits)
-        self._matrices, self._value, self._error = family.matrices, scale.value, scale.error
-        self._below = family.denominator << bits
-        self._rows = [max(sum(map(abs, row)) for row in matrix) for matrix in family.matrices]
-        self.vertices: list[list[int]] = []
-        self.errors: list[int] = []
-        c.spend(2 * tree.letters * len(tree.parents) * order, bits + HEADROOM + family.bits + scale.value.bit_length())
-        for leader in c.witness["leaders"]:
-            x = _leader(c, family, disc, leader)
-            v, error = disc.enclosed(c, x, bits)
-            require(max(map(abs, v)) > error, "a leader may be zero")
-            self._add(v, error, bits)
-        leaders = len(self.vertices)
-        for parent, by in zip(tree.parents[leaders:], tree.by[leaders:], strict=True):
-            if parent < 0:
-                real = [(x << bits) >> EXTRA_BITS for x in c.witness["extras"][by]]
-                self._add(real + [0] * order, 1, bits)
-            else:
-                self._add(*self.of(parent, by), bits)
-
-    def _add(self, v: list[int], error: int, bits: int) -> None:
-        limit = 1 << (bits + HEADROOM)
-        require(max(map(abs, v)) < limit and error < limit, f"vertex {len(self.vertices)} is too large")
-        self.vertices.append(v)
-        self.errors.append(error)
-
-    def of(self, u: int, letter: int) -> tuple[list[int], int]:
-        """M_letter v_u / σ on both halves, rounded down, and its error: that of `closing`."""
-        v, order = self.vertices[u], len(self.vertices[u]) // 2
-        y = [x for half in (v[:order], v[order:]) for x in matrices.apply(self._matrices[letter], half)]
-        error = (self._value + self._error) * self._rows[letter] * self.errors[u] + self._error * max(map(abs, y))
-        return [self._value * x // self._below for x in y], error // self._below + 2
 
 
 def _copies(c: Claim, family: Family, vertices: list[list[int]]) -> list[list[int]]:
@@ -122,19 +60,16 @@ def _copies(c: Claim, family: Family, vertices: list[list[int]]) -> list[list[in
     return both + [v[:n][::-1] + v[n:][::-1] for v in both]
 
 
-def _check_insides(c: Claim, family: Family, images: _Enclosures, tree: Tree, taken: set[int]) -> None:
+def _check_insides(c: Claim, family: Family, vertices: Vertices, tree: Tree, taken: set[int]) -> None:
     """All images but those taken lie inside, by their weights."""
     w, n = c.witness, family.order
-    vertices = _copies(c, family, images.vertices)
-    errors = images.errors * (len(vertices) // len(images.errors))
-    turned = [[-x for x in v[n:]] + v[:n] for v in vertices]
-    numbers = [*w["basis"], *(k + len(vertices) for k in w["basis"])]
-    hull = _Hull(body(c, vertices + turned, errors * 2, numbers, w["weight_bits"], w["bits"] + HEADROOM), len(vertices))
-    insides = [image for image in range(len(tree.parents) * tree.letters) if image not in taken]
-    require(len(insides) == len(w["images"]), f"there are {len(insides)} images inside, not as many as weights")
-    for image, weights in zip(insides, w["images"], strict=True):
-        u, letter = divmod(image, tree.letters)
-        middle, error = images.of(u, letter)
+    copies = _copies(c, family, vertices.vectors)
+    errors = vertices.errors * (len(copies) // len(vertices.errors))
+    turned = [[-x for x in v[n:]] + v[:n] for v in copies]
+    numbers = [*w["basis"], *(k + len(copies) for k in w["basis"])]
+    hull = _Hull(body(c, copies + turned, errors * 2, numbers, w["weight_bits"], w["bits"] + HEADROOM), len(copies))
+    for u, letter, weights in weighted(c, tree, taken):
+        middle, error = vertices.image(u, letter)
         require(hull.contains(middle, error, weights), f"the image of vertex {u} by letter {letter} is not inside")
 
 

@@ -10,7 +10,7 @@ from subdiv_cli.checker.lattice import LatticeMask
 from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.numerals import shown
 from subdiv_cli.checker.polynomials import Polynomial
-from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, parse, read_object, require
+from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, parse, read_object, require, require_few
 
 FORMAT, VERSION = "subdiv-certificate", 1
 MAX_FAMILIES = 1000
@@ -132,9 +132,9 @@ class Claim:
         families = self._subject.families
         require(number == len(families), f"the next family is number {len(families)}")
         families.append(family)
-        require(len(families) <= MAX_FAMILIES, "there are too many families")
+        require_few(len(families) <= MAX_FAMILIES, "there are too many families")
         entries = sum(len(each.matrices) * each.order**2 for each in families)
-        require(entries <= MAX_ENTRIES, "the families have too many entries")
+        require_few(entries <= MAX_ENTRIES, "the families have too many entries")
 
     def count(self, operations: int, bits: int = 0) -> None:
         """Called before the work is done: operations as the rule counts them, on numbers of so many bits."""
@@ -204,7 +204,7 @@ class _Checker:
         claims = parts["claims"]
         if type(claims) is not list:
             raise Rejected("the claims are not a list")
-        require(len(claims) <= MAX_CLAIMS, "there are too many claims")
+        require_few(len(claims) <= MAX_CLAIMS, "there are too many claims")
         for self.number, claim in enumerate(claims):
             self.place = f"claim {self.number}"
             self.proved.append(self.check(claim, kind, subject))
@@ -243,7 +243,7 @@ class _Checker:
         require(fits, "the rule does not prove such statements")
         require(max(parts["uses"], default=-1) < len(self.proved), "it uses a claim that does not come before it")
         self.work += parts["work"]
-        require(self.work <= MAX_WORK, f"the claims up to this one take more than {MAX_WORK} of work")
+        require_few(self.work <= MAX_WORK, f"the claims up to this one take more than {MAX_WORK} of work")
         uses = [self.proved[i] for i in parts["uses"]]
         claim = Claim(subject, statement, _read_witness(parts["witness"], rule.witnesses), parts["work"], uses)
         result = rule.check(claim)

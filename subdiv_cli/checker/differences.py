@@ -15,7 +15,7 @@ from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.lattice import Dilation, Index, LatticeMask, Sparse, add, monomials, power
 from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.multivariate import INDEX_BITS
-from subdiv_cli.checker.reading import MAX_ENTRY, MAX_ORDER, require
+from subdiv_cli.checker.reading import MAX_ENTRY, MAX_ORDER, require, require_few
 from subdiv_cli.checker.roots import fraction_bits
 
 Rows = Sequence[Sequence[int]]
@@ -35,9 +35,10 @@ def differences(c: Claim) -> None:
     require(1 <= k <= highest, f"the sum rules are of order {highest}")
     window, basis, family = found["window"], found["basis"], found["matrices"]
     s, m, n = a.dilation.dimension, a.dilation.cosets, len(basis)
-    require(1 <= n <= MAX_ORDER, "the basis is empty or has too many rows")
+    require(n > 0, "the basis is empty")
+    require_few(n <= MAX_ORDER, "the basis has too many rows")
     require(all(len(row) == len(window) for row in basis), "a row of the basis is not as long as the window")
-    require(len(window) * len(a.terms) <= _MAX_PAIRS, "the window is too large for so many terms")
+    require_few(len(window) * len(a.terms) <= _MAX_PAIRS, "the window is too large for so many terms")
     require(
         len(family.matrices) == m and family.order == n, "the matrices are not m, or of another order than the basis"
     )

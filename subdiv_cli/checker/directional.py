@@ -9,7 +9,7 @@ from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.directions import determinant
 from subdiv_cli.checker.lattice import Sparse, geometric, multiply, over_one
 from subdiv_cli.checker.polynomials import iterated_magnitudes, polynomial, slot_bits
-from subdiv_cli.checker.reading import require
+from subdiv_cli.checker.reading import require, require_few
 from subdiv_cli.checker.scalar import MAX_LEVEL, MAX_PACKED, MAX_PRODUCT
 
 
@@ -46,7 +46,7 @@ def _largest_class_sum(c: Claim, d: Sparse, p: int, level: int) -> int:
     widths = [span * (p**level - 1) // (p - 1) + 1 for span in spans]
     length = prod(widths)
     c.count(len(d) * (p + length), 0)
-    require(length <= MAX_PRODUCT, "the iterated symbol is too long")
+    require_few(length <= MAX_PRODUCT, "the iterated symbol is too long")
     flat: dict[int, int] = {}
     for x, value in d.items():
         position = 0
@@ -56,7 +56,7 @@ def _largest_class_sum(c: Claim, d: Sparse, p: int, level: int) -> int:
     symbol = polynomial(0, [flat.get(i, 0) for i in range(max(flat) + 1)], 1)
     width = slot_bits(symbol, level)
     c.spend(len(d) * length // 64, width)
-    require(length * width <= MAX_PACKED, "the numbers are too long")
+    require_few(length * width <= MAX_PACKED, "the numbers are too long")
     before = [0] * (symbol.start * (p**level - 1) // (p - 1))
     return _largest_sum(before + iterated_magnitudes(symbol, p, level), widths, p**level)
 

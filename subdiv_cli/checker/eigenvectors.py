@@ -14,25 +14,38 @@ from subdiv_cli.checker.roots import Enclosure
 
 
 def size_of_leader(
-    order: int, letters: int, family_bits: int, g: Sequence[Fraction], m: Sequence[int]
+    order: int, letters: int, family_bits: int, g: Sequence[int], scale: Fraction, m: Sequence[int]
 ) -> list[tuple[int, int]]:
     """What a product and its `leading_eigenvector` take: operations, and the bits of their numbers.
 
-    Each step of the eigenvector multiplies long numbers by those of the product, each step modulo m by those of m; of
-    factors of different length the geometric mean counts.
+    g: the numerators of the annihilator, of degree n, and then their common denominator. A step of the product
+    lengthens its numbers by those of the family, one of the eigenvector by those of the product, one modulo m by those
+    of m. Powers of E take as much as multiplying by them; in the end each number is divided by a common divisor.
     """
+    n, d, steps = len(g) - 2, len(m) - 1, max(0, len(g) - len(m))
     product = letters * (family_bits + order.bit_length())
-    annihilator = sum(x.numerator.bit_length() + x.denominator.bit_length() for x in g)
-    modulus = max(map(abs, m)).bit_length()
-    powers = len(g) * (product + order.bit_length()) + annihilator
-    reduced = powers + len(g) * modulus
+    annihilator = max(map(abs, g)).bit_length()
+    modulus = max(map(abs, m)).bit_length() + 1
+    rest = annihilator + steps * modulus
+    powers = n * (product + order.bit_length()) + annihilator
+    scaled, denominator = powers + scale.numerator.bit_length(), powers + scale.denominator.bit_length()
+    reduced = scaled + steps * modulus
     return [
-        (letters * order**3, isqrt((512 + product) * (512 + family_bits)) - 512),
-        (len(g) * order**2, isqrt((512 + powers) * (512 + product)) - 512),
-        (len(g) ** 2 * order, isqrt((512 + reduced) * (512 + modulus)) - 512),
-        (len(g) ** 2, isqrt((512 + annihilator + len(g) * modulus) * (512 + modulus)) - 512),
-        (len(g) * order, reduced),
+        (letters * order**3, _mean(product, family_bits)),
+        (order**2, product),
+        (steps * (n + d + 2), _mean(rest, modulus)),
+        (d, rest),
+        (n * order**2, _mean(powers, product)),
+        (n * (order + 3), scaled // 2),
+        (steps * (n + d) * order, _mean(reduced, modulus)),
+        (min(n, d) * order, reduced),
+        (2, denominator + steps * modulus),
     ]
+
+
+def _mean(x: int, y: int) -> int:
+    """The product of a number of x bits and one of y takes what the square of one of so many bits takes."""
+    return isqrt((512 + x) * (512 + y)) - 512
 
 
 class Vector(NamedTuple):
@@ -69,7 +82,8 @@ def leading_eigenvector(
         powers.append(w)
     if any(powers.pop()):
         return None
-    powers = [[(sign * e) ** k * scale.numerator * x for x in w] for k, w in enumerate(reversed(powers))]
+    factors = ((sign * e) ** k * scale.numerator for k in range(n))
+    powers = [[factor * x for x in w] for factor, w in zip(factors, reversed(powers), strict=True)]
     return _reduced(powers, scale.denominator * c * e ** (n - 1), m)
 
 

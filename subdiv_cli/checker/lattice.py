@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.matrices import Matrix
-from subdiv_cli.checker.reading import Rejected, require
+from subdiv_cli.checker.reading import Rejected, require, require_few
 
 Index = tuple[int, ...]
 Sparse = dict[Index, int]
@@ -136,7 +136,7 @@ def multiply(f: Mapping[Index, int], g: Mapping[Index, int]) -> Sparse:
         for y, q in g.items():
             at = add(x, y)
             product[at] = product.get(at, 0) + p * q
-        require(len(product) <= MAX_TERMS, "a product has too many terms")
+        require_few(len(product) <= MAX_TERMS, "a product has too many terms")
     return {at: value for at, value in product.items() if value}
 
 

@@ -6,6 +6,7 @@ import re
 from fractions import Fraction
 from functools import lru_cache
 from math import gcd
+from typing import Self
 
 MAX_DIGITS = 20_000
 """Decimal digits of a number, and of the common denominator of a polynomial."""
@@ -26,10 +27,23 @@ class UnreadableError(Exception):
     def __init__(self, why: str, place: str = "") -> None:
         self.why, self.place = why, place
 
+    def within(self, place: str) -> Self:
+        return type(self)(self.why, self.place + place)
+
+
+class TooLargeError(UnreadableError):
+    """A value as specified, of which there is more than is read."""
+
 
 def demand(condition: bool, why: str) -> None:
     if not condition:
         raise UnreadableError(why)
+
+
+def demand_few(condition: bool, why: str) -> None:
+    """Of something that there may be only so much of."""
+    if not condition:
+        raise TooLargeError(why)
 
 
 def rational(value: object) -> tuple[int, int]:
@@ -42,12 +56,12 @@ def rational(value: object) -> tuple[int, int]:
 def _ratio(value: object) -> tuple[int, int]:
     if type(value) is not str:
         raise UnreadableError('is not a string "p/q"')
-    demand(len(value) <= 2 * MAX_DIGITS + 2, "has too many digits")
+    demand_few(len(value) <= 2 * MAX_DIGITS + 2, "has too many digits")
     match = _RATIONAL.fullmatch(value)
     if match is None:
         raise UnreadableError(f"is not a rational: {shown(value)}")
     digits, below = match[1], match[2] or "1"
-    demand(max(len(digits), len(below)) <= MAX_DIGITS, "has too many digits")
+    demand_few(max(len(digits), len(below)) <= MAX_DIGITS, "has too many digits")
     p, q = _decimal(digits), _decimal(below)
     canonical = (digits[0] != "0" or value == "0") and below[0] != "0" and match[2] != "1" and gcd(p, q) == 1
     demand(canonical, "is not in lowest terms")
@@ -78,7 +92,7 @@ def long_integer(most: int, value: object) -> int:
     """`"n"`, an integer without leading zeros."""
     if type(value) is not str:
         raise UnreadableError("is not a string of digits")
-    demand(len(value) <= most + 1, "has too many digits")
+    demand_few(len(value) <= most + 1, "has too many digits")
     digits = value.lstrip("-")
     demand(len(digits) <= most and _DIGITS.fullmatch(value) is not None, f"is not an integer: {shown(value)}")
     return -_decimal(digits) if value[0] == "-" else _decimal(digits)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isqrt
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim, Statement
@@ -206,5 +207,7 @@ def _product(c: Claim, more_bits: int, fourth_power: bool) -> tuple[Matrix, int]
     order = family.order
     bits = len(letters) * (family.bits + order.bit_length()) + more_bits
     work = len(letters) * order**3 + (order**4 if fourth_power else 2 * order**2)
-    c.count(work, (2 * order if fourth_power else 1) * bits)
+    c.count(work, (isqrt(order) + 1 if fourth_power else 1) * bits)
+    if fourth_power:  # the characteristic polynomial has numbers so long
+        c.spend(4 * order**2, 2 * order * bits)
     return family.product(letters)

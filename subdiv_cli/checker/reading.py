@@ -11,7 +11,17 @@ from math import lcm
 from typing import Any
 
 from subdiv_cli.checker.matrices import Family, family
-from subdiv_cli.checker.numerals import MAX_DIGITS, UnreadableError, demand, fraction, long_integer, rational, shown
+from subdiv_cli.checker.numerals import (
+    MAX_DIGITS,
+    TooLargeError,
+    UnreadableError,
+    demand,
+    demand_few,
+    fraction,
+    long_integer,
+    rational,
+    shown,
+)
 from subdiv_cli.checker.polynomials import Polynomial, over_common_denominator
 
 Fields = Mapping[str, str]
@@ -91,9 +101,15 @@ def require(condition: bool, why: str) -> None:
         raise Rejected(why)
 
 
+def require_few(condition: bool, why: str) -> None:
+    """Of something that there may be only so much of."""
+    if not condition:
+        raise Exhausted(why)
+
+
 def parse(text: str) -> object:
     """JSON without floats, constants, long integers and duplicate keys."""
-    require(len(text) <= MAX_BYTES, "the file is too large")
+    require_few(len(text) <= MAX_BYTES, "the file is too large")
     try:
         return json.loads(
             text, object_pairs_hook=_object, parse_int=_small, parse_float=_no_float, parse_constant=_no_float
@@ -109,7 +125,7 @@ def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
     try:
         return _object_of(value, fields)
     except UnreadableError as error:
-        raise Rejected(f"{error.place}{what} {error.why}") from None
+        raise _refusal(error, what) from None
 
 
 def read(kind: str, value: object, what: str) -> Any:
@@ -117,7 +133,11 @@ def read(kind: str, value: object, what: str) -> Any:
     try:
         return _reader(kind)(value)
     except UnreadableError as error:
-        raise Rejected(f"{error.place}{what} {error.why}") from None
+        raise _refusal(error, what) from None
+
+
+def _refusal(error: UnreadableError, what: str) -> Rejected:
+    return (Exhausted if isinstance(error, TooLargeError) else Rejected)(f"{error.place}{what} {error.why}")
 
 
 def _object_of(value: object, fields: Fields) -> dict[str, Any]:
@@ -133,7 +153,7 @@ def _object_of(value: object, fields: Fields) -> dict[str, Any]:
             if kind != "any":
                 result[key] = _reader(kind)(value[key])
     except UnreadableError as error:
-        raise UnreadableError(error.why, f"{error.place}'{key}' of ") from None
+        raise error.within(f"'{key}' of ") from None
     return result
 
 
@@ -153,13 +173,13 @@ def _members(reader: Callable[[Any], Any], most: int, value: object, of: str = "
     try:
         return tuple(map(reader, members))
     except UnreadableError as error:
-        raise UnreadableError(error.why, error.place + of) from None
+        raise error.within(of) from None
 
 
 def _list(value: object, most: int) -> list[Any]:
     if type(value) is not list:
         raise UnreadableError("is not a list")
-    demand(len(value) <= most, "is too long")
+    demand_few(len(value) <= most, "is too long")
     return value
 
 
@@ -181,7 +201,7 @@ def _polynomial(value: object) -> Polynomial:
     pairs = _members(rational, MAX_LENGTH, fields["coefficients"], "a coefficient of ")
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
-        raise UnreadableError("has a common denominator that is too large")
+        raise TooLargeError("has a common denominator that is too large")
     return f
 
 
@@ -195,8 +215,9 @@ def _family(value: object) -> Family:
         for row in rows:
             for _, q in row:
                 common = lcm(common, q)
-                demand(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
-    demand(len(matrices) * order**2 * common.bit_length() <= MAX_FAMILY, "has a common denominator that is too large")
+                demand_few(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
+    bits = len(matrices) * order**2 * common.bit_length()
+    demand_few(bits <= MAX_FAMILY, "has a common denominator that is too large")
     return family([[[p * (common // q) for p, q in row] for row in rows] for rows in matrices], common)
 
 
@@ -245,7 +266,7 @@ def _terms(value: object) -> tuple[tuple[tuple[int, ...], Fraction], ...]:
     common = 1
     for _, coefficient in terms:
         common = lcm(common, coefficient.denominator)
-        demand(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
+        demand_few(common.bit_length() <= MAX_DIGITS * 10 // 3, "has a common denominator that is too large")
     return terms
 
 

@@ -7,7 +7,7 @@ q = a/σ^k, and n the degree of a.
 from __future__ import annotations
 
 from fractions import Fraction
-from math import gcd
+from math import gcd, isqrt
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
@@ -29,7 +29,7 @@ from subdiv_cli.checker.polynomials import (
     totients,
     vanishes_on_circle,
 )
-from subdiv_cli.checker.reading import Rejected, require
+from subdiv_cli.checker.reading import Rejected, require, require_few
 
 MAX_LEVEL = 64
 """Of a norm: a longer iterated symbol is too long anyway, unless the symbol is constant."""
@@ -98,11 +98,11 @@ def norm(c: Claim) -> None:
     degree = q.length - 1 + (k - nu) * (p - 1)
     length = degree * (p**level - 1) // (p - 1) + 1
     c.count((degree + 1) * length)
-    require(length <= MAX_PRODUCT, "the iterated symbol is too long")
+    require_few(length <= MAX_PRODUCT, "the iterated symbol is too long")
     symbol = times(times_sigma(q, p, k - nu), p ** (nu - 1))
     width = slot_bits(symbol, level)
     c.count((degree + 1) * length // 64, max(width, symbol.bits * level))
-    require(length * width <= MAX_PACKED, "the numbers are too long")
+    require_few(length * width <= MAX_PACKED, "the numbers are too long")
     largest = Fraction(iterated_norm(symbol, p, level), symbol.denominator**level)
     require(c.statement["norm"] == largest, "the norm is another")
 
@@ -115,7 +115,8 @@ def product(c: Claim) -> None:
     require(radius > 0, "the radius is not positive")
     order = max(1, -(-(q.length - 1) // (p - 1)))
     bits = len(word) * (q.bits + order.bit_length()) + _bits(radius)
-    c.count(len(word) * order**3 + order**4, 2 * order * bits)
+    c.count(len(word) * order**3 + order**4, (isqrt(order) + 1) * bits)  # numbers of the product times longer ones
+    c.spend(4 * order**2, 2 * order * bits)
     first = q.start + (p - 1) * (order - 1)
     family = {epsilon: matrices.section(q, p, first + epsilon, order) for epsilon in set(word)}
     total = family[word[0]]

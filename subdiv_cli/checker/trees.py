@@ -10,7 +10,7 @@ from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.eigenvectors import Vector, nonzero_coordinates
 from subdiv_cli.checker.elements import Element, bounds, element_bits, is_zero, power, times
 from subdiv_cli.checker.matrices import Family
-from subdiv_cli.checker.reading import MAX_VERTICES, require
+from subdiv_cli.checker.reading import MAX_VERTICES, require, require_few
 from subdiv_cli.checker.roots import Enclosure, Root
 
 
@@ -31,7 +31,8 @@ class Tree(NamedTuple):
 def read_tree(c: Claim, family: Family) -> Tree:
     leaders, pairs, extras, p = len(c.witness["leaders"]), c.witness["tree"], c.witness["extras"], len(family.matrices)
     require(leaders > 0, "there is no leader")
-    require(len(pairs) % 2 == 0 and leaders + len(pairs) // 2 <= MAX_VERTICES, "half an edge, or too many vertices")
+    require(len(pairs) % 2 == 0, "there is half an edge")
+    require_few(leaders + len(pairs) // 2 <= MAX_VERTICES, "there are too many vertices")
     require(all(len(v) == family.order for v in extras), "an extra vertex does not have N coordinates")
     tree, extra = Tree(p, [-1] * leaders, [0] * leaders, [0] * leaders, {}), 0
     for number, (parent, by) in enumerate(zip(pairs[::2], pairs[1::2], strict=True), leaders):

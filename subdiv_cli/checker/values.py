@@ -8,7 +8,7 @@ from math import factorial
 from subdiv_cli.checker.conclusions import contraction
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.polynomials import Polynomial, components, multiply, times
-from subdiv_cli.checker.reading import require
+from subdiv_cli.checker.reading import require, require_few
 
 MAX_ORDER = 200
 """Of a derivative, and of a power of an index."""
@@ -28,7 +28,7 @@ def values(c: Claim) -> None:
     mask = contraction(c, j)
     factors = c.use_reductions(mask)
     a = c.masks[mask]
-    require(j <= MAX_ORDER, "the order is too large")
+    require_few(j <= MAX_ORDER, "the order is too large")
     require(0 < own.length <= a.length, "there are too many values, or none")
     index = max(abs(own.start), abs(own.start + own.length)).bit_length()
     work = a.length * own.length + (j + 1) * own.length + (a.length + h.length) ** 2

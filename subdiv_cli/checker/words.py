@@ -121,6 +121,6 @@ def shown(value: object) -> str:
     """Short, whatever the size: Python refuses to write long integers."""
     if isinstance(value, tuple):
         return ", ".join(map(shown, value[:8])) + (", …" if len(value) > 8 else "")
-    if isinstance(value, Fraction) and max(abs(value.numerator), value.denominator) >= 10**40:
-        return "a long fraction"
+    if isinstance(value, Fraction | int) and max(abs(value.numerator), value.denominator) >= 10**40:
+        return "a long fraction" if value.denominator > 1 else "a long number"
     return str(value) if isinstance(value, (int, str, Fraction)) else ""

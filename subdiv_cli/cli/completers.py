@@ -1,9 +1,8 @@
-"""What the shell may complete: mask files, finding codes, parameters of the named files, properties."""
+"""What is completed: finding codes, parameters of the named files, properties. Of files the shell knows more."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -32,25 +31,6 @@ def complete_property(ctx: click.Context, param: click.Parameter, incomplete: st
 
     known = [*(f"C{n}" for n in range(4)), *(key if key in TRUTHS else f"{key}>=" for key in KEYS)]
     return [CompletionItem(name) for name in known if name.startswith(incomplete)]
-
-
-def complete_mask(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """Directories, and files that end in .toml."""
-    from click.shell_completion import CompletionItem
-
-    return [CompletionItem(name) for name in _files(incomplete)]
-
-
-def _files(incomplete: str) -> Iterator[str]:
-    head, slash, tail = incomplete.rpartition("/")
-    directory = Path(f"{head}/" if slash else ".")
-    with suppress(OSError):
-        for path in sorted(directory.iterdir()):
-            if path.name.startswith(tail) and (tail.startswith(".") or not path.name.startswith(".")):
-                if path.is_dir():
-                    yield f"{head}{slash}{path.name}/"
-                elif path.suffix == ".toml":
-                    yield f"{head}{slash}{path.name}"
 
 
 def complete_parameter(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:

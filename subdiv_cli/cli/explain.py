@@ -21,6 +21,9 @@ Exit codes:
   2    there is no such code
 """
 
+_LEAST = 20
+"""Columns that a summary needs to say something."""
+
 
 @click.command("explain", epilog=_EPILOG)
 @click.argument("code", required=False, shell_complete=complete_code)
@@ -41,7 +44,7 @@ def command(code: str | None) -> None:
     if has_colour(sys.stdout) and speaks_mathematics(sys.stdout):
         _print(_rendered(text))
     else:
-        _print(text)
+        emit(_fitting(text), sys.stdout)
 
 
 def _list() -> str:
@@ -59,8 +62,10 @@ def _list() -> str:
         lead = f"{code}  {name}{' ' * (longest - width(name))}  "
         _, _, text = page(code).partition("\n\n")
         summary = letters(" ".join(text.partition("\n\n")[0].split()), unicode)
-        room = max(columns(sys.stdout) - width(lead), 20)
-        if width(summary) > room:
+        room = columns(sys.stdout) - width(lead)
+        if room < _LEAST:
+            summary = ""
+        elif width(summary) > room:
             summary = wrap(summary, room - len(dots))[0].rstrip(" ,;:") + dots
         lines.append(f"{lead}{summary}".rstrip() + "\n")
     return "".join(lines)
@@ -71,6 +76,22 @@ def _print(text: str) -> None:
 
     unicode = speaks_mathematics(sys.stdout)
     emit(text if unicode else "\n".join(letters(line, unicode) for line in text.split("\n")), sys.stdout)
+
+
+def _fitting(text: str) -> str:
+    """A page in the letters and the width of stdout: paragraphs that are wider are wrapped, examples are not."""
+    from subdiv_cli.report.layout import wrap
+    from subdiv_cli.report.letters import letters, width
+
+    room, unicode, blocks, example = columns(sys.stdout), speaks_mathematics(sys.stdout), [], False
+    for block in text.split("\n\n"):
+        lines = [letters(line, unicode) for line in block.split("\n")]
+        if not example and not block.startswith("```") and any(width(line) > room for line in lines):
+            items = "\n".join(lines).replace("\n- ", "\0- ").split("\0")
+            lines = [line for item in items for line in wrap(" ".join(item.split()), room)]
+        example ^= block.count("```") % 2 == 1
+        blocks.append("\n".join(lines))
+    return "\n\n".join(blocks)
 
 
 def _rendered(text: str) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from subdiv_cli.cli.completers import complete_parameter
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.streams import emit, look_of
 from subdiv_cli.cli.values import SecondsType, WholeType
@@ -37,7 +38,15 @@ Exit codes:
 
 @click.command("jsr", epilog=_EPILOG, short_help="Joint spectral radius of matrices, with proof.")
 @click.argument("file", type=click.Path())
-@click.option("-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE", help="Set a parameter of FILE.")
+@click.option(
+    "-p",
+    "--parameter",
+    "parameters",
+    multiple=True,
+    metavar="NAME=VALUE",
+    shell_complete=complete_parameter,
+    help="Set a parameter of FILE.",
+)
 @click.option(
     "--format", "form", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Format on stdout."
 )
@@ -65,7 +74,7 @@ def command(
 ) -> ExitCode:
     """The joint spectral radius of a family of rational matrices.
 
-    That is the growth rate of the largest products, lim max ‖M_(w_L) … M_(w_1)‖^(1/L). FILE is TOML; - is stdin.
+    That is the growth rate of the largest products, lim max ||M_(w_L) ... M_(w_1)||^(1/L). FILE is TOML; - is stdin.
     """
     from subdiv_cli.maskfile import MaskFileError
 

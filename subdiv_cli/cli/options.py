@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import click
 
-from subdiv_cli.cli.completers import complete_code, complete_mask, complete_parameter, complete_property
+from subdiv_cli.cli.completers import complete_code, complete_parameter, complete_property
 from subdiv_cli.cli.outputs import Output, OutputType
 from subdiv_cli.cli.values import IndexType, JobsType, SecondsType, ShardType, WholeType
 from subdiv_cli.model import DEFAULT_EFFORT
@@ -82,9 +82,7 @@ def option(section: str, *names: str, **attributes: Any) -> Callable[[F], F]:
 def _masks(f: F) -> F:
     for decorator in reversed(
         (
-            click.argument(
-                "targets", nargs=-1, type=click.Path(), metavar="[FILE | DIR | -]...", shell_complete=complete_mask
-            ),
+            click.argument("targets", nargs=-1, type=click.Path(), metavar="[FILE | DIR | -]..."),
             option(
                 "Masks", "-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE",
                 shell_complete=complete_parameter, help="Set a mask's parameter: w=1/20. Repeatable.",

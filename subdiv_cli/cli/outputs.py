@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import re
 from pathlib import PurePath
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
 from subdiv_cli.report import FORMATS, SUFFIXES
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
 _FOREIGN = {
     ".yaml", ".yml", ".toml", ".xml", ".html", ".htm", ".md", ".markdown", ".rst", ".tex", ".csv", ".tsv", ".jsonl",
@@ -49,6 +52,10 @@ class OutputType(click.ParamType[Output]):
         if (reason := why_not(output.file)) is not None:
             self.fail(f"{output.file!r} cannot be written: {reason}", param, ctx)
         return output
+
+    def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        """A file, by the shell."""
+        return click.Path().shell_complete(ctx, param, incomplete)
 
     def _by_suffix(self, file: str, param: click.Parameter | None, ctx: click.Context | None) -> str | None:
         suffix = PurePath(file).suffix.lower()

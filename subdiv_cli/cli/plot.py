@@ -45,7 +45,7 @@ _DERIVATIVES = 4
 
 
 @click.command("plot", epilog=_EPILOG, short_help="Draw the refinable function, its derivatives, and curves.")
-@click.argument("files", nargs=-1, metavar="[FILE | -]...")
+@click.argument("files", nargs=-1, type=click.Path(), metavar="[FILE | -]...")
 @single.options
 @click.option(
     "-o", "--output", metavar="FILE", type=click.Path(), help="Write an .svg, .png or .pdf.  [default: draw here]"
@@ -57,7 +57,11 @@ _DERIVATIVES = 4
     help="Derivatives to draw.  [default: those proved continuous, four at most]",
 )
 @click.option(
-    "--points", "polygon", metavar="FILE.csv", help="Draw the limit of this control polygon: a point x,y in a line."
+    "--points",
+    "polygon",
+    metavar="FILE.csv",
+    type=click.Path(),
+    help="Draw the limit of this control polygon: a point x,y in a line.",
 )
 @click.option(
     "--closed/--open", "closed", default=None, help="Whether the polygon is closed.  [default: if its ends meet]"

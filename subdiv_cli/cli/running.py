@@ -74,7 +74,7 @@ class Run:
         if isinstance(targets, Result):
             yield targets
             return
-        from subdiv_cli.catalog.cluster import ClusterError
+        from subdiv_cli.catalog import ClusterError
         from subdiv_cli.catalog.run import check_all
 
         try:

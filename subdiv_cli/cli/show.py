@@ -38,7 +38,7 @@ _WIDEST = 90
 
 
 @click.command("show", epilog=_EPILOG, short_help="Take a mask apart: symbol, matrices, stencils, Q.")
-@click.argument("file", required=False, metavar="[FILE | -]")
+@click.argument("file", required=False, type=click.Path(), metavar="[FILE | -]")
 @single.options
 @click.option(
     "--format",

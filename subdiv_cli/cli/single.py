@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 import click
 
+from subdiv_cli.cli.completers import complete_parameter
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.streams import emit, look_of
 from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
@@ -53,6 +54,7 @@ def options(command: Command) -> Command:
             "--parameter",
             "parameters",
             multiple=True,
+            shell_complete=complete_parameter,
             metavar="NAME=VALUE",
             help="Set a parameter of the mask: w=1/20. Repeatable.",
         ),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
+from subdiv_cli.cli.completers import complete_parameter
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.streams import emit
 
@@ -33,8 +34,18 @@ python -m subdiv_cli.checker CERT runs it alone."""
 
 @click.command("verify", epilog=_EPILOG, short_help="Check certificates independently.")
 @click.argument("certificates", nargs=-1, metavar="CERT | DIR ...", type=click.Path())
-@click.option("--mask", metavar="FILE", help="Check that the certificate is about the mask of this file.")
-@click.option("-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE", help="Set a parameter of --mask.")
+@click.option(
+    "--mask", metavar="FILE", type=click.Path(), help="Check that the certificate is about the mask of this file."
+)
+@click.option(
+    "-p",
+    "--parameter",
+    "parameters",
+    multiple=True,
+    metavar="NAME=VALUE",
+    shell_complete=complete_parameter,
+    help="Set a parameter of --mask.",
+)
 def command(certificates: tuple[str, ...], mask: str | None, parameters: tuple[str, ...]) -> ExitCode:
     """Check certificates: each is VERIFIED, or a claim is named that fails.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 from typing import NamedTuple
 
 from flint import acb, arb, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
@@ -245,7 +246,13 @@ def _separated(z: acb, r: Fraction) -> int | None:
 
 def isolated_roots(f: fmpz_poly) -> list[acb]:
     """Disjoint balls around all roots of a squarefree f of positive degree, at about the current precision."""
-    return [root for root, _ in _pairs(f)]
+    return _isolated(tuple(int(c) for c in f), ctx.prec)
+
+
+@lru_cache(maxsize=16)
+def _isolated(coefficients: tuple[int, ...], precision: int) -> list[acb]:
+    """Each root of a polynomial in turn asks for all of them; `precision` is the current one."""
+    return [root for root, _ in _pairs(fmpz_poly(list(coefficients)))]
 
 
 def _pairs(f: fmpz_poly) -> Sequence[tuple[acb, int]]:
@@ -275,4 +282,4 @@ def roots(f: fmpq_poly) -> tuple[tuple[AlgebraicNumber, int], ...]:
     found = []
     for factor, multiplicity in f.numer().factor()[1]:
         found += [(AlgebraicNumber(factor, z), multiplicity) for z in isolated_roots(factor)]
-    return tuple(sorted(found, key=lambda pair: -float(pair[0].region.__abs__().mid())))
+    return tuple(sorted(found, key=lambda pair: pair[0].region.__abs__().mid(), reverse=True))

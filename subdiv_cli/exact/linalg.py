@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from flint import fmpq_mat, fmpz_mat
+from flint import fmpq_mat, fmpq_poly, fmpz_mat
 
 from subdiv_cli.exact.rationals import to_fmpq, to_fraction
 
@@ -50,6 +50,30 @@ def reduced(rows: fmpq_mat) -> fmpq_mat:
 def eigenvectors(a: fmpq_mat, eigenvalue: Fraction | int) -> tuple[Vector, ...]:
     """A basis of the right eigenspace of a rational eigenvalue; empty where it is none. Transpose for left ones."""
     return nullspace(a - identity(a.nrows()) * to_fmpq(eigenvalue))
+
+
+def at_matrix(f: fmpq_poly, a: fmpq_mat) -> fmpq_mat:
+    """f(a), by Horner's rule."""
+    unit = identity(a.nrows())
+    total = unit * 0
+    for c in reversed(list(f)):
+        total = total * a + unit * c
+    return total
+
+
+def minimal_polynomial(a: fmpq_mat) -> fmpq_poly:
+    """The monic f of least degree with f(a) = 0: the characteristic polynomial with no factor more than is needed.
+
+    `fmpq_mat.minpoly` is not used: where denominators were longer than 64 bits, it was seen to be wrong (FLINT 3.6).
+    """
+    f = a.charpoly()
+    for factor, multiplicity in f.numer().factor()[1]:
+        for _ in range(multiplicity - 1):
+            smaller = f / fmpq_poly(factor)
+            if any(at_matrix(smaller, a).entries()):
+                break
+            f = smaller
+    return f / f[f.degree()]
 
 
 def infinity_norm(a: fmpq_mat) -> Fraction:

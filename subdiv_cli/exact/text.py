@@ -68,7 +68,8 @@ def rounded_up(x: float, digits: int = 6) -> str:
 def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
     """The first digits of a real number, all of them certain; `x` gives a ball around it at the current precision.
 
-    A number so close to a decimal that 256 bits do not separate them is shown as the double next to it, without `…`.
+    A number so close to a decimal that 256 bits do not separate them is shown as the double next to it, without `…`, or
+    as this decimal where doubles do not reach.
     """
     precision = 64
     while precision <= 256:
@@ -77,7 +78,11 @@ def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
         if truncated(low, digits) == truncated(high, digits):
             return truncated(low, digits)
         precision *= 2
-    return repr(float((low + high) / 2))
+    middle = (low + high) / 2
+    try:
+        return repr(float(middle))
+    except OverflowError:
+        return truncated(middle * (1 + Fraction(1, 10 ** (digits + 2))), digits).replace("…", "")
 
 
 def polynomial(f: fmpz_poly, variable: str = "x") -> str:

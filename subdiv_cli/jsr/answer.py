@@ -12,19 +12,23 @@ from subdiv_cli.exact.algebraic import number_of
 from subdiv_cli.exact.closed import root_text
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.linalg import matrix
+from subdiv_cli.exact.rationals import whole
 from subdiv_cli.exact.text import certain
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import Product, radius_bound
-from subdiv_cli.jsr.radius import joint_spectral_radius
+from subdiv_cli.jsr.radius import joint_spectral_radius, rough_radius
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.model import Data, Effort, Interval, Root, exact_root
 from subdiv_cli.model.family import FamilyRadius
+
+_LONGEST_POLYNOMIAL, _LONGEST_RATIONAL = 256, 4096
+"""Bits of a number in a closed form."""
 
 
 def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> FamilyRadius:
     """The joint spectral radius of p >= 1 square matrices of one order, as far as the effort goes."""
     family = Family([matrix(rows) for rows in matrices])
-    radius = joint_spectral_radius(family, effort)
+    radius = joint_spectral_radius(family, effort) or rough_radius(family, effort)
     stopped: Literal["budget"] | None = "budget" if effort.struck else None
     if radius is None:
         return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)
@@ -66,8 +70,11 @@ def _enclosed(radius: Radius, product: Product | None) -> Interval:
         return Interval(lower=interval(ball(radius_bound(product)) ** (ball(1) / len(product.word))).lower, upper=upper)
 
 
-def _closed_form(length: int, root: Root) -> str:
-    """`2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`, `root(…)^(1/2)`."""
+def _closed_form(length: int, root: Root) -> str | None:
+    """`2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`, `root(…)^(1/2)`; None where nobody reads it to the end."""
+    longest = max(abs(c).bit_length() for c in root.coefficients)
+    if longest > (_LONGEST_POLYNOMIAL if root.low != root.high else _LONGEST_RATIONAL):
+        return None
     if root.low != root.high:
         text = root_text(root)
         return text if length == 1 else f"{text}^(1/{length})"
@@ -77,7 +84,7 @@ def _closed_form(length: int, root: Root) -> str:
         if None not in parts:
             x, length = Fraction(parts[0] or 0, parts[1] or 1), length // divisor
             break
-    text = str(x)
+    text = whole(x)
     return text if length == 1 else f"{text}^(1/{length})" if x.denominator == 1 else f"({text})^(1/{length})"
 
 

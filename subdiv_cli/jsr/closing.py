@@ -17,9 +17,9 @@ from fractions import Fraction
 import numpy as np
 from flint import acb, acb_mat, arb, arb_mat, ctx, fmpz
 
-from subdiv_cli.exact.algebraic import AlgebraicNumber
-from subdiv_cli.exact.enclosures import ball, bounds
+from subdiv_cli.exact.enclosures import ball
 from subdiv_cli.jsr.body import EXTRA_BITS, Image
+from subdiv_cli.jsr.discs import disc_data, has_disc
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.leaders import Ball, Balls, Leaders, vector
 from subdiv_cli.jsr.measure import independent_columns
@@ -31,9 +31,10 @@ _WEIGHT_BITS = (14, 26, 39)
 """Weights are rounded to multiples of 2^-w, w the first of these that leaves room enough."""
 _ROOM = 40
 """Every image stays 2^-40 away from the boundary: room for a checker that works with `bits` binary places."""
-_DISC = 512
-"""Binary places of the center of a complex eigenvalue; its disc is much larger than one unit, and much smaller than the
-intervals of a `Root`."""
+_MOST_PLACES = 4096
+"""Of a certificate."""
+_LARGEST_BITS = 63
+"""Of a coordinate's integer part."""
 _CLOSE = 1 - 1e-7
 """Images with a larger gauge may be ties."""
 
@@ -47,16 +48,19 @@ def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dic
 
     Where images on the boundary are no ties, the body grows by vertices beyond them.
     """
+    if not leaders.is_real and not has_disc(leaders.each[0].eigenvalue):
+        return None
     for by in (*_PUSHES, None):
         places = _places(family, leaders, grown)
         with ctx.workprec(places + 64):
             proof = (_Monotone if grown.body.monotone else _Closing)(family, leaders, grown)
-            if not proof.spans:
+            if not proof.spans or proof.is_large:
                 return None
             for bits in _WEIGHT_BITS:
                 decided, left = proof.images(bits)
                 if not left:
-                    return proof.witness(places, bits, decided)
+                    places += proof.lost
+                    return proof.witness(places, bits, decided) if places <= _MOST_PLACES else None
         if by is None or grown.body.complex or any(grown.body.images[pair].value < _CLOSE for pair in left):
             return None
         grown = push_out(grown.body, left, by, effort)
@@ -68,13 +72,14 @@ def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dic
 def _places(family: Family, leaders: Leaders, grown: Grown) -> int:
     """Binary places with which roundings grow to less than 2^-64 along the tree.
 
-    An image's error is at most ‖M‖∞/σ times that of its vertex and a few units; a leader's is that of Horner's rule
-    times its scale.
+    An image's error is at most ‖M‖∞/σ times that of its vertex and a few units, as many more as 1/σ is small; a
+    leader's is that of Horner's rule times its scale.
     """
     body = grown.body
     growth = max(1.0, 2.0 * float(np.abs(body.scaled).sum(axis=2).max()))
     scale = max(leader.scale for leader in leaders.each)
     start = max(0, scale.numerator.bit_length() - scale.denominator.bit_length()) + 8 * family.order + leaders.length
+    start += family.unit.numerator.bit_length() - 1
     return 32 * math.ceil((64 + _ROOM + start + max(body.depths) * math.log2(growth)) / 32)
 
 
@@ -93,9 +98,20 @@ class _Closing:
         self._kappa = self._condition()
 
     @property
+    def lost(self) -> int:
+        """Binary places that the basis costs: errors grow by κ when they are measured in the hull."""
+        assert self._kappa is not None
+        return 32 * max(0, math.ceil(float(self._kappa.log().upper()) / (32 * math.log(2))))
+
+    @property
     def spans(self) -> bool:
         """Whether the basis vertices are proved to be independent."""
         return self._kappa is not None
+
+    @property
+    def is_large(self) -> bool:
+        """Whether a coordinate may be larger than certificates have them."""
+        return any(not abs(x) < 1 << _LARGEST_BITS for v in self._vertices for x in v.entries())
 
     def _enclosed(self) -> list[Balls]:
         vertices: list[Balls] = []
@@ -225,7 +241,7 @@ class _Closing:
         }
         if leader.eigenvalue.is_real:
             return {**data, "sign": 1 if leader.eigenvalue.region.real > 0 else -1}
-        return {**data, **_disc(leader.eigenvalue)}
+        return {**data, **disc_data(leader.eigenvalue)}
 
 
 class _Monotone(_Closing):
@@ -239,14 +255,19 @@ class _Monotone(_Closing):
         return [int(j) // copies + size * (int(j) % copies) for j in self._body.columns.argmax(axis=1)]
 
     def _condition(self) -> arb | None:
-        """Something, where these coordinates are positive and those of the leaders proved to be zero or positive."""
+        """The largest 1/x of coordinates x that a checker must see to be positive, if they are: those of the basis
+
+        vertices, and of the leaders, where they are not proved to be zero.
+        """
         self._floors = [self._vertex(number)[k] for k, number in enumerate(self._basis)]
-        proved = all(
-            bool(x > 0) or self._ties.is_zero(u, k)
+        of_leaders = [
+            x
             for u in range(len(self._leaders.each))
             for k, x in enumerate(self._vertices[u].entries())
-        )
-        return arb(1) if proved and all(x > 0 for x in self._floors) else None
+            if x > 0 or not self._ties.is_zero(u, k)
+        ]
+        positive = [*self._floors, *of_leaders]
+        return _largest([1 / x for x in positive]) if all(x > 0 for x in positive) else None
 
     def _distance(self, rest: Sequence[Ball]) -> arb:
         parts = [x.max(arb(0)) / floor for x, floor in zip(rest, self._floors, strict=True)]
@@ -264,16 +285,6 @@ def _plain(weight: Weight) -> Data:
         return weight
     found = coefficients(weight)
     return found[0] if len(found) == 1 else found
-
-
-def _disc(eigenvalue: AlgebraicNumber) -> dict[str, Data]:
-    """A disc of rational center and distance that isolates a complex eigenvalue far better than its modulus needs."""
-    with ctx.workprec(_DISC + 64):
-        mu = eigenvalue.enclosure()
-        unit = Fraction(1, 1 << _DISC)
-        center = tuple(bounds(part)[0] // unit * unit for part in (mu.real, mu.imag))
-    factor = tuple(int(x) for x in eigenvalue.minimal_polynomial)
-    return {"factor": factor, "center": center, "distance": unit * (1 << _DISC // 2)}
 
 
 def _scaled(parts: Sequence[int], bits: int) -> Ball:

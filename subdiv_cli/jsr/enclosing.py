@@ -16,6 +16,7 @@ from typing import NamedTuple
 from flint import arb, arb_mat, ctx
 
 from subdiv_cli.exact.enclosures import ball
+from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.measure import independent_columns
 from subdiv_cli.jsr.polytope import Grown
@@ -23,6 +24,8 @@ from subdiv_cli.model import Data
 
 _PLACES = 60
 """Binary places of the vertices."""
+_LARGEST = 2.0**60
+"""Of a coordinate: integers have at most 40 digits in a certificate."""
 _WEIGHT_BITS = 39
 _SLACK = (34, 31, 26, 16)
 """The bound is raised by a factor 1 + 2^-s, s the first of these that leaves room for the roundings."""
@@ -39,17 +42,38 @@ class Bound(NamedTuple):
 def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
     """The bound σ·(largest gauge of an image), raised a little; σ is what the body's matrices were divided by.
 
-    None where roundings spoil it, or vertices are complex.
+    None where roundings spoil it, or vertices are complex, or too large for a certificate.
     """
-    if grown.body.complex or not math.isfinite(grown.value):
+    if grown.body.complex or not math.isfinite(grown.value) or not (abs(grown.body.columns) < _LARGEST).all():
         return None
     with ctx.workprec(_PRECISION):
-        proof = (_Monotone if grown.body.monotone else _Enclosing)(family, grown)
+        try:
+            proof = (_Monotone if grown.body.monotone else _Enclosing)(family, grown)
+        except ZeroDivisionError:  # the rounded vertices do not span
+            return None
         for slack in _SLACK:
             x = _short(sigma * max(Fraction(1), Fraction(grown.value)) * (1 + Fraction(1, 1 << slack)))
             if (images := proof.images(float(sigma / x), x)) is not None:
                 return Bound(x, proof.witness(images))
     return None
+
+
+def by_columns(family: Family) -> Bound:
+    """JSR <= the largest absolute column sum of a matrix, raised a little: the polytope with the vertices ±e_j.
+
+    Weights are entries over the bound, so roundings to multiples of 2^-w cost N 2^-w at most. Needs a matrix ≠ 0.
+    """
+    n, tables = family.order, [m.transpose().table() for m in family.matrices]
+    columns = [[[to_fraction(x) for x in table[j]] for table in tables] for j in range(n)]
+    largest = max(sum(map(abs, column)) for each in columns for column in each)
+    x = _short(largest * (1 + Fraction(n, 1 << (_WEIGHT_BITS - 1))))
+    images = []
+    for column in (column for each in columns for column in each):
+        weights = ((k, round(entry / x * (1 << _WEIGHT_BITS))) for k, entry in enumerate(column))
+        images.append(tuple(part for pair in weights if pair[1] for part in pair))
+    corners = tuple(tuple(int(i == j) for i in range(n)) for j in range(n))
+    witness: dict[str, Data] = {"symmetry": 0, "bits": 0, "vertices": corners, "basis": tuple(range(n))}
+    return Bound(x, {**witness, "weight_bits": _WEIGHT_BITS, "images": tuple(images)})
 
 
 def _short(x: Fraction) -> Fraction:

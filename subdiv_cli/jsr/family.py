@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
+from math import lcm
 from typing import TYPE_CHECKING, NamedTuple
 
 from flint import fmpq_mat
@@ -70,6 +71,12 @@ class Family:
     def size(self) -> Fraction:
         """The largest absolute entry; 0 for a family of zeros."""
         return max((abs(to_fraction(x)) for m in self.matrices for x in m.entries()), default=Fraction(0))
+
+    @cached_property
+    def bits(self) -> int:
+        """Of the longest number, where the matrices have integer entries over one common denominator."""
+        common = lcm(*(int(m.numer_denom()[1]) for m in self.matrices))
+        return common.bit_length() + max(0, self.size.numerator.bit_length() - self.size.denominator.bit_length() + 1)
 
     @cached_property
     def unit(self) -> Fraction:

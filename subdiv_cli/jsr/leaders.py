@@ -16,6 +16,7 @@ from flint import acb, acb_mat, arb, arb_mat, ctx, fmpq_mat
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated, negated, roots, squared_modulus
 from subdiv_cli.exact.enclosures import ball
+from subdiv_cli.exact.linalg import minimal_polynomial
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.model import Root
@@ -23,6 +24,8 @@ from subdiv_cli.model import Root
 _MOST_LEADERS = 16
 _LONGEST = 200
 """Letters of a common power of all words."""
+LONGEST_PRODUCT = 1 << 18
+"""Bits of the entries of a product that is looked at exactly."""
 
 Ball = Any
 """An arb or an acb, alike throughout one family: the stubs of their unions do not add up."""
@@ -68,33 +71,43 @@ class Leaders(NamedTuple):
 def leaders(family: Family, candidates: Sequence[Candidate]) -> Leaders | None:
     """The leaders of candidates with equally large eigenvalues; None where all their products are nilpotent.
 
-    They are raised to powers of one length. One whose eigenvalue is not, up to sign, the same algebraic number as that
-    of the first one is left out.
+    They are raised to powers of one length. All share one eigenvalue up to sign, a real one where there is one as large
+    as the first: real vertices may be ties. Candidates that do not have it are left out.
     """
     length = lcm(*(len(candidate.word) for candidate in candidates))
-    if length > _LONGEST:
+    if length > _LONGEST or length * family.bits > LONGEST_PRODUCT:
         candidates, length = candidates[:1], len(candidates[0].word)
+    powers = [candidate.power(length // len(candidate.word), family.letters) for candidate in candidates]
+    products = [family.candidate(power) for power in powers]
+    spectra = [_leading_eigenvalues(product) for product in products]
+    shared = _shared(spectra)
+    if shared is None:
+        return None
     each: list[Leader] = []
-    for candidate in candidates:
-        power = candidate.power(length // len(candidate.word), family.letters)
-        product = family.candidate(power)
-        eigenvalue = _leading_eigenvalue(product, each[0].eigenvalue if each else None)
-        if eigenvalue is not None:
-            each += _eigenvectors(product, power, eigenvalue)
+    for power, product, spectrum in zip(powers, products, spectra, strict=True):
+        alike = [x for x in spectrum if _same(x, shared) or (shared.is_real and _same(x, negated(shared)))]
+        if alike:
+            each += _eigenvectors(product, power, max(alike, key=_preference))
     return Leaders(length, tuple(each[:_MOST_LEADERS])) if each else None
 
 
-def _leading_eigenvalue(product: fmpq_mat, like: AlgebraicNumber | None) -> AlgebraicNumber | None:
-    """An eigenvalue of largest modulus, as balls see it: a positive one before others, complex ones in the upper half
-
-    plane. It must be ± the given one; None where there is none, or where all are zero.
-    """
+def _leading_eigenvalues(product: fmpq_mat) -> list[AlgebraicNumber]:
+    """Eigenvalues ≠ 0 of the largest modulus, as balls see it; of complex pairs those in the upper half plane."""
     spectrum = [number for number, _ in roots(product.charpoly()) if not number.region.imag < 0]
     top = spectrum[0].region.__abs__()
-    leading = [number for number in spectrum if number.region.__abs__().overlaps(top) and number.rational != 0]
-    if like is not None:
-        leading = [x for x in leading if _same(x, like) or (like.is_real and _same(x, negated(like)))]
-    return max(leading, key=lambda x: (x.is_real, bool(x.region.real > 0)), default=None)
+    return [number for number in spectrum if number.region.__abs__().overlaps(top) and number.rational != 0]
+
+
+def _shared(spectra: Sequence[Sequence[AlgebraicNumber]]) -> AlgebraicNumber | None:
+    """The best of those that 256 bits do not tell from the first in modulus; None where there are none."""
+    every = [number for spectrum in spectra for number in spectrum]
+    with ctx.workprec(256):
+        return max((x for x in every if x.modulus().overlaps(every[0].modulus())), key=_preference, default=None)
+
+
+def _preference(number: AlgebraicNumber) -> tuple[bool, bool]:
+    """A positive one before others, complex ones last."""
+    return number.is_real, bool(number.region.real > 0)
 
 
 def _same(x: AlgebraicNumber, y: AlgebraicNumber) -> bool:
@@ -104,12 +117,12 @@ def _same(x: AlgebraicNumber, y: AlgebraicNumber) -> bool:
 
 def _eigenvectors(product: fmpq_mat, candidate: Candidate, eigenvalue: AlgebraicNumber) -> list[Leader]:
     """A basis of the eigenspace among the columns of h(Π), the longest ones first."""
-    annihilator = tuple(to_fraction(c) for c in product.minpoly())
+    annihilator = tuple(to_fraction(c) for c in minimal_polynomial(product))
     with ctx.workprec(256):
         columns = _eigenvector_columns(product, annihilator, eigenvalue)
-        lengths = [max(float(abs(x).mid()) for x in column) for column in columns]
+        lengths = [max(abs(x).mid() for x in column) for column in columns]
         chosen: list[int] = []
-        for j in sorted(range(len(columns)), key=lambda j: (-lengths[j], j)):
+        for j in sorted(range(len(columns)), key=lambda j: lengths[j], reverse=True):
             if lengths[j] > 0 and _independent([columns[k] for k in (*chosen, j)]):
                 chosen.append(j)
         return [Leader(candidate, eigenvalue, annihilator, j, _normalising(columns[j])) for j in chosen]
@@ -117,7 +130,7 @@ def _eigenvectors(product: fmpq_mat, candidate: Candidate, eigenvalue: Algebraic
 
 def _normalising(column: Sequence[Ball]) -> Fraction:
     """A power of two that makes the largest entry about 1."""
-    largest = max((abs(x).mid() for x in column), key=float)
+    largest = max(abs(x).mid() for x in column)
     mantissa, exponent = largest.man_exp()
     return Fraction(2) ** -(int(exponent) + int(mantissa).bit_length())
 

@@ -19,9 +19,9 @@ from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.arrays import Numbers
 from subdiv_cli.jsr.body import Body, Start
 from subdiv_cli.jsr.closing import close
-from subdiv_cli.jsr.enclosing import Bound, enclose
+from subdiv_cli.jsr.enclosing import Bound, by_columns, enclose
 from subdiv_cli.jsr.family import Candidate, Family
-from subdiv_cli.jsr.leaders import Leader, Leaders, leaders, vector
+from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.measure import gauge
 from subdiv_cli.jsr.polytope import Grown, grow
 from subdiv_cli.jsr.reduce import Blocks, decomposed
@@ -36,6 +36,8 @@ _QUICK, _DEEP = 10, 24
 """Lengths of products in the first and in the second search."""
 _QUICK_WORK = 1000
 """Gauges in the first polytope."""
+_LONGEST_ROOT = 60_000
+"""Bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
 _ROUNDING = 1e-9
 _SLACK = (Fraction(1, 32), Fraction(1, 256), Fraction(1, 4096), Fraction(1, 1 << 20))
 """By how much the matrices are scaled down where the polytope at the candidate itself does not close."""
@@ -58,7 +60,7 @@ def _of_one_block(family: Family, effort: Effort) -> Radius | None:
         return _zero()
     if family.order > LARGEST_BLOCK:
         return None
-    _, found = candidates(family, _QUICK)
+    found = _affordable(family, candidates(family, _QUICK)[1])
     if not found:
         return None
     quick = Effort(min(_QUICK_WORK, effort.work))
@@ -66,12 +68,33 @@ def _of_one_block(family: Family, effort: Effort) -> Radius | None:
     for some in (shortest, found) if len(shortest) < len(found) else (found,):
         if (radius := _Attempt(family, some, quick).closed()) is not None:
             return radius
-    attempt = _Attempt(family, candidates(family, _DEEP)[1], effort)
+    attempt = _Attempt(family, _affordable(family, candidates(family, _DEEP)[1]), effort)
     return attempt.closed() or attempt.enclosed()
+
+
+def _affordable(family: Family, found: Sequence[Candidate]) -> Sequence[Candidate]:
+    """Those whose exact products have no very long numbers; where none is left, the letter of largest radius."""
+    if not found or any(len(candidate.word) * family.bits <= LONGEST_PRODUCT for candidate in found):
+        return [candidate for candidate in found if len(candidate.word) * family.bits <= LONGEST_PRODUCT]
+    sizes = np.abs(np.linalg.eigvals(family.floats)).max(axis=1)
+    return (Candidate((int(sizes.argmax()),)),)
 
 
 def _zero() -> Radius:
     return Radius(None, None, (1, Fraction(0)), True, {"rule": "zero", "length": 1, "bound": Fraction(0)})
+
+
+def rough_radius(family: Family, effort: Effort) -> Radius | None:
+    """A bound where there is no better one: for large orders, or vertices that floats do not get hold of.
+
+    For large orders no product stands beside it: its characteristic polynomial asks too much of a checker.
+    """
+    if not effort.allows(family.order**2):
+        return None
+    found = candidates(family, 2)[1] if family.order <= LARGEST_BLOCK else ()
+    bound = by_columns(family)
+    proof: dict[str, Data] = {"rule": "polytope", "length": 1, "bound": bound.upper, **bound.witness}
+    return Radius(family.full_word(found[0]) if found else None, None, (1, bound.upper), False, proof)
 
 
 class _Attempt:
@@ -94,7 +117,7 @@ class _Attempt:
             starts = self._balanced(starts)
         self.grown = grow(self._body(starts, self.sigma), self.effort)
         root = self.leaders.root()
-        if not self.grown.closed or root is None:
+        if not self.grown.closed or root is None or _is_long(root[1]):
             return None
         if (witness := close(self.family, self.leaders, self.grown, self.effort)) is None:
             return None
@@ -158,6 +181,11 @@ class _Attempt:
         return Radius(word, None, (1, bound.upper), False, proof)
 
 
+def _is_long(root: Root) -> bool:
+    """Whether the polynomial of a root is longer than a checker would read."""
+    return max(abs(c).bit_length() for c in root.coefficients) > _LONGEST_ROOT
+
+
 def to_fraction_of_ball(found: Leaders) -> Fraction:
     """σ as a rational, for the float side: its ball's midpoint."""
     low, high = bounds(found.sigma())
@@ -195,7 +223,7 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
     known = [part for part in parts if part is not None]
     if len(known) < len(parts):
         return None
-    top = max(known, key=lambda part: (part.exact is not None and part.ceiling, part.ceiling))
+    top = max(known, key=lambda part: (part.exact is not None, part.ceiling))
     others = [part for part in known if part is not top]
     proof: dict[str, Data] = {
         "rule": "blocks",

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from flint import fmpq, fmpq_mat, fmpq_poly, fmpz_poly, nmod_mat
 
-from subdiv_cli.exact.linalg import identity, matrix, nullspace, reduced
+from subdiv_cli.exact.linalg import at_matrix, identity, matrix, nullspace, reduced
 from subdiv_cli.jsr.family import Family
 
 _TRIES = 12
@@ -44,7 +44,7 @@ def by_pattern(family: Family) -> Blocks | None:
 def by_subspace(family: Family) -> Blocks | None:
     """Two blocks from a common invariant subspace over Q; None where none is found, which is no proof of none."""
     for a, g in _elements(family):
-        kernel_of = _at_matrix(fmpq_poly(g), a)
+        kernel_of = at_matrix(fmpq_poly(g), a)
         kernel = nullspace(kernel_of)
         if (basis := _spin(family.matrices, kernel[0])) is not None:
             return _two_blocks(family, basis)
@@ -104,14 +104,6 @@ def _elements(family: Family) -> Iterator[tuple[fmpq_mat, fmpz_poly]]:
             a = a + generator.choice(family.matrices) * generator.choice(family.matrices) * generator.randint(1, 3)
         factors = sorted((g for g, _ in a.charpoly().numer().factor()[1]), key=lambda g: int(g.degree()))
         yield from ((a, g) for g in factors[:3])
-
-
-def _at_matrix(f: fmpq_poly, a: fmpq_mat) -> fmpq_mat:
-    unit = identity(a.nrows())
-    total = unit * 0
-    for c in reversed(list(f)):
-        total = total * a + unit * c
-    return total
 
 
 def _spin(matrices: Sequence[fmpq_mat], vector: Sequence[Fraction]) -> list[list[fmpq]] | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import NamedTuple
@@ -30,8 +31,9 @@ class Radius(NamedTuple):
 
     @property
     def ceiling(self) -> float:
-        """ρ or a little more, in floats, for comparisons that decide nothing."""
-        return float(float(self.upper[1]) ** (1 / self.upper[0]))
+        """log2 of ρ or of a little more, in floats, for comparisons that decide nothing."""
+        length, x = self.upper
+        return (math.log2(x.numerator) - math.log2(x.denominator)) / length if x else -math.inf
 
     @property
     def vertices(self) -> int | None:

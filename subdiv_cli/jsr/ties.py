@@ -29,6 +29,8 @@ _LARGEST_DENOMINATOR = 64
 _NEGLIGIBLE = 1e-7
 _LARGEST_SYSTEM = 80
 """Coordinates times the degree of γ, for equations in Q(γ)."""
+_LONGEST = 2048
+"""Bits of the coefficients of the minimal polynomial of γ for such equations."""
 _NEARLY = 1 - 1e-9
 _VARIABLE = fmpq_poly([0, 1])
 _MOST_DEPTH = 60
@@ -71,6 +73,7 @@ class Ties:
         first = leaders.each[0].eigenvalue
         self._gamma = negated(first) if first.is_real and first.region.real < 0 else first
         self._modulus = fmpq_poly(self._gamma.minimal_polynomial)
+        self._bits = self._gamma.minimal_polynomial.height_bits()
         self._vectors: dict[int, Vector] = {}
 
     def tie(self, vertex: int, letter: int, weights: dict[int, complex]) -> Tie | None:
@@ -90,7 +93,7 @@ class Ties:
         depths = [self._body.depths[vertex] + 1, *(self._body.depths[k % self._body.size] for k in given)]
         step = self._leaders.length if len({depth % self._leaders.length for depth in depths}) == 1 else 1
         base = _VARIABLE if step > 1 or self._leaders.length == 1 else self._sigma
-        large = self._modulus.degree() * self._family.order > _LARGEST_SYSTEM
+        large = self._modulus.degree() * self._family.order > _LARGEST_SYSTEM or self._bits > _LONGEST
         if base is None or large or max(depths) > _MOST_DEPTH or not all(map(self._is_exact, used)):
             return None
         least = min((depths[0] - depth) // step for depth in depths)

@@ -106,7 +106,7 @@ class _Reader:
             if entries is None:
                 return None
             if len(entries) != len(rows):
-                message = f"the matrix is not square: {len(rows)} rows, and {len(entries)} entries in this one"
+                message = f"the matrix is not square: rows {len(rows)}, entries of this row {len(entries)}"
                 self._problems.add(Fault("SD006", message, "a joint spectral radius is of square matrices"), (*path, i))
                 return None
             found.append(tuple(self._entry(x, (*path, i, j)) for j, x in enumerate(entries)))

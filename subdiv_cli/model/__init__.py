@@ -93,6 +93,10 @@ class Exponent(NamedTuple):
     upper: float | None = None
     exact: ClosedForm | None = None
     attained: bool | None = None
+    digits: str | None = None
+    """Decimals of an exact irrational one, all certain: `2.83007…`."""
+    estimate: str | None = None
+    """Of one that is only enclosed, extrapolated from norms: it proves nothing."""
 
 
 ExpectationKey = Literal["convergent", "smoothness", "holder", "sobolev", "generation", "reproduction", "stable"]

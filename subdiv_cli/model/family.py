@@ -20,7 +20,7 @@ class FamilyRadius:
     upper: float | None = None
     """Certified doubles, rounded outward; None where the effort did not suffice for any bound."""
     exact: str | None = None
-    """ρ in closed form, where it is known: `2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`."""
+    """ρ in closed form, where it is known and not too long: `2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`."""
     digits: str | None = None
     """The first decimals of an exact ρ."""
     words: tuple[tuple[int, ...], ...] = ()

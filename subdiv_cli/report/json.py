@@ -99,7 +99,9 @@ def _exponent(exponent: Exponent | None, *, attained: bool) -> dict[str, Any] | 
         "upper": finite(exponent.upper),
         "exact": None if exponent.exact is None else spelled(exponent.exact),
     }
-    return {**shown, "attained": exponent.attained} if attained else shown
+    if attained:
+        shown |= {"attained": exponent.attained, "estimate": exponent.estimate}
+    return {**shown, "digits": exponent.digits}
 
 
 def _expectation(result: Result, judged: Judgement) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from subdiv_cli.model.family import FamilyRadius
 from subdiv_cli.report.letters import clean, letters
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import enclosed
+from subdiv_cli.report.numbers import LONGEST, enclosed
 
 _METHODS = {
     "closing": "an invariant polytope of {n}, closed at exactly this radius",
@@ -46,7 +46,8 @@ def _first(radius: FamilyRadius) -> str:
         if radius.digits and radius.digits.rstrip("…") != radius.exact and not _short(radius)
         else ""
     )
-    return f"✓ {title} = {radius.exact}{digits}"
+    exact = radius.exact if len(radius.exact) <= LONGEST or not radius.digits else f"an algebraic number{digits}"
+    return f"✓ {title} = {exact}" + (digits if exact is radius.exact else "")
 
 
 def _short(radius: FamilyRadius) -> bool:

@@ -97,6 +97,8 @@ class _Page(Page):
         if rows:
             self.blank()
             self.table(TITLES, rows)
+        for line in words.figures(result, digits=self.look.verbosity > 0):
+            self.put(line, "quiet", indent=INDENT, hanging=2)
         self.expectations(result)
         findings.show(self, self.look.shown(result.findings))
 

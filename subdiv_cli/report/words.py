@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from subdiv_cli.model import Data, Expectation, Exponent, Finding, Judgement, Result, Smoothness, Verdict
 from subdiv_cli.report.numbers import LONGEST, data, exact, interval
@@ -90,6 +90,16 @@ def holder(result: Result) -> str | None:
     """What is known of the Hölder exponent of φ, and what it means where it is not positive."""
     shown = None if result.holder is None else interval(result.holder)
     return shown if shown is None or result.holder is None else labelled(shown, result.holder)
+
+
+def figures(result: Result, *, digits: bool) -> Iterator[str]:
+    """Beside what is proved of exponents: the estimate of one that is only enclosed; many digits of exact ones."""
+    holder, sobolev = result.holder, result.sobolev
+    if holder is not None and holder.estimate is not None:
+        yield f"Hölder exponent ≈ {holder.estimate}, extrapolated from norms: an estimate, which proves nothing"
+    for name, exponent in (("Hölder", holder), ("Sobolev", sobolev)):
+        if digits and exponent is not None and exponent.digits is not None:
+            yield f"{name} exponent {exponent.digits}"
 
 
 def labelled(shown: str, exponent: Exponent) -> str:

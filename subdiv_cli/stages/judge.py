@@ -1,86 +1,12 @@
-"""Expectations judged against what was found: proved, refuted or undecided, never guessed."""
+"""Expectations judged with closed forms compared exactly: equal ones are recognised however they are written."""
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from subdiv_cli.exact.closed import compare
-from subdiv_cli.model import ClosedForm, Expectation, Exponent, Log, Result, RootLog, Verdict
+from subdiv_cli.model import Expectation, Result, Verdict
+from subdiv_cli.model.judge import judge_by
 
 
 def judge(expectation: Expectation, found: Result) -> Verdict:
     """Whether the findings prove or refute an expectation."""
-    match expectation.key:
-        case "convergent":
-            return _yes_or_no(found.convergent, expectation)
-        case "stable":
-            return _yes_or_no(found.stable, expectation)
-        case "generation":
-            return _within(expectation, found.generation, found.generation)
-        case "reproduction":
-            return _within(expectation, found.reproduction, found.reproduction)
-        case "smoothness":
-            return _smoothness(expectation, found)
-        case "holder":
-            return _exponent(expectation, found.holder)
-        case "sobolev":
-            return _exponent(expectation, found.sobolev)
-
-
-def _yes_or_no(verdict: Verdict, expectation: Expectation) -> Verdict:
-    if verdict is Verdict.PROVED:
-        return Verdict.PROVED if expectation.lower else Verdict.REFUTED
-    if verdict is Verdict.REFUTED:
-        return Verdict.REFUTED if expectation.lower else Verdict.PROVED
-    return Verdict.UNDECIDED
-
-
-def _smoothness(expectation: Expectation, found: Result) -> Verdict:
-    if found.convergent is Verdict.REFUTED:
-        return Verdict.REFUTED
-    order = found.smoothness.order
-    return _within(expectation, order, order if found.smoothness.sharp else None)
-
-
-def _within(expectation: Expectation, at_least: int | None, at_most: int | None) -> Verdict:
-    """An integer known to lie between two bounds, None for no bound, against the expected range."""
-    low, high = expectation.lower, expectation.upper
-    if isinstance(low, Log | RootLog) or isinstance(high, Log | RootLog):
-        raise TypeError(f"{expectation.key} is an integer")
-    if (at_most is not None and at_most < low) or (at_least is not None and high is not None and at_least > high):
-        return Verdict.REFUTED
-    reaches = at_least is not None and at_least >= low
-    stays = high is None or (at_most is not None and at_most <= high)
-    return Verdict.PROVED if reaches and stays else Verdict.UNDECIDED
-
-
-def _exponent(expectation: Expectation, found: Exponent | None) -> Verdict:
-    if found is None:
-        return Verdict.UNDECIDED
-    low, high = _closed(expectation.lower), expectation.upper
-    lower, upper = _ends(found)
-    below = _compare(upper, low)
-    above = None if high is None else _compare(lower, _closed(high))
-    if below == -1 or above == 1:
-        return Verdict.REFUTED
-    reaches = _compare(lower, low) in (0, 1)
-    stays = high is None or _compare(upper, _closed(high)) in (-1, 0)
-    return Verdict.PROVED if reaches and stays else Verdict.UNDECIDED
-
-
-def _ends(found: Exponent) -> tuple[ClosedForm | None, ClosedForm | None]:
-    if found.exact is not None:
-        return found.exact, found.exact
-    return (
-        None if found.lower is None else Fraction(found.lower),
-        None if found.upper is None else Fraction(found.upper),
-    )
-
-
-def _closed(x: bool | int | ClosedForm) -> ClosedForm:
-    return Fraction(x) if isinstance(x, int) else x
-
-
-def _compare(a: ClosedForm | None, b: ClosedForm) -> int | None:
-    """The sign of a - b; None where a is unknown or equality is not decided."""
-    return None if a is None else compare(a, b)
+    return judge_by(compare, expectation, found)

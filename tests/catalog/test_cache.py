@@ -19,7 +19,7 @@ from subdiv_cli.catalog.run import check_all
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.catalog.task import Settings, Task, perform
 from subdiv_cli.maskfile.option import parse_property
-from subdiv_cli.model import Verdict
+from subdiv_cli.model import Log, Verdict
 
 FOUR_POINT = masks_directory() / "scalar" / "four_point.toml"
 CHAIKIN = "[mask]\nstart = 0\ncoefficients = ['1/4', '3/4', '3/4', '1/4']\n[expect]\nsmoothness = 1\n"
@@ -182,6 +182,88 @@ def test_a_forged_result_is_not_believed(store, lie):
     (again,), hits = check([FOUR_POINT], cache=store)
     assert hits == []
     assert again == good
+
+
+def exponent(key, **changes):
+    """The result with another exponent, in short and in its finding."""
+    code = {"holder": "SD311", "sobolev": "SD321"}[key]
+
+    def lie(r):
+        (of,) = (f for f in r.findings if f.code == code)
+        value = of.value._replace(**{k: v if k != "exact" else str(v) for k, v in changes.items()})
+        r = finding(r, code, value=value, closed=changes.get("exact", of.closed))
+        return replace(r, **{key: getattr(r, key)._replace(**changes)})
+
+    return lie
+
+
+def value(code, **changes):
+    return lambda r: replace(
+        r,
+        findings=tuple(replace(f, value=f.value._replace(**changes)) if f.code == code else f for f in r.findings),
+    )
+
+
+def in_short(key, **changes):
+    return lambda r: replace(r, **{key: getattr(r, key)._replace(**changes)})
+
+
+def other_text(r):
+    """A root by another polynomial in the text alone."""
+    text = r.holder.exact.text.replace("x^3", "x^5")
+    return exponent("holder", exact=r.holder.exact._replace(text=text))(r)
+
+
+def other_root(r):
+    root = r.holder.exact.root
+    return exponent("holder", exact=r.holder.exact._replace(root=root._replace(low=root.low / 2)))(r)
+
+
+RATIONAL, LOGARITHM, ROOT, BOUNDED = (
+    f"scalar/{name}.toml" for name in ("four_point", "dual_four_point", "six_point_1_64", "six_point")
+)
+SETTINGS = {BOUNDED: {"overrides": {"theta": Fraction(117, 4000)}, "work": 600}}
+"""With so little effort the exponent is not known exactly."""
+NUMBERS = [
+    *((RATIONAL, exponent("holder", exact=Fraction(3))), (RATIONAL, exponent("holder", exact=Fraction(3, 2)))),
+    *((LOGARITHM, exponent("holder", exact=Log(2, Fraction(65, 9)))), (LOGARITHM, value("SD311", exact="log2(65/9)"))),
+    *((ROOT, other_text), (ROOT, other_root), (ROOT, exponent("sobolev", exact=Fraction(3)))),
+    *((mask, in_short("holder", exact=Fraction(4))) for mask in (RATIONAL, LOGARITHM, ROOT, BOUNDED)),
+    *((mask, lie(key, lower=4.5)) for mask in (RATIONAL, LOGARITHM, ROOT) for key in ("holder", "sobolev")
+      for lie in (exponent, in_short)),
+    *((mask, lie(key, upper=0.5)) for mask in (RATIONAL, LOGARITHM, ROOT) for key in ("holder", "sobolev")
+      for lie in (exponent, in_short)),
+    *((BOUNDED, lie(key, lower=4.5)) for key in ("holder", "sobolev") for lie in (exponent, in_short)),
+    *((mask, value("SD310", upper=1e-9)) for mask in (RATIONAL, LOGARITHM, ROOT, BOUNDED)),
+    *((mask, value("SD310", lower=2.0)) for mask in (RATIONAL, LOGARITHM, ROOT)),
+    *((RATIONAL, value("SD310", exact="1/8")), (LOGARITHM, value("SD310", exact="0"))),
+    *((mask, value("SD312", upper=0.25)) for mask in (RATIONAL, LOGARITHM, ROOT, BOUNDED)),
+    *((RATIONAL, value("SD312", exact="1")), (RATIONAL, in_short("holder", attained=True))),
+    *((LOGARITHM, in_short("holder", attained=False)), (ROOT, in_short("holder", attained=False))),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("mask", "lie"), NUMBERS)
+def test_a_forged_number_is_not_believed(store, mask, lie):
+    """Each is compared with the statements of the verified certificate, which the forger has not changed."""
+    file, settings = masks_directory() / mask, SETTINGS.get(mask, {})
+    (good,), _ = check([file], cache=store, **settings)
+    assert (good.holder.exact is None) == (mask == BOUNDED)
+    forge(store, lie)
+    (again,), hits = check([file], cache=store, **settings)
+    assert (hits, again) == ([], good)
+
+
+def test_a_forged_judgement_is_not_believed(store, tmp_path):
+    """Every expectation is judged again, so no forger makes a mask pass."""
+    mask = tmp_path / "mask.toml"
+    mask.write_text(CHAIKIN + 'holder = "2"\nsobolev = ">= 3"\n')
+    (failed,), _ = check([mask], cache=store)
+    assert failed.status == "failed"
+    passed = tuple(judged._replace(verdict=Verdict.PROVED) for judged in failed.expectations)
+    forge(store, lambda r: replace(r, status="passed", expectations=passed))
+    (again,), hits = check([mask], cache=store)
+    assert (hits, again) == ([], failed)
 
 
 def test_a_certificate_of_another_mask_is_not_believed(store, tmp_path):

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from subdiv_cli.catalog import ClusterError
 from subdiv_cli.catalog import cluster as module
-from subdiv_cli.catalog.cluster import ClusterError
 from subdiv_cli.catalog.run import check_all
 from subdiv_cli.catalog.shipped import masks_directory
 

@@ -85,6 +85,13 @@ def test_what_is_not_there(tree: Path) -> None:
     assert all(p.help for p in problems)
 
 
+def test_an_empty_name_is_not_the_directory_here(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tree)
+    (problem,) = discover([""]).entries
+    assert isinstance(problem, Problem)
+    assert (problem.code, problem.message) == ("SD002", "the name of a file is empty")
+
+
 def test_a_directory_with_other_toml_files_only(tmp_path: Path) -> None:
     (tmp_path / "pyproject.toml").write_text("[project]\n")
     found = discover([tmp_path])

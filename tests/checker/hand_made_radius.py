@@ -11,9 +11,20 @@ from fractions import Fraction
 from hand_made import claim
 from support import four_point, scheme
 
+from subdiv_cli.checker.rules import RADIUS_RULES
 from subdiv_cli.model import Effort
 from subdiv_cli.pipeline import check, joint_spectral_radius
 
+OF_RADII = {
+    *RADIUS_RULES,
+    "transition",
+    "positive-symbol",
+    "holder-root",
+    "attained-bounded",
+    "attained-norm",
+    "not-attained",
+}
+"""The rules that these certificates are about; those of hand_made.py are about all others."""
 POSITIVE = [[[1, 1], [0, 1]], [[1, 0], [1, 1]]]
 """JSR (1+√5)/2."""
 GOLDEN = [[[-1, -1], [0, -1]], [[-1, 0], [-1, -1]]]

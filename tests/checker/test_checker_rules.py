@@ -5,19 +5,11 @@ from pathlib import Path
 
 import pytest
 from hand_made import ALL, chaikin, claim, document, poly, sobolev, text
+from hand_made_radius import OF_RADII
 
 from subdiv_cli.checker import check_document, check_text
-from subdiv_cli.checker.rules import RADIUS_RULES, SCALAR
+from subdiv_cli.checker.rules import SCALAR
 
-OF_RADII = set(RADIUS_RULES) | {
-    "transition",
-    "positive-symbol",
-    "holder-root",
-    "attained-bounded",
-    "attained-norm",
-    "not-attained",
-}
-"""Rules that test_checker_radius.py is about."""
 BY_HAND = Path(__file__).parents[1] / "certificate" / "chaikin_by_hand.json"
 
 

@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 from runs import CHAIKIN
 
@@ -38,6 +39,11 @@ def measured(*arguments):
     return done.stdout, json.loads(done.stderr.splitlines()[-1])
 
 
+def written(cache):
+    """When each entry of the cache was."""
+    return {path.name: path.stat().st_mtime_ns for path in Path(cache).rglob("*.entry")}
+
+
 def test_ten_thousand_masks(tmp_path):
     directory, cache = tmp_path / "masks", str(tmp_path / "cache")
     directory.mkdir()
@@ -53,9 +59,11 @@ def test_ten_thousand_masks(tmp_path):
     assert out.count('"status": "passed"') == COUNT - 1
     assert own < 320 + COUNT / 250, "a few KiB a mask at most"
     assert worker < 160
+    entries = written(cache)
+    assert len(entries) == COUNT // 10
     out, (code, warm, own, worker) = measured(*arguments, "--format", "junit")
+    assert written(cache) == entries, "all are found, none is written again"
     assert code == 2
     assert out.count("<testcase ") == COUNT
     assert own < 150 + COUNT / 25, "the findings of all masks, without their witnesses"
     print(f"\n  {COUNT} masks: {cold:.1f} s cold, {warm:.1f} s from the cache, {own:.0f} and {worker:.0f} MiB")
-    assert warm < cold

@@ -4,9 +4,11 @@ import re
 from dataclasses import replace
 from html.parser import HTMLParser
 
+import numpy as np
 import pytest
 import report_samples as samples
-from browser import dom, needs_chromium, screenshot
+from browser import dom, needs_chromium, phone, screenshot
+from matplotlib.image import imread
 from support import four_point
 
 from subdiv_cli.model import Drawing, Stencil
@@ -122,12 +124,55 @@ def test_the_browser_sorts_and_filters(tmp_path):
     assert told[3:] == [half, "1", "fits"]
 
 
+LOOK = """<script>
+{
+const channels = (colour) => colour.match(/[\\d.]+/g).map(Number);
+const linear = (c) => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+const ground = (e) => {
+  for (; e; e = e.parentElement) {
+    const c = channels(getComputedStyle(e).backgroundColor);
+    if (c.length < 4 || c[3] === 1) return c;
+  }
+  return [255, 255, 255];
+};
+let worst = 21, where = "";
+for (const e of document.body.querySelectorAll("*:not(script):not(style)")) {
+  const own = Array.from(e.childNodes).some((n) => n.nodeType === 3 && n.textContent.trim());
+  if (!own || !e.getClientRects().length) continue;
+  const [a, b] = [channels(getComputedStyle(e).color), ground(e)].map(luminance).sort((x, y) => y - x);
+  const contrast = (a + 0.05) / (b + 0.05);
+  if (contrast < worst) { worst = contrast; where = e.tagName + "." + e.className; }
+}
+const root = document.documentElement;
+parent.postMessage([window.innerWidth, root.scrollWidth, worst.toFixed(2), where].join("|"), "*");
+}
+</script></body>"""
+
+
 @needs_chromium
 @pytest.mark.parametrize("dark", [False, True])
-def test_a_phone_shows_it_light_and_dark(tmp_path, dark):
-    """The page is drawn in both schemes, and they differ in the ground they are drawn on."""
-    page, picture = tmp_path / "page.html", tmp_path / "page.png"
+def test_a_phone_shows_it_readably_light_and_dark(tmp_path, dark):
+    """Nothing is wider than 400 pixels, and every text stands out from its ground as WCAG 2 asks (4.5 to 1)."""
+    page = tmp_path / "page.html"
+    page.write_text(PAGE.replace("</body>", LOOK), encoding="utf-8")
+    told = re.search(r"<title>(.*?)</title>", dom(tmp_path, phone(page), dark), re.DOTALL)[1].split("|")
+    assert told[0] == "400"
+    assert int(told[1]) <= 400
+    assert float(told[2]) >= 4.5, told[3]
+
+
+@needs_chromium
+def test_light_and_dark_differ(tmp_path):
+    """Most pixels are ground: white paper in the light, nearly black in the dark; and something is drawn on it."""
+    page = tmp_path / "page.html"
     page.write_text(PAGE, encoding="utf-8")
-    screenshot(tmp_path, page, picture, 390, 1600, dark)
-    assert picture.read_bytes().startswith(b"\x89PNG")
-    assert picture.stat().st_size > 20_000
+    for dark in (False, True):
+        picture = tmp_path / f"{dark}.png"
+        screenshot(tmp_path, phone(page), picture, 400, 1600, dark)
+        grey = imread(picture)[:, :, :3].mean(axis=2)
+        assert grey.shape == (1600, 400)
+        assert (np.median(grey) < 0.2) == dark
+        assert (np.median(grey) > 0.9) != dark
+        assert grey.max() - grey.min() > 0.6
+        assert 0.01 < (abs(grey - np.median(grey)) > 0.3).mean() < 0.5

@@ -28,8 +28,8 @@ KEYS = {
     "convergent": ["verdict"],
     "smoothness": ["order", "sharp"],
     "refinable_function": ["order", "sharp"],
-    "holder": ["lower", "upper", "exact", "attained"],
-    "sobolev": ["lower", "upper", "exact"],
+    "holder": ["lower", "upper", "exact", "attained", "estimate", "digits"],
+    "sobolev": ["lower", "upper", "exact", "digits"],
     "stable": ["verdict"],
     "linearly_independent": ["verdict"],
     "expectations": ["key", "expected", "verdict", "found", "line"],
@@ -110,7 +110,8 @@ def test_exact_data():
 
 def test_only_finite_numbers():
     odd = replace(samples.FOUR_POINT, holder=Exponent(lower=-inf, upper=nan, exact=Log(base=2, argument=Fraction(3))))
-    assert report(odd)["results"][0]["holder"] == {"lower": None, "upper": None, "exact": "log2(3)", "attained": None}
+    nothing = dict.fromkeys(("lower", "upper", "attained", "estimate", "digits"))
+    assert report(odd)["results"][0]["holder"] == {**nothing, "exact": "log2(3)"}
     finding = replace(samples.FOUR_POINT.findings[0], value=Interval(upper=inf))
     shown = report(replace(samples.FOUR_POINT, findings=(finding,)))["results"][0]["findings"][0]
     assert shown["value"] == {"exact": None, "lower": None, "upper": None}

@@ -17,7 +17,7 @@ from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.page import Page
 
-GOLDEN = Path(__file__).with_name("golden")
+GOLDEN = Path(__file__).with_name("golden") / "stencils"
 MASKS = Path(__file__).parents[2] / "masks" / "multivariate"
 DILATIONS = [
     ((2, 0), (0, 2)),
@@ -121,5 +121,5 @@ def test_a_singular_matrix_has_no_cosets():
 )
 def test_golden(mask, columns, unicode):
     scheme = read_path(MASKS / f"{mask}.toml").scheme()
-    name = f"stencils-{mask}-{columns}{'' if unicode else '-ascii'}.txt"
+    name = f"{mask}-{columns}{'' if unicode else '-ascii'}.txt"
     assert draw(scheme.terms, scheme.dilation, columns, unicode) == (GOLDEN / name).read_text(encoding="utf-8")

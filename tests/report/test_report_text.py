@@ -3,6 +3,7 @@
 `UPDATE_GOLDEN=1 pytest tests/report` writes the files anew; read the difference before committing it.
 """
 
+import json
 import os
 import re
 from dataclasses import replace
@@ -14,8 +15,9 @@ import report_samples as samples
 from hypothesis import given
 from hypothesis import strategies as st
 
-from subdiv_cli.model import UNKNOWN, Exponent, Finding, Problem, Result, Verdict
+from subdiv_cli.model import UNKNOWN, Exponent, Finding, Log, Problem, Result, Verdict
 from subdiv_cli.report import FOR_PEOPLE, FORMATS, renderer
+from subdiv_cli.report.json import render as render_json
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.text import render
@@ -78,6 +80,18 @@ def test_a_number_too_long_for_str_is_printed():
     value = 10**5000 + 1
     text = render([replace(samples.FOUR_POINT, facts={"big": Fraction(value, 7)})], Look())
     assert "1" + "0" * 4999 + "1/7" in re.sub(r"\s+", "", text)
+
+
+@pytest.mark.parametrize(("zeros", "kept"), [(250, True), (5000, False)])
+def test_a_closed_form_too_long_to_read_is_left_to_its_digits(zeros, kept):
+    """The JSON has it in full, up to what expectations read."""
+    argument = Fraction(3 * 10**zeros + 1, 2 * 10**zeros)
+    exponent = Exponent(lower=0.5849625007, upper=0.5849625008, exact=Log(2, argument))
+    result = replace(samples.FOUR_POINT, holder=exponent)
+    assert "Hölder exponent 0.584962500…" in render([result], Look())
+    assert "log2(" not in render([result], Look(verbosity=-1))
+    (found,) = json.loads(render_json([result], Look()))["results"]
+    assert found["holder"]["exact"] == (f"log2(3{'0' * (zeros - 1)}1/2{'0' * zeros})" if kept else None)
 
 
 def test_without_colour_there_is_not_one_escape_and_with_it_the_same_text():

@@ -176,6 +176,7 @@ def _regularity(result: Result, anatomy: Anatomy) -> Iterator[Block]:
     found = words.finding(result, "SD321")
     if found is not None and found.value is not None and (sobolev := interval(found.value)) is not None:
         yield Text(f"Sobolev exponent {sobolev} ({found.code})")
+    yield from (Text(line, "quiet") for line in words.figures(result, digits=True))
 
 
 def _distance(result: Result, anatomy: Anatomy) -> Iterator[Block]:

@@ -1,0 +1,96 @@
+"""Expectations judged against what was found, and the status that follows: proved, refuted or undecided, never guessed.
+
+Standard library only, because a result from the cache is judged anew; whoever judges says how closed forms are
+compared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+
+from subdiv_cli.model import ClosedForm, Expectation, Exponent, Judgement, Log, Result, RootLog, Status, Verdict
+
+Compare = Callable[[ClosedForm, ClosedForm], int | None]
+"""The sign of a - b, or None where that is not known."""
+
+
+def judge_by(compare: Compare, expectation: Expectation, found: Result) -> Verdict:
+    """Whether the findings prove or refute an expectation."""
+    match expectation.key:
+        case "convergent":
+            return _yes_or_no(found.convergent, expectation)
+        case "stable":
+            return _yes_or_no(found.stable, expectation)
+        case "generation":
+            return _within(expectation, found.generation, found.generation)
+        case "reproduction":
+            return _within(expectation, found.reproduction, found.reproduction)
+        case "smoothness":
+            return _smoothness(expectation, found)
+        case "holder":
+            return _exponent(compare, expectation, found.holder)
+        case "sobolev":
+            return _exponent(compare, expectation, found.sobolev)
+
+
+def status(convergent: Verdict, judgements: Sequence[Judgement]) -> Status:
+    """Every expectation must be proved; where a mask states none, convergence must."""
+    verdicts = [judgement.verdict for judgement in judgements] or [convergent]
+    if Verdict.REFUTED in verdicts:
+        return "failed"
+    return "passed" if all(v is Verdict.PROVED for v in verdicts) else "undecided"
+
+
+def _yes_or_no(verdict: Verdict, expectation: Expectation) -> Verdict:
+    if verdict is Verdict.PROVED:
+        return Verdict.PROVED if expectation.lower else Verdict.REFUTED
+    if verdict is Verdict.REFUTED:
+        return Verdict.REFUTED if expectation.lower else Verdict.PROVED
+    return Verdict.UNDECIDED
+
+
+def _smoothness(expectation: Expectation, found: Result) -> Verdict:
+    if found.convergent is Verdict.REFUTED:
+        return Verdict.REFUTED
+    order = found.smoothness.order
+    return _within(expectation, order, order if found.smoothness.sharp else None)
+
+
+def _within(expectation: Expectation, at_least: int | None, at_most: int | None) -> Verdict:
+    """An integer known to lie between two bounds, None for no bound, against the expected range."""
+    low, high = expectation.lower, expectation.upper
+    if isinstance(low, Log | RootLog) or isinstance(high, Log | RootLog):
+        raise TypeError(f"{expectation.key} is an integer")
+    if (at_most is not None and at_most < low) or (at_least is not None and high is not None and at_least > high):
+        return Verdict.REFUTED
+    reaches = at_least is not None and at_least >= low
+    stays = high is None or (at_most is not None and at_most <= high)
+    return Verdict.PROVED if reaches and stays else Verdict.UNDECIDED
+
+
+def _exponent(compare: Compare, expectation: Expectation, found: Exponent | None) -> Verdict:
+    if found is None:
+        return Verdict.UNDECIDED
+    low, high = _closed(expectation.lower), expectation.upper
+    lower, upper = _ends(found)
+    below = None if upper is None else compare(upper, low)
+    above = None if high is None or lower is None else compare(lower, _closed(high))
+    if below == -1 or above == 1:
+        return Verdict.REFUTED
+    reaches = lower is not None and compare(lower, low) in (0, 1)
+    stays = high is None or (upper is not None and compare(upper, _closed(high)) in (-1, 0))
+    return Verdict.PROVED if reaches and stays else Verdict.UNDECIDED
+
+
+def _ends(found: Exponent) -> tuple[ClosedForm | None, ClosedForm | None]:
+    if found.exact is not None:
+        return found.exact, found.exact
+    return (
+        None if found.lower is None else Fraction(found.lower),
+        None if found.upper is None else Fraction(found.upper),
+    )
+
+
+def _closed(x: bool | int | ClosedForm) -> ClosedForm:
+    return Fraction(x) if isinstance(x, int) else x

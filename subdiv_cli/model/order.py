@@ -1,0 +1,98 @@
+"""Closed forms as real numbers: rational enclosures and exact order, standard library only.
+
+Logarithms are those of `decimal`, correctly rounded; the error that is added to each is some ten digits larger than
+all roundings together.
+"""
+
+from __future__ import annotations
+
+from decimal import Context, Decimal, localcontext
+from fractions import Fraction
+from functools import lru_cache
+
+from subdiv_cli.model.closed import ClosedForm, Root, RootLog
+
+_BITS = 272
+_DIGITS = {False: 40, True: 90}
+"""Of logarithms, at first and refined."""
+_SPARE = 15
+"""Digits that roundings cannot reach."""
+
+
+@lru_cache(maxsize=256)
+def enclosure(x: ClosedForm, *, refined: bool = False) -> tuple[Fraction, Fraction]:
+    """lower <= x <= upper, to some 20 digits at least; `refined`, to 70."""
+    if isinstance(x, Fraction):
+        return x, x
+    if isinstance(x, RootLog):
+        low, high = _bisected(x.root) if refined else (x.root.low, x.root.high)
+        ends = [_exponent(1 / end, x.base, x.divisor, refined) for end in (low, high)]
+    else:
+        ends = [_exponent(x.argument, x.base, x.divisor, refined)]
+    return min(value - error for value, error in ends), max(value + error for value, error in ends)
+
+
+def _exponent(x: Fraction, base: int, divisor: int, refined: bool) -> tuple[Fraction, Fraction]:
+    """log_base(x) / divisor, and how far that may be off."""
+    (y, e), (s, f) = _logarithm(x, refined), _logarithm(Fraction(base), refined)
+    with localcontext(Context(prec=_DIGITS[refined])):
+        return Fraction(y / s / divisor), Fraction(4 * (e + abs(y) * f))
+
+
+def compare(a: ClosedForm, b: ClosedForm) -> int | None:
+    """The sign of a - b; None where 256 bits do not tell, as with equal numbers that are not written alike."""
+    if a == b or _are_one(a, b):
+        return 0
+    for refined in (False, True):
+        (low, high), (lower, upper) = enclosure(a, refined=refined), enclosure(b, refined=refined)
+        if low > upper or high < lower:
+            return 1 if low > upper else -1
+    return None
+
+
+def _are_one(a: ClosedForm, b: ClosedForm) -> bool:
+    """Whether both are of the only root of one polynomial in the larger of two intervals."""
+    if not isinstance(a, RootLog) or not isinstance(b, RootLog):
+        return False
+    if (a.base, a.divisor, a.root.coefficients) != (b.base, b.divisor, b.root.coefficients):
+        return False
+    (low, high), (lower, upper) = a.root[1:], b.root[1:]
+    return low <= lower <= upper <= high or lower <= low <= high <= upper
+
+
+@lru_cache(maxsize=256)
+def _logarithm(x: Fraction, refined: bool) -> tuple[Decimal, Decimal]:
+    """ln x, and how far that may be off, for x > 0 of any size: x = m 2^e with m of 272 bits, cut."""
+    e = x.numerator.bit_length() - x.denominator.bit_length() - _BITS
+    m = (x.numerator << max(0, -e)) // (x.denominator << max(0, e))
+    digits = _DIGITS[refined]
+    with localcontext(Context(prec=digits)):
+        return Decimal(m).ln() + e * _logarithm_of_2(digits), (1 + abs(e)) * Decimal(10) ** (_SPARE - digits)
+
+
+@lru_cache
+def _logarithm_of_2(digits: int) -> Decimal:
+    return Context(prec=digits).ln(Decimal(2))
+
+
+def _bisected(root: Root) -> tuple[Fraction, Fraction]:
+    """The enclosure of a root, a simple one, narrowed to 256 bits."""
+    low, high = root.low, root.high
+    rises = _sign(root.coefficients, high) > 0 or _sign(root.coefficients, low) < 0
+    while (high - low) * (1 << 256) > high:
+        middle = (low + high) / 2
+        sign = _sign(root.coefficients, middle)
+        if sign == 0:
+            return middle, middle
+        low, high = (low, middle) if (sign > 0) == rises else (middle, high)
+    return low, high
+
+
+def _sign(coefficients: tuple[int, ...], x: Fraction) -> int:
+    """Of a polynomial at x, in integers."""
+    u, v = x.as_integer_ratio()
+    total, power = 0, 1
+    for c in reversed(coefficients):
+        total = total * u + c * power
+        power *= v
+    return (total > 0) - (total < 0)

@@ -1,0 +1,93 @@
+"""`subdiv jsr` as a user runs it: text, JSON, a certificate for `subdiv verify`, exit codes."""
+
+import json
+import subprocess
+import sys
+from fractions import Fraction
+
+import pytest
+
+FAMILY = """\
+name = "two shears"
+matrices = [[[1, 1], [0, 1]], [["a", 0], ["a", "a"]]]
+[parameters]
+a = "9/10"
+"""
+
+
+def subdiv(*arguments, stdin=None):
+    command = [sys.executable, "-m", "subdiv_cli", *map(str, arguments)]
+    return subprocess.run(command, input=stdin, capture_output=True, text=True, encoding="utf-8", check=False)
+
+
+@pytest.fixture
+def family(tmp_path):
+    file = tmp_path / "family.toml"
+    file.write_text(FAMILY, encoding="utf-8")
+    return file
+
+
+def test_the_report(family):
+    run = subdiv("jsr", family)
+    assert (run.returncode, run.stderr) == (0, "")
+    first, second, *rest = run.stdout.splitlines()
+    assert first.startswith(
+        "✓ joint spectral radius = root(100*x^2-270*x+81, 2.35623, 2.35624)^(1/2) = 1.53500182080507"
+    )
+    assert second == f"  two shears · {family} · 2 matrices of order 2"
+    assert "  attained by the product M_1 M_0, length 2" in rest
+
+
+def test_json_and_a_certificate_that_verifies(family, tmp_path):
+    proof = tmp_path / "proof.json"
+    run = subdiv("jsr", family, "-p", "a=1", "--format", "json", "--certificate", proof)
+    assert run.returncode == 0
+    said = json.loads(run.stdout)
+    assert (said["format"], said["version"], said["smp"]) == ("subdiv-jsr", 1, [[0, 1]])
+    assert said["exact"] == "root(x^2-x-1, 1.61803, 1.61804)"
+    low, high = Fraction(said["lower"]), Fraction(said["upper"])
+    assert low**2 - low - 1 <= 0 <= high**2 - high - 1
+    assert high - low < Fraction(1, 10**15)
+    assert (said["bounded"], said["stopped"], said["certificate"]) == (True, None, str(proof))
+    verified = subdiv("verify", proof)
+    assert verified.returncode == 0
+    assert "VERIFIED JSR = the root of x^2 - x - 1 in [" in verified.stdout
+    document = json.loads(proof.read_text(encoding="utf-8"))
+    document["goal"][0]["polynomial"] = ["-2", "1"]
+    proof.write_text(json.dumps(document), encoding="utf-8")
+    assert subdiv("verify", proof).returncode == 1
+
+
+def test_an_enclosure(family):
+    run = subdiv("jsr", family, "-p", "a=749326546330/1000000000000", "--format", "json")
+    said = json.loads(run.stdout)
+    assert run.returncode == 0
+    assert said["exact"] is None
+    assert said["lower"] < 1.40924722212 < said["upper"]
+
+
+def test_the_same_bytes_again():
+    first, again = (subdiv("jsr", "-", "--format", "json", stdin=FAMILY).stdout for _ in range(2))
+    assert first == again
+
+
+@pytest.mark.parametrize(
+    ("arguments", "stdin", "code"),
+    [
+        (["-", "--effort", "1"], FAMILY, 3),
+        (["-"], "matrices = [[[0]]]", 0),
+        (["-"], "matrices = [[[1, 1], [0, 1]], [[1, 0]]]", 2),
+        (["-"], "matrices = []", 2),
+        (["-"], "matrices = [[[0.5]], [[1, 0], [0, 1]]]", 2),
+        (["-"], "[mask]\nsymbol = '(1+z)^2/2'", 2),
+        (["-", "-p", "b=1"], FAMILY, 2),
+        (["no such file"], None, 2),
+        (["-", "--certificate", "no such directory/proof.json"], FAMILY, 2),
+        ([], None, 2),
+    ],
+)
+def test_exit_codes(arguments, stdin, code):
+    run = subdiv("jsr", *arguments, stdin=stdin)
+    assert run.returncode == code
+    assert "Traceback" not in run.stderr
+    assert (code == 2) == (run.stdout == "")
