@@ -23,11 +23,11 @@ Statement = Mapping[str, Any]
 def numbers_are_proved(result: Result, statements: Sequence[Statement], p: int) -> bool:
     """Whether claims of the certificate say each exponent and radius of the result, for arity p."""
     found = {finding.code: finding for finding in result.findings}
-    about = {code: _about(found.get(code), statements) for code in ("SD311", "SD312", "SD321")}
+    about = {code: statements_of(found.get(code), statements) for code in ("SD311", "SD312", "SD321")}
     exponents = (
         (result.holder, (*about["SD311"], *about["SD312"])),
         (result.sobolev, about["SD321"]),
-        *((_of_finding(found[code]), said) for code, said in about.items() if said),
+        *((of_finding(found[code]), said) for code, said in about.items() if said),
     )
     if not all(_is_proved(exponent, said, p) for exponent, said in exponents):
         return False
@@ -35,15 +35,15 @@ def numbers_are_proved(result: Result, statements: Sequence[Statement], p: int) 
         holds = {s["holds"] for s in statements if s["property"] == "attained"}
         if holds != {result.holder.attained}:
             return False
-    return all(_radius(finding, statements, p) for finding in result.findings if finding.code == "SD310")
+    return all(radius_is_proved(finding, statements, p) for finding in result.findings if finding.code == "SD310")
 
 
-def _about(finding: Finding | None, statements: Sequence[Statement]) -> tuple[Statement, ...]:
+def statements_of(finding: Finding | None, statements: Sequence[Statement]) -> tuple[Statement, ...]:
     """The statements that a finding names."""
     return () if finding is None else tuple(statements[number] for number in finding.claims)
 
 
-def _of_finding(finding: Finding) -> Exponent:
+def of_finding(finding: Finding) -> Exponent:
     """What a finding shows of an exponent. Raises ValueError where the exact text is not that of its number."""
     value, closed = finding.value or Interval(), finding.closed
     if value.exact is None:
@@ -60,7 +60,7 @@ def _is_proved(exponent: Exponent | None, said: Sequence[Statement], p: int) -> 
     lower, upper, exact = exponent.lower, exponent.upper, exponent.exact
     if exponent.digits is not None and (exact is None or not _is_cut(exponent.digits, exact)):
         return False
-    known = [number for number in (_exact(statement, p) for statement in said) if number is not None]
+    known = [number for number in (of_statement(statement, p) for statement in said) if number is not None]
     if exact is not None and not any(_same(exact, number) for number in known):
         return False
     ends = [enclosure(number) for number in known]
@@ -78,7 +78,7 @@ def _bounds(
             yield enclosure(logarithm(p, 1 / Fraction(s[number]), s[length]))
 
 
-def _exact(s: Statement, p: int) -> ClosedForm | None:
+def of_statement(s: Statement, p: int) -> ClosedForm | None:
     """The exponent that a statement says exactly; a `RootLog` without its text."""
     if s["property"] == "holder":
         return logarithm(p, 1 / Fraction(s["norm"]), s["level"])
@@ -127,11 +127,11 @@ def _is_cut(digits: str, exact: ClosedForm) -> bool:
     return size <= low <= high < size + unit
 
 
-def _radius(finding: Finding, statements: Sequence[Statement], p: int) -> bool:
+def radius_is_proved(finding: Finding, statements: Sequence[Statement], p: int) -> bool:
     """Whether claims on a joint spectral radius bound it as well as the finding says."""
     value = finding.value or Interval()
     below, above = [], []
-    for s in _about(finding, statements):
+    for s in statements_of(finding, statements):
         if s["property"] in ("radius", "bounded"):
             below.append((Fraction(s["low"]), s["length"]))
             above.append((Fraction(s["high"]), s["length"]))

@@ -84,7 +84,15 @@ def _trusted(result: Result, certificate: str, mask: Mapping[str, Any], expectat
     statements = [claim["statement"] for claim in document["claims"]]
     if not all(_proved(finding, statements) for finding in result.findings):
         return False
-    return numbers_are_proved(result, statements, document["mask"]["arity"]) and _follows(result, statements)
+    return _numbers(result, statements, mask) and _follows(result, statements)
+
+
+def _numbers(result: Result, statements: Sequence[Mapping[str, Any]], mask: Mapping[str, Any]) -> bool:
+    if mask["kind"] == "scalar":
+        return numbers_are_proved(result, statements, mask["arity"])
+    from subdiv_cli.catalog.surface_numbers import surface_numbers_are_proved
+
+    return surface_numbers_are_proved(result, statements, mask)
 
 
 def _proved(finding: Finding, statements: Sequence[Mapping[str, Any]]) -> bool:

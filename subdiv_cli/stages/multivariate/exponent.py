@@ -41,7 +41,9 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if numbers.radius is None:
         none = "no bound of the decay of differences is known"
         return (BELOW.undecided(_BELOW, none), ABOVE.undecided(_ABOVE, none))
-    return (_below(numbers), _above(numbers, verdict_of(facts, "SD616")))
+    stable = verdict_of(facts, "SD616")
+    stably = stable is not None and stable.verdict is Verdict.PROVED
+    return (_below(numbers, stably), _above(numbers, stably))
 
 
 def _of_box_spline(depth: int) -> tuple[Finding, ...]:
@@ -51,18 +53,20 @@ def _of_box_spline(depth: int) -> tuple[Finding, ...]:
     alpha = Fraction(depth - 1)
     witness: dict[str, Data] = {"by": "SD603", "value": alpha}
     rule = f"α = {alpha}: {depth} directions must go until the others do not span"
-    return (BELOW.proved(rule, witness, interval(alpha), alpha), ABOVE.proved(rule, witness, interval(alpha)))
+    return (BELOW.proved(rule, witness, interval(alpha), alpha), ABOVE.proved(rule, witness, interval(alpha), alpha))
 
 
-def _below(numbers: MultivariateNumbers) -> Finding:
+def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
     radius, m, s, k = numbers.radius, numbers.lattice.index, numbers.dimension, numbers.order
     assert radius is not None
     witness: dict[str, Data] = {"by": "SD605", "length": radius.upper[0]}
     if radius.exact is not None and (exact := surface_exponent(m, s, *radius.exact)) is not None:
         value = closed_interval(exact)
         text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
-        statement = f"α ≥ {text}, as ρ_{k} = {shown(radius)}"
-        return BELOW.proved(statement, {**witness, "root": root_data(radius.exact[1])}, value, exact)
+        witness["root"] = root_data(radius.exact[1])
+        if stable:
+            return BELOW.proved(f"α = {text}, as φ is stable and ρ_{k} = {shown(radius)}", witness, value, exact)
+        return BELOW.proved(f"α ≥ {text}, as ρ_{k} = {shown(radius)}", witness, Interval(lower=value.lower))
     length, bound = radius.upper
     with ctx.workprec(128):
         lower = interval(-ball(bound).log() * s / ball(m).log() / length).lower
@@ -71,9 +75,9 @@ def _below(numbers: MultivariateNumbers) -> Finding:
     return BELOW.proved(statement, {**witness, "bound": bound}, Interval(lower=lower))
 
 
-def _above(numbers: MultivariateNumbers, stable: Finding | None) -> Finding:
+def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
     product, m, s, k = numbers.product, numbers.lattice.index, numbers.dimension, numbers.order
-    if stable is None or stable.verdict is not Verdict.PROVED:
+    if not stable:
         return ABOVE.undecided(_ABOVE, "it is not proved that φ is stable")
     if product is None:
         return ABOVE.undecided(_ABOVE, "no product is known that bounds ρ_k from below")
