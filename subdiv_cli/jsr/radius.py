@@ -1,8 +1,9 @@
 """The joint spectral radius: enclosed always, exact where an invariant polytope closes.
 
-In order: blocks, as far as the family can be taken apart; matrices that are equal up to sign; the search for candidates; invariant polytopes from their
-leaders, the shortest ones first, with a deeper search where none closes; and the bound that the polytope, or one
-for slightly smaller matrices, proves as it is. What is found depends on the effort alone.
+In order: blocks, as far as the family can be taken apart; of matrices that are equal up to sign one; the search for
+candidates; invariant polytopes from their leaders, the shortest ones first, with a deeper search where none closes; and
+the bound that the polytope, or one for slightly smaller matrices, proves as it is. What is found depends on the effort
+alone.
 """
 
 from __future__ import annotations
