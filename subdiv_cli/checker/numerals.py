@@ -1,4 +1,4 @@
-"""Text to integers and rationals. Whatever is not exactly as specified is unreadable."""
+"""Numbers and digits in strings, read strictly: integers of any length and rationals in lowest terms."""
 
 from __future__ import annotations
 
@@ -30,22 +30,6 @@ class UnreadableError(Exception):
 def demand(condition: bool, why: str) -> None:
     if not condition:
         raise UnreadableError(why)
-
-
-def fraction(value: object) -> Fraction:
-    if type(value) is str and len(value) <= _SHORT:
-        return _short_fraction(value)
-    return Fraction(*_ratio(value))
-
-
-def digits(most: int, value: object) -> int:
-    """`"n"`, an integer without leading zeros."""
-    if type(value) is not str:
-        raise UnreadableError("is not a string of digits")
-    demand(len(value) <= most + 1, "has too many digits")
-    unsigned = value.lstrip("-")
-    demand(len(unsigned) <= most and _DIGITS.fullmatch(value) is not None, f"is not an integer: {shown(value)}")
-    return -_decimal(unsigned) if value[0] == "-" else _decimal(unsigned)
 
 
 def rational(value: object) -> tuple[int, int]:
@@ -82,3 +66,19 @@ def _decimal(digits: str) -> int:
         piece = digits[i : i + 600]
         value = value * 10 ** len(piece) + int(piece)
     return value
+
+
+def fraction(value: object) -> Fraction:
+    if type(value) is str and len(value) <= _SHORT:
+        return _short_fraction(value)
+    return Fraction(*_ratio(value))
+
+
+def long_integer(most: int, value: object) -> int:
+    """`"n"`, an integer without leading zeros."""
+    if type(value) is not str:
+        raise UnreadableError("is not a string of digits")
+    demand(len(value) <= most + 1, "has too many digits")
+    digits = value.lstrip("-")
+    demand(len(digits) <= most and _DIGITS.fullmatch(value) is not None, f"is not an integer: {shown(value)}")
+    return -_decimal(digits) if value[0] == "-" else _decimal(digits)

@@ -10,7 +10,7 @@ from math import lcm
 from typing import Any
 
 from subdiv_cli.checker.matrices import Family, family
-from subdiv_cli.checker.numerals import MAX_DIGITS, UnreadableError, demand, digits, fraction, rational, shown
+from subdiv_cli.checker.numerals import MAX_DIGITS, UnreadableError, demand, fraction, long_integer, rational, shown
 from subdiv_cli.checker.polynomials import Polynomial, over_common_denominator
 
 Fields = Mapping[str, str]
@@ -204,7 +204,7 @@ def _matrix(value: object) -> Family:
 
 def _root(value: object) -> tuple[int, ...]:
     """The coefficients of an integer polynomial, the constant one first."""
-    return _members(partial(digits, MAX_DIGITS), MAX_DEGREE + 1, value)
+    return _members(partial(long_integer, MAX_DIGITS), MAX_DEGREE + 1, value)
 
 
 def _element(value: object) -> tuple[Fraction, ...]:
@@ -213,7 +213,7 @@ def _element(value: object) -> tuple[Fraction, ...]:
 
 
 def _coordinates(value: object) -> tuple[int, ...]:
-    return _members(partial(digits, MAX_COORDINATE), MAX_ORDER, value)
+    return _members(partial(long_integer, MAX_COORDINATE), MAX_ORDER, value)
 
 
 def _flat(value: object) -> list[int]:
