@@ -64,6 +64,8 @@ class Radii:
         rule = str(data["rule"])
         if rule == "blocks":
             return self._of_blocks(data, family, order)
+        if rule == "distinct":
+            return self._of_distinct(data, family, order)
         if rule == "zero":
             return self._upper("zero", family, 1, Fraction(0), {}, order * order * self._p)
         if rule in ("polytope", "monotone-polytope"):
@@ -115,6 +117,16 @@ class Radii:
             return self._exact("radius-of-blocks", "radius", family, data, {}, 1, uses)
         bound = as_rational(data["bound"])
         return self._upper("upper-of-blocks", family, as_integer(data["length"]), bound, {}, 1, uses)
+
+    def _of_distinct(self, data: Map, family: int, order: int) -> int:
+        letters, number = [as_integer(letter) for letter in as_tuple(data["letters"])], len(self._families)
+        self._families.append(None)
+        statement = {"property": "distinct", "family": family, "part": number}
+        work = self._p * len(letters) * order**2
+        distinct = self._claims.add("distinct", statement, {"letters": letters}, [], work)
+        used = self.claim(cast(Map, data["part"]), number, order)
+        said = {**self._claims.statement(used), "family": family}
+        return self._claims.add("of-distinct", said, {}, [distinct, used], 1)
 
     def _exact(
         self, rule: str, name: str, family: int, data: Map, witness: Json, work: int, uses: list[int] | None = None

@@ -68,6 +68,27 @@ def blocks(c: Claim) -> None:
         c.introduce(number, matrices.family(part, family.denominator * abs(found[1])))
 
 
+def distinct(c: Claim) -> None:
+    """The new family has some of the matrices, and each of them is ± one of those: products are the same up to sign."""
+    family, letters = c.family(), c.witness["letters"]
+    require(0 < len(letters) <= len(family.matrices), "there is no letter, or there are more than matrices")
+    require(max(letters) < len(family.matrices), "a letter is not there")
+    c.count(len(family.matrices) * len(letters) * family.order**2, family.bits)
+    kept = [family.matrices[letter] for letter in letters]
+    for number, matrix in enumerate(family.matrices):
+        negative = [[-x for x in row] for row in matrix]
+        require(any(each in (matrix, negative) for each in kept), f"matrix {number} is another, up to sign too")
+    c.introduce(c.statement["part"], Family(kept, family.denominator))
+
+
+def of_distinct(c: Claim) -> None:
+    """What the norms and eigenvalues of products up to sign say is the same for both families."""
+    c.count(1)
+    part = c.use("distinct", family=c.statement["family"]).statement["part"]
+    said = {key: value for key, value in c.statement.items() if key != "property"}
+    c.use(c.statement["property"], **{**said, "family": part})
+
+
 def word(c: Claim) -> None:
     """JSR^ℓ >= x: the product of a word of ℓ letters has an eigenvalue of modulus >= x."""
     bound = c.statement["bound"]

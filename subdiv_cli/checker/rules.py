@@ -35,6 +35,7 @@ _ROOT = {"length": "length", "polynomial": "root", "low": "rational", "high": "r
 _HULL = {"symmetry": "sign", "bits": "bits", "basis": "vertex[]", "weight_bits": "weight_bits", "images": "flat[]"}
 RADIUS_PROPERTIES = {
     "blocks": {**_FAMILY, "parts": "natural[]"},
+    "distinct": {**_FAMILY, "part": "natural"},
     "radius-lower": {**_FAMILY, "length": "length", "bound": "rational"},
     "radius-upper": {**_FAMILY, "length": "length", "bound": "rational"},
     "radius": {**_FAMILY, **_ROOT},
@@ -47,6 +48,8 @@ _COMPLEX = {**_HULL, "leaders": "complex_leader[]", "extras": "flat[]", "tree": 
 _CHAIN = {"word": "natural[]", "sign": "sign", "vector": "rational[]"}
 RADIUS_RULES = {
     "blocks": Rule(("blocks",), {}, ({"basis": "matrix", "sizes": "natural[]"},), radius.blocks),
+    "distinct": Rule(("distinct",), {}, ({"letters": "natural[]"},), radius.distinct),
+    "of-distinct": Rule(("radius-lower", "radius-upper", "radius", "bounded"), {}, _NONE, radius.of_distinct),
     "word": Rule(("radius-lower",), {}, ({"word": "natural[]"},), radius.word),
     "zero": Rule(("radius-upper",), {}, _NONE, radius.zero),
     "polytope": Rule(("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.polytope),

@@ -60,6 +60,7 @@ def on_radii(statement: Mapping[str, Any], name: str) -> str:
     s["root"] = root(statement) if "polynomial" in statement else ""
     return {
         "blocks": "{of}block triangular: families {parts}",
+        "distinct": "{of}up to signs, matrices of family {part}",
         "radius-lower": "{jsr} >= {bound}",
         "radius-upper": "{jsr} <= {bound}",
         "radius": "{jsr} = {root}",

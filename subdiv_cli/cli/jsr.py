@@ -32,7 +32,7 @@ A family is a TOML file with one list of square matrices, each a list of rows; n
 Exit codes:
   0    the radius is enclosed, or known exactly
   2    not computed: usage, an unreadable or invalid file, an internal error
-  3    no bound within the effort
+  3    no bound within the effort, or a certificate is asked for and there is none
 """
 
 
@@ -91,7 +91,11 @@ def command(
     proof = certificate if text is not None else None
     render = _as_json if form == "json" else _as_text
     emit(render(read, found.radius, proof), sys.stdout, encoding="utf-8" if form == "json" else None)
-    return ExitCode.UNDECIDED if found.radius.upper is None else ExitCode.PASSED
+    unwritten = certificate is not None and text is None
+    if unwritten:
+        why = "nothing is proved" if found.radius.upper is None else "the proof asks more than the checker does"
+        emit(f"warning: {certificate} is not written: {why}\n", sys.stderr)
+    return ExitCode.UNDECIDED if found.radius.upper is None or unwritten else ExitCode.PASSED
 
 
 def _read(file: str, parameters: tuple[str, ...]) -> tuple[MatrixFile, Any]:

@@ -45,7 +45,7 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
         exact=bounds.exact,
         digits=_digits(radius),
         words=() if radius.word is None else (radius.word,),
-        method=str(radius.proof["rule"]),
+        method=radius.method,
         vertices=radius.vertices,
         bounded=radius.bounded,
         stopped=stopped,

@@ -8,7 +8,7 @@ from functools import cached_property
 from math import lcm
 from typing import TYPE_CHECKING, NamedTuple
 
-from flint import fmpq_mat
+from flint import fmpq, fmpq_mat
 
 from subdiv_cli.exact.rationals import to_fraction
 
@@ -66,6 +66,16 @@ class Family:
     def is_nonnegative(self) -> bool:
         """Whether no entry is negative."""
         return all(x >= 0 for m in self.matrices for x in m.entries())
+
+    @cached_property
+    def distinct(self) -> Word:
+        """The first letter of each matrix up to sign: products of these are all products, up to sign."""
+        seen: dict[tuple[fmpq, ...], int] = {}
+        for letter, m in enumerate(self.matrices):
+            entries = tuple(m.entries())
+            if tuple(-x for x in entries) not in seen:
+                seen.setdefault(entries, letter)
+        return tuple(seen.values())
 
     @cached_property
     def size(self) -> Fraction:

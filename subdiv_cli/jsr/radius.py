@@ -1,8 +1,9 @@
 """The joint spectral radius: enclosed always, exact where an invariant polytope closes.
 
-In order: blocks, as far as the family can be taken apart; the search for candidates; invariant polytopes from their
-leaders, the shortest ones first, with a deeper search where none closes; and the bound that the polytope, or one
-for slightly smaller matrices, proves as it is. What is found depends on the effort alone.
+In order: blocks, as far as the family can be taken apart; of matrices that are equal up to sign one; the search for
+candidates; invariant polytopes from their leaders, the shortest ones first, with a deeper search where none closes; and
+the bound that the polytope, or one for slightly smaller matrices, proves as it is. What is found depends on the effort
+alone.
 """
 
 from __future__ import annotations
@@ -60,6 +61,8 @@ def _of_one_block(family: Family, effort: Effort) -> Radius | None:
         return _zero()
     if family.order > LARGEST_BLOCK:
         return None
+    if family.order > 1 and len(family.distinct) < family.letters:
+        return _of_distinct(family, effort)
     found = _affordable(family, candidates(family, _QUICK)[1])
     if not found:
         return None
@@ -244,6 +247,18 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
         return None
     word = max((part for part in known if part.word is not None), key=lambda part: part.ceiling, default=highest).word
     return Radius(word, None, (length, bound), False, {**proof, "length": length, "bound": bound})
+
+
+def _of_distinct(family: Family, effort: Effort) -> Radius | None:
+    """That of its matrices up to sign, whose products are the same up to sign."""
+    letters = family.distinct
+    found = _of_one_block(Family([family.matrices[letter] for letter in letters]), effort)
+    if found is None:
+        return None
+    said = {key: found.proof[key] for key in ("length", "root", "bound") if key in found.proof}
+    proof: dict[str, Data] = {"rule": "distinct", "letters": letters, "part": found.proof, **said}
+    word = None if found.word is None else tuple(letters[letter] for letter in found.word)
+    return found._replace(word=word, proof=proof)
 
 
 def _at_most(a: tuple[int, Fraction], b: tuple[int, Fraction]) -> bool:

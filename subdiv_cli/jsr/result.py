@@ -26,7 +26,8 @@ class Radius(NamedTuple):
     """`rule`, the name of a rule of certificate/RADIUS.md (or `norm`, of FORMAT.md), with its witness; `length` with
     `root` or
 
-    `bound`, what is proved: ρ^length = Λ or <= bound. Rule `blocks` has a proof for each of its `parts`.
+    `bound`, what is proved: ρ^length = Λ or <= bound. Rule `blocks` has a proof for each of its `parts`, rule
+    `distinct` one for its `part`.
     """
 
     @property
@@ -34,6 +35,12 @@ class Radius(NamedTuple):
         """log2 of ρ or of a little more, in floats, for comparisons that decide nothing."""
         length, x = self.upper
         return (math.log2(x.numerator) - math.log2(x.denominator)) / length if x else -math.inf
+
+    @property
+    def method(self) -> str:
+        """The rule that does the work: of distinct matrices that of their radius."""
+        part = self.proof.get("part")
+        return str(part["rule"] if isinstance(part, Mapping) else self.proof["rule"])
 
     @property
     def vertices(self) -> int | None:
@@ -54,6 +61,8 @@ def _vertices(proof: Mapping[str, Data]) -> int | None:
     parts, leaders, tree = (proof.get(key) for key in ("parts", "leaders", "tree"))
     if isinstance(leaders, tuple) and isinstance(tree, tuple):
         return len(leaders) + len(tree) // 2
+    if isinstance(part := proof.get("part"), Mapping):
+        return _vertices(part)
     if isinstance(parts, tuple):
         return sum(_vertices(part) or 0 for part in parts if isinstance(part, Mapping)) or None
     vertices = proof.get("vertices")

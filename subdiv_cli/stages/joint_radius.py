@@ -51,7 +51,7 @@ def _finding(numbers: ScalarNumbers) -> Finding:
         return RULE.undecided(
             _QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before a bound"
         )
-    witness: dict[str, Data] = {"of": numbers.name, "difference_order": numbers.order, "method": radius.proof["rule"]}
+    witness: dict[str, Data] = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
     if radius.word is not None:
         witness["word"] = radius.word
     witness |= {key: radius.proof[key] for key in ("length", "root", "bound") if key in radius.proof}
@@ -90,7 +90,7 @@ def _how(numbers: ScalarNumbers, radius: Radius) -> str:
     attains = (
         f", and {product_text(numbers.product)} attains it" if numbers.product is not None and radius.exact else ""
     )
-    rule, length = radius.proof["rule"], radius.proof["length"]
+    rule, length = radius.method, radius.proof["length"]
     operator = last_difference(numbers)
     if rule == "norm":
         return f"{power(operator, radius.upper[0])} = {number(radius.upper[1])}{attains}"

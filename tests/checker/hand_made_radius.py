@@ -80,6 +80,11 @@ def one_vertex():
     return matrices_document([[["1", "1"], ["0", "1"]], [["1", "0"], ["1", "1"]]], [bound])
 
 
+def signed():
+    """Three shears up to sign: two of them, and one of these again."""
+    return of_family([*GOLDEN, [[1, 1], [0, 1]]])
+
+
 def rotation():
     return of_family(ROTATION)
 
@@ -149,7 +154,7 @@ def quadratic():
 ALL_RADIUS = {
     make.__name__: make
     for make in (
-        golden, monotone, monotone_enclosed, one_vertex, rotation, triangular, nilpotent, enclosed, lower_of_blocks,
-        swap, four_point_attained, four_point_polytope, quadratic,
+        golden, monotone, monotone_enclosed, one_vertex, signed, rotation, triangular, nilpotent, enclosed,
+        lower_of_blocks, swap, four_point_attained, four_point_polytope, quadratic,
     )
 }  # fmt: skip

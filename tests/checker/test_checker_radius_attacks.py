@@ -310,6 +310,23 @@ ATTACKS = {
     "a product that is nilpotent": (word(NILPOTENT, [0], "1/1000000000000"), "all eigenvalues of the product are"),
     "no word": (word(DOUBLE, [], "2"), "the word is of another length"),
     "a bound below zero": (word(NILPOTENT, [0], "-1"), "the bound is not positive"),
+    "two matrices for one": (
+        matrices_document(
+            [[["1"]], [["2"]]],
+            [claim("distinct", family=0, part=1, witness={"letters": [0]}), closed_part(1, SMALL),
+             claim("of-distinct", [0, 1], property="bounded", family=0, length=1, **SMALL)],
+        ),
+        "matrix 1 is another, up to sign too",
+    ),
+    "the radius of another family": (
+        matrices_document(
+            [[["-1"]], [["1"]], [["-1"]]],
+            [claim("distinct", family=0, part=1, witness={"letters": [0]}),
+             claim("distinct", family=0, part=2, witness={"letters": [1]}), upper(2, "0"),
+             claim("of-distinct", [0, 2], property="radius-upper", family=0, length=1, bound="0")],
+        ),
+        "a matrix is not zero",
+    ),
     "parts that are one": (blocks(ONE, [1, 1], [1, 1], UNIT), "the next family is number 2"),
     "parts that are there already": (blocks(ONE, [1, 1], [0, 1], UNIT), "the next family is number 1"),
     "a block of size 0": (blocks(DOUBLE, [0, 2], [1, 2], UNIT), "not two blocks"),

@@ -49,6 +49,7 @@ FAMILIES = {
     "monotone": Family(PHI, True),
     "monotone_enclosed": Family(1.40924722212, True),
     "one_vertex": Family(PHI, True),
+    "signed": Family(PHI, True),
     "rotation": Family(1.0, True),
     "triangular": Family(3.0, False),
     "nilpotent": Family(0.0, False),
@@ -162,6 +163,10 @@ def parts_of(matrices, witness):
     return [[m[first:end, first:end].tolist() for m in changed] for first, end in spans]
 
 
+def negative(matrix):
+    return [[-x for x in row] for row in matrix]
+
+
 def solved(p, right):
     """P^-1 times a matrix, over Fractions."""
     rows, n = np.concatenate([p, right], axis=1), len(p)
@@ -193,6 +198,11 @@ def known(document, name):
     families = {0: FAMILIES[name]}
     matrices = [[[Fraction(x) for x in row] for row in m] for m in document["mask"]["matrices"]]
     for c in document["claims"]:
+        if c["rule"] == "distinct":
+            kept = [matrices[letter] for letter in c["witness"]["letters"]]
+            assert all(any(m in (k, negative(k)) for k in kept) for m in matrices)
+            assert c["statement"] == {"property": "distinct", "family": 0, "part": 1}
+            families[1] = families[0]
         if c["rule"] == "blocks":
             parts = parts_of(matrices, c["witness"])
             assert c["statement"]["family"] == 0
@@ -212,7 +222,7 @@ def is_true(s, families, name):
         return value is not None and abs(-math.log2(value) / s["length"] - scheme.alpha) < 1e-8
     if s["property"] == "attained":
         return s["holds"] == scheme.attained
-    if "family" not in s or s["property"] in ("family", "blocks"):
+    if "family" not in s or s["property"] in ("family", "blocks", "distinct"):
         return True
     family = families[s["family"]]
     power = family.radius ** s["length"]

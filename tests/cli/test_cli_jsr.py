@@ -6,6 +6,10 @@ import sys
 from fractions import Fraction
 
 import pytest
+from click.testing import CliRunner
+
+from subdiv_cli.checker import Outcome
+from subdiv_cli.cli import main
 
 FAMILY = """\
 name = "two shears"
@@ -91,3 +95,24 @@ def test_exit_codes(arguments, stdin, code):
     assert run.returncode == code
     assert "Traceback" not in run.stderr
     assert (code == 2) == (run.stdout == "")
+
+
+def test_no_certificate_without_a_bound(family, tmp_path):
+    proof = tmp_path / "proof.json"
+    run = subdiv("jsr", family, "--effort", "1", "--certificate", proof)
+    assert run.returncode == 3
+    assert run.stderr == f"warning: {proof} is not written: nothing is proved\n"
+    assert not proof.exists()
+
+
+def test_a_proof_beyond_the_checker_is_said_not_to_be_written(family, tmp_path, monkeypatch):
+    exhausted = Outcome(False, lambda: "NOT VERIFIED claim 0: too much work", exhausted=True)
+    monkeypatch.setattr("subdiv_cli.pipeline.check_document", lambda _: exhausted)
+    proof = tmp_path / "proof.json"
+    run = CliRunner().invoke(main, ["jsr", str(family), "--certificate", str(proof)], prog_name="subdiv")
+    assert run.exit_code == 3
+    assert run.stderr == f"warning: {proof} is not written: the proof asks more than the checker does\n"
+    assert run.stdout.startswith("✓ joint spectral radius = root(")
+    assert "certificate" not in run.stdout
+    assert not proof.exists()
+    assert CliRunner().invoke(main, ["jsr", str(family)], prog_name="subdiv").exit_code == 0

@@ -51,7 +51,15 @@ CLASSICS = {
     "three numbers": ([[[2, 0], [0, 1]], [[1, 0], [0, 2]], [[0, 2], [2, 0]]], 1, (-2, 1), 2),
     "a matrix and its negative": ([[[1, 1], [1, 0]], [[-1, -1], [-1, 0]]], 1, (-1, -1, 1), PHI),
     "one of two negated": ([SHEAR, [[-1, 0], [-1, -1]]], 1, (-1, -1, 1), PHI),
-    "a matrix twice": ([SHEAR, SHEAR, GOLDEN[1]], 2, (1, -3, 1), PHI),
+    "a matrix twice": ([SHEAR, SHEAR, GOLDEN[1]], 1, (-1, -1, 1), PHI),
+    "a pair and its negatives": ([*GOLDEN, [[-1, -1], [0, -1]], [[-1, 0], [-1, -1]]], 1, (-1, -1, 1), PHI),
+    "a rotation and its negative": ([ROTATION, [["-3/5", "4/5"], ["-4/5", "-3/5"]]], 2, (-1, 1), 1),
+    "a triangle and its negative": (
+        [[[2, 1, 3], [1, 1, 0], [0, 0, 1]], [[-2, -1, 5], [-1, -1, 1], [0, 0, 1]]],
+        1,
+        (1, -3, 1),
+        PHI**2,
+    ),
     "Euler's partitions below 2": (partitions(2), 1, (-1, 1), 1),
     "Euler's partitions below 3": (partitions(3), 1, (-1, -1, 1), PHI),
     "Euler's partitions below 4": (partitions(4), 1, (-2, 1), 2),
@@ -152,8 +160,6 @@ def test_near_the_family_without_the_finiteness_property():
 @pytest.mark.parametrize(
     "family",
     [
-        [*GOLDEN, [[-1, -1], [0, -1]], [[-1, 0], [-1, -1]]],
-        [ROTATION, [["-3/5", "4/5"], ["-4/5", "-3/5"]]],
         [ROTATION, [["5/13", "-12/13"], ["12/13", "5/13"]]],  # isometries: no polytope closes
         shears("4/5"),  # the end of the interval where the word 0 1 is best
     ],
