@@ -8,7 +8,7 @@ from dataclasses import replace
 from subdiv_cli.certificate.multivariate import surface_certificate
 from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Judgement, Result, Smoothness, Verdict
-from subdiv_cli.pipeline import Checked, status_of, verified
+from subdiv_cli.pipeline import Checked, sobolev_exponent, status_of, verified
 from subdiv_cli.schemes.multivariate import MultivariateScheme
 from subdiv_cli.stages.judge import judge
 from subdiv_cli.stages.multivariate.analysis import analyse
@@ -39,8 +39,10 @@ def check_surface(scheme: MultivariateScheme, expectations: Sequence[Expectation
         smoothness=refinable if converges is Verdict.PROVED else Smoothness(),
         refinable=refinable,
         holder=_holder(found),
+        sobolev=sobolev_exponent(found["SD617"]),
         stable=found["SD616"].verdict,
         generation=order - 1 if order else None,
+        reproduction=analysis.numbers.reproduction.degree if order else None,
         findings=findings,
     )
     judgements = tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
