@@ -80,7 +80,7 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
         smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
         refinable=refinable,
         holder=_holder(found, analysis),
-        sobolev=_sobolev(found["SD321"]),
+        sobolev=sobolev_exponent(found["SD321"]),
         stable=found["SD402"].verdict,
         linearly_independent=found["SD401"].verdict,
         generation=_integer(found, "SD103", "degree"),
@@ -154,7 +154,7 @@ def _holder(found: dict[str, Finding], analysis: Analysis) -> Exponent | None:
     return Exponent(lower=lower, upper=upper, exact=below.closed, attained=attained, digits=digits(below.closed))
 
 
-def _sobolev(finding: Finding) -> Exponent | None:
+def sobolev_exponent(finding: Finding) -> Exponent | None:
     """None without sum rules, or where the effort ended."""
     value, exact = finding.value, finding.closed
     if value is None:

@@ -9,8 +9,9 @@ from subdiv_cli.certificate.multivariate import surface_certificate
 from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Result, Smoothness, Verdict
 from subdiv_cli.model.judge import status
-from subdiv_cli.pipeline import Checked, judged, named, verified
+from subdiv_cli.pipeline import Checked, judged, named, sobolev_exponent, verified
 from subdiv_cli.schemes.multivariate import MultivariateScheme
+from subdiv_cli.stages.figures import digits
 from subdiv_cli.stages.multivariate.analysis import analyse
 
 
@@ -38,8 +39,10 @@ def check_surface(scheme: MultivariateScheme, expectations: Sequence[Expectation
         smoothness=refinable if converges is Verdict.PROVED else Smoothness(),
         refinable=refinable,
         holder=_holder(found),
+        sobolev=sobolev_exponent(found["SD617"]),
         stable=found["SD616"].verdict,
         generation=order - 1 if order else None,
+        reproduction=analysis.numbers.reproduction.degree if order else None,
         findings=findings,
     )
     judgements = judged(expectations, result)
@@ -64,4 +67,5 @@ def _holder(found: Mapping[str, Finding]) -> Exponent | None:
     lower = below.value.lower if below.value else None
     if below.closed is None or above.verdict is not Verdict.PROVED:
         return Exponent(lower=lower, upper=above.value.upper if above.value else None)
-    return Exponent(lower=lower, upper=below.value.upper if below.value else None, exact=below.closed)
+    upper = below.value.upper if below.value else None
+    return Exponent(lower=lower, upper=upper, exact=below.closed, digits=digits(below.closed))

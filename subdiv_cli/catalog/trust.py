@@ -48,6 +48,8 @@ _PROPERTIES = {
     "SD614": {"holder-lower", "holder-root", "holder-value", "radius", "bounded", "radius-upper"},
     "SD615": {"holder-upper", "holder-root", "holder-value"},
     "SD616": {"stable"},
+    "SD617": {"sobolev", "sobolev-lower", "sobolev-value"},
+    "SD618": {"reproduction"},
 }
 """What claims of these findings must be about; those of later codes must only be verified."""
 _HOLDS = {"SD201", "SD202", "SD313", "SD401", "SD402", "SD601", "SD611", "SD616"}

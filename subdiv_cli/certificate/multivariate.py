@@ -9,7 +9,7 @@ from typing import Any, cast
 
 from subdiv_cli.certificate.claims import Claims, Json, rational
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
-from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple, as_word
+from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
 from subdiv_cli.certificate.writer import MOST_WORK, Certificate
 from subdiv_cli.model import Data, Finding, Verdict, exact_root
 
@@ -65,6 +65,8 @@ class _Proof:
             "SD614": self._lower,
             "SD615": self._upper,
             "SD616": lambda _: [self._stable()],
+            "SD617": lambda found: [self._sobolev(found)],
+            "SD618": lambda found: [self._reproduction(found)],
         }
         return rules[finding.code](finding)
 
@@ -221,6 +223,33 @@ class _Proof:
     def _box_exponent(self, finding: Finding) -> int:
         statement = {"property": "holder-value", "value": int(as_rational(finding.witness["value"]))}
         return self._add("box-holder", statement, uses=[self._box()], work=self._breadth())
+
+    def _sobolev(self, finding: Finding) -> int:
+        found = finding.witness
+        if found["by"] == "SD603":
+            statement = {"property": "sobolev-value", "value": rational(as_rational(found["value"]))}
+            return self._add("box-sobolev", statement, uses=[self._box()], work=self._breadth())
+        f, cofactor = as_tuple(found["polynomial"]), as_tuple(found["cofactor"])
+        degree, k = len(f) + len(cofactor) - 2, as_integer(self.found["SD602"].witness["order"])
+        size = as_integer(found["pairs"]) + 4 * as_integer(found["window"])
+        of_root: Json = {
+            "property": "sobolev" if found["holds"] else "sobolev-lower",
+            "polynomial": as_polynomial(0, f),
+            "low": rational(as_rational(found["low"])),
+            "high": rational(as_rational(found["high"])),
+        }
+        return self._add(
+            "surface-sobolev",
+            of_root,
+            {"cofactor": as_polynomial(0, cofactor)},
+            [self._sum_rules(), *([self._stable()] if found["holds"] else [])],
+            self.terms**2 + k * (2 * self.s + 1) * (2 * k + 1) ** self.s + (degree + 1) * size,
+        )
+
+    def _reproduction(self, finding: Finding) -> int:
+        r, k = as_integer(finding.witness["degree"]), as_integer(self.found["SD602"].witness["order"])
+        work = self.terms * comb(min(r + 1, k - 1) + self.s, self.s)
+        return self._add("reproduction", {"degree": r}, uses=[self._sum_rules()], work=work)
 
 
 def _rationals(data: Data) -> Any:

@@ -5,6 +5,8 @@ de Boor, Höllig & Riemenschneider, Box Splines (1993); Dahmen & Micchelli 1983.
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.directions import breadth, is_unimodular
@@ -80,6 +82,12 @@ def holder(c: Claim) -> None:
     """α = d - 1, d >= 2: derivatives of order d - 2 are Lipschitz, those of order d - 1 have jumps."""
     d = _breadth(c)
     require(c.statement["value"] == d - 1 >= 1, f"d = {d}")
+
+
+def sobolev(c: Claim) -> None:
+    """The Sobolev exponent is d - 1/2: derivatives of order d - 1 are piecewise polynomials, of which some jump."""
+    d = _breadth(c)
+    require(c.statement["value"] == d - Fraction(1, 2), f"d = {d}")
 
 
 def stable(c: Claim) -> None:

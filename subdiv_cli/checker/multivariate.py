@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import comb
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.lattice import Index, monomials, power
+from subdiv_cli.checker.lattice import Index, LatticeMask, monomials, power
 from subdiv_cli.checker.reading import require
 
 INDEX_BITS = 15
@@ -45,6 +45,30 @@ def generation(c: Claim) -> None:
     k = c.use("total-sum-rules").statement["order"]
     c.count(1)
     require(c.statement["degree"] == k - 1, f"the sum rules are of order {k}")
+
+
+def reproduction(c: Claim) -> None:
+    """The largest r with sum rules of order r + 1 and Σ a_α α^μ = m τ^μ for |μ| <= r; then τ = (1/m) Σ a_α α."""
+    a, r = c.lattice(), c.statement["degree"]
+    k = c.use("total-sum-rules").statement["order"]
+    require(0 <= r < k, f"the sum rules are of order {k}")
+    s, last = a.dilation.dimension, min(r + 1, k - 1)
+    c.count(len(a.terms) * comb(last + s, s), a.bits * (last + 1) + INDEX_BITS * last)
+    total = a.dilation.cosets * a.denominator
+    tau = [_moment(a, mu) for mu in monomials(s, 1)][::-1]
+
+    def holds(mu: Index) -> bool:
+        return bool(_moment(a, mu) * total ** (sum(mu) - 1) == power(tau, mu))
+
+    for degree in range(1, r + 1):
+        for mu in monomials(s, degree):
+            require(holds(mu), f"the polynomials of degree {degree} are not reproduced")
+    require(r == k - 1 or not all(holds(mu) for mu in monomials(s, r + 1)), "a higher degree is reproduced")
+
+
+def _moment(a: LatticeMask, mu: Index) -> int:
+    """The numerator of Σ a_α α^μ."""
+    return sum(value * power(index, mu) for index, value in a.terms.items())
 
 
 def interpolatory_stable(c: Claim) -> None:

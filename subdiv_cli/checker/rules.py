@@ -13,6 +13,7 @@ from subdiv_cli.checker import (
     differences,
     directional,
     exponents,
+    mean_squares,
     multivariate,
     polytopes,
     radius,
@@ -65,6 +66,7 @@ RADIUS_RULES = {
     "defective": Rule(("defective",), {}, (_CHAIN,), radius.defective),
 }
 _MASK = {"mask": "natural"}
+_ZERO = {"polynomial": "polynomial", "low": "rational", "high": "rational"}
 PROPERTIES = {
     "residue-sums": {**_MASK, "sums": "rational[]"},
     "sum-rules": {**_MASK, "order": "natural"},
@@ -83,7 +85,7 @@ PROPERTIES = {
     "holder-lower": {"level": "natural", "norm": "rational"},
     "holder-upper": {"length": "natural", "radius": "rational"},
     "holder": {"level": "natural", "norm": "rational"},
-    "sobolev": {"polynomial": "polynomial", "low": "rational", "high": "rational"},
+    "sobolev": _ZERO,
     "values": {"order": "natural", "values": "polynomial"},
     "quasi-interpolation": {"degree": "natural", "operator": "rational[]", "stencil": "polynomial"},
     "error-bound": {"nu": "natural", "level": "natural", "norm": "rational", "constant": "rational"},
@@ -96,6 +98,7 @@ PROPERTIES = {
 }
 _BEZOUT = {"cofactors": "polynomial[]"}
 _SQUARES = {"squares": "polynomial", "rest": "polynomial", "power": "natural"}
+_COFACTOR = {"cofactor": "polynomial"}
 _ZEROS = ({"factor": "polynomial"}, {"cycle": "natural"})
 RULES = {
     "residue-sums": Rule(("residue-sums",), {}, _NONE, scalar.residue_sums),
@@ -124,7 +127,7 @@ RULES = {
     "not-attained": Rule(("attained",), {"holds": False}, _NONE, exponents.not_attained),
     "transition": Rule(("family",), {}, _NONE, radius.transition),
     "positive-symbol": Rule(("radius", "bounded"), {}, (_SQUARES,), radius.positive_symbol),
-    "sobolev": Rule(("sobolev",), {}, ({"cofactor": "polynomial"},), sobolev.sobolev),
+    "sobolev": Rule(("sobolev",), {}, (_COFACTOR,), sobolev.sobolev),
     "values": Rule(("values",), {}, ({}, {"values": "polynomial"}), values.values),
     "quasi-interpolation": Rule(("quasi-interpolation",), {}, _NONE, values.quasi_interpolation),
     "error-bound": Rule(("error-bound",), {}, _NONE, bounds.error_bound),
@@ -164,10 +167,14 @@ SURFACE_PROPERTIES = {
     "holder-upper": {"length": "length", "bound": "rational"},
     "holder-root": _ROOT,
     "holder-value": {"value": "natural"},
+    "sobolev": _ZERO,
+    "sobolev-lower": _ZERO,
+    "sobolev-value": {"value": "rational"},
     "stable": {"holds": "boolean"},
     "box-spline": {"directions": "index[]", "scale": "natural"},
     "directional-norm": {"direction": "index", "level": "natural", "norm": "rational"},
     "generation": {"degree": "integer"},
+    "reproduction": {"degree": "integer"},
     **RADIUS_PROPERTIES,
 }
 _SPACE = {
@@ -193,10 +200,13 @@ SURFACE_RULES = {
     "box-smooth": Rule(("smooth",), {}, _NONE, box_splines.smooth),
     "box-not-smooth": Rule(("not-smooth",), {}, _NONE, box_splines.not_smooth),
     "box-holder": Rule(("holder-value",), {}, _NONE, box_splines.holder),
+    "box-sobolev": Rule(("sobolev-value",), {}, _NONE, box_splines.sobolev),
     "box-stable": Rule(("stable",), {}, _NONE, box_splines.stable),
     "directional-norm": Rule(("directional-norm",), {}, ({"quotient": "terms"},), directional.directional_norm),
     "directional-converges": Rule(("convergent",), {"holds": True}, _NONE, directional.directional_converges),
     "generation": Rule(("generation",), {}, _NONE, multivariate.generation),
+    "reproduction": Rule(("reproduction",), {}, _NONE, multivariate.reproduction),
+    "surface-sobolev": Rule(("sobolev", "sobolev-lower"), {}, (_COFACTOR,), mean_squares.surface_sobolev),
     **RADIUS_RULES,
 }
 

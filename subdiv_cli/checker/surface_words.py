@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from subdiv_cli.checker.lattice import Dilation
-from subdiv_cli.checker.words import exponent, on_radii, shown
+from subdiv_cli.checker.words import exponent, on_radii, shown, sobolev
 
 _PHRASES = {
     "coset-sums": "the coset sums are {holds}all 1",
@@ -21,10 +21,14 @@ _PHRASES = {
     "holder-upper": "α <= {exponent}",
     "holder-root": "α = {exponent}",
     "holder-value": "α = {value}",
+    "sobolev": "s = {sobolev}",
+    "sobolev-lower": "s >= {sobolev}",
+    "sobolev-value": "s = {value}",
     "stable": "φ is {holds}stable",
     "box-spline": "φ is the box spline of {directions}",
     "directional-norm": "‖S_d^{level}‖ = {norm} for the factor in direction {direction}",
     "generation": "generation degree {degree}",
+    "reproduction": "reproduction degree {degree}",
 }
 
 
@@ -35,6 +39,7 @@ def of_surfaces(statement: Mapping[str, Any], dilation: Dilation) -> str:
     words = {key: shown(value) for key, value in statement.items()}
     words |= {"holds": "" if holds else "not ", "converges": "converges" if holds else "diverges"}
     words["exponent"] = exponent(statement, *_base(dilation))
+    words["sobolev"] = sobolev(statement, *_base(dilation))
     words["directions"] = _directions(statement.get("directions", ()))
     words["direction"] = f"({words.get('direction', '')})"
     return _PHRASES[statement["property"]].format(**words)

@@ -44,7 +44,7 @@ def in_words(statement: Mapping[str, Any], p: int) -> str:
     phrase += " (mask {mask})" if statement.get("mask") else ""
     converges = "diverges" if holds else "converges"
     s |= {"p": str(p), "holds": holds, "converges": converges, "exponent": exponent(statement, p)}
-    s["sobolev"] = _sobolev(statement, p)
+    s["sobolev"] = sobolev(statement, p)
     return phrase.format(**s)
 
 
@@ -104,18 +104,20 @@ def exponent(s: Mapping[str, Any], p: int, factor: Fraction | int = 1) -> str:
     return f"{before}log_{p}({shown(1 / x)}){after}"
 
 
-def _sobolev(s: Mapping[str, Any], p: int) -> str:
-    """-log_p(λ)/2 for λ in [low, high]."""
-    if s["property"] != "sobolev":
+def sobolev(s: Mapping[str, Any], p: int, factor: Fraction | int = 1) -> str:
+    """-factor log_p(λ)/2 for λ in [low, high]."""
+    if s["property"] not in ("sobolev", "sobolev-lower"):
         return ""
     if s["low"] == s["high"]:
-        return exponent({"property": "holder-upper", "radius": s["low"], "length": 2}, p)
-    zero = "the zero of a polynomial"
+        return exponent({"property": "holder-upper", "radius": s["low"], "length": 2}, p, factor)
+    zero, times = "the zero of a polynomial", Fraction(factor) / 2
+    before = "-" if times.numerator == 1 else f"-{times.numerator} "
+    name = f"{before}log_{p}(λ)" + ("" if times.denominator == 1 else f"/{times.denominator}")
     if max(s["low"].denominator, s["high"].numerator).bit_length() > 1000:
-        return f"-log_{p}(λ)/2, λ {zero}"
+        return f"{name}, λ {zero}"
     low, high = (f"{int(s[key] * 10**8):09}" for key in ("low", "high"))
     about = f" near {low[:-8]}.{low[-8:]}" if low == high else ""
-    return f"-log_{p}(λ)/2, λ {zero}{about}"
+    return f"{name}, λ {zero}{about}"
 
 
 def shown(value: object) -> str:

@@ -13,6 +13,8 @@ from subdiv_cli.quantities.box_spline import BoxSpline, box_spline
 from subdiv_cli.quantities.coset_sums import coset_sums, sum_rule_order
 from subdiv_cli.quantities.difference_space import DifferenceSpace, difference_space
 from subdiv_cli.quantities.directional import Contraction, contractions
+from subdiv_cli.quantities.mean_squares import MeanSquares, mean_squares
+from subdiv_cli.quantities.reproduction import Reproduction, reproduction
 from subdiv_cli.schemes.lattice import Lattice
 from subdiv_cli.schemes.multivariate import MultivariateScheme
 
@@ -75,6 +77,16 @@ class MultivariateNumbers:
         if self.space is None:
             return None
         return joint_spectral_radius(Family(self.space.matrices), self.effort)
+
+    @cached_property
+    def mean_squares(self) -> MeanSquares | None:
+        """The growth of the mean squares of differences of order k >= 1; None where the operator is too large."""
+        return mean_squares(self.scheme, self.lattice, self.order, self.effort) if self.order else None
+
+    @cached_property
+    def reproduction(self) -> Reproduction:
+        """The polynomials that are reproduced, for k >= 1."""
+        return reproduction(self.scheme, self.lattice, self.order - 1)
 
     @cached_property
     def product(self) -> Product | None:

@@ -22,7 +22,7 @@ from typing import NamedTuple
 from flint import arb, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated_roots
-from subdiv_cli.exact.enclosures import bounds, decide
+from subdiv_cli.exact.enclosures import ball, bounds, decide
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.rationals import to_fmpq
 
@@ -31,7 +31,7 @@ _DIGITS = 20
 
 
 class Growth(NamedTuple):
-    """λ = ρ(G), and what shows that it is: f c is the characteristic polynomial, f(λ) = 0 and c > 0 from `low` on."""
+    """λ = ρ(G), and what shows that it is: f c annihilates e_0 under G, f(λ) = 0 and c > 0 from `low` on."""
 
     radius: AlgebraicNumber
     """λ; its minimal polynomial is f."""
@@ -40,6 +40,15 @@ class Growth(NamedTuple):
     low: Fraction
     high: Fraction
     """low <= λ <= high; all Taylor coefficients of f at `low` beyond the first and all of c are non-negative."""
+
+    def ball(self) -> arb:
+        """Around λ, as wide as the bounds."""
+        return ball(self.low).union(ball(self.high))
+
+    def cofactor_coefficients(self) -> tuple[Fraction, ...]:
+        """Those of c, lowest power first."""
+        c = Laurent(0, self.cofactor)
+        return (Fraction(0),) * c.low + c.coefficients()
 
 
 def transfer_order(degree: int, p: int) -> int:
@@ -61,13 +70,20 @@ def transfer_matrix(d: Laurent, p: int) -> fmpq_mat:
 
 def mean_square_growth(d: Laurent, p: int) -> Growth:
     """λ for the symbol d ≠ 0 of D = S_(Δ^k), k the sum-rule order of a stable mask, exactly."""
-    characteristic = transfer_matrix(d, p).charpoly()
-    factors = characteristic.numer().factor()[1]
+    growth = simple_growth(transfer_matrix(d, p).charpoly())
+    if growth is None:
+        raise ArithmeticError("the mean-square growth of a stable mask is a simple eigenvalue")
+    return growth
+
+
+def simple_growth(annihilator: fmpq_poly) -> Growth | None:
+    """The largest real zero of a polynomial, all of whose zeros lie in the disc up to it; None where it is multiple."""
+    factors = annihilator.numer().factor()[1]
     top, root = _largest_real_root([f for f, _ in factors])
     f, multiplicity = factors[top]
     if multiplicity > 1:
-        raise ArithmeticError("the mean-square growth of a stable mask is a simple eigenvalue")
-    cofactor = characteristic / fmpq_poly(f) * f.leading_coefficient()
+        return None
+    cofactor = annihilator / fmpq_poly(f) * f.leading_coefficient()
     return Growth(root, cofactor, *_enclosure(root, f, cofactor))
 
 

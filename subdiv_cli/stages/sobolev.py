@@ -26,7 +26,6 @@ from flint import arb, ctx
 
 from subdiv_cli.exact.closed import exponent, readable
 from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import certain, number
 from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Root
 from subdiv_cli.model.closed import spelled
@@ -55,28 +54,17 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         "polynomial": root.coefficients,
         "low": growth.low,
         "high": growth.high,
-        "cofactor": _coefficients(growth),
+        "cofactor": growth.cofactor_coefficients(),
     }
     rational = growth.radius.rational
     shown = (readable(exact) if rational is not None else None) or certain(lambda: _exponent(growth, p))
-    size = certain(lambda: _ball(growth)) if rational is None else number(rational)
+    size = certain(growth.ball) if rational is None else number(rational)
     statement = f"s = {shown}: the transfer matrix of {last_difference(numbers)} has the spectral radius {size}"
     return (RULE.proved(statement, witness, _value(growth, p, exact), exact),)
 
 
-def _coefficients(growth: Growth) -> tuple[Fraction, ...]:
-    """Those of the cofactor, lowest power first."""
-    c = Laurent(0, growth.cofactor)
-    return (Fraction(0),) * c.low + c.coefficients()
-
-
-def _ball(growth: Growth) -> arb:
-    """Around λ."""
-    return ball(growth.low).union(ball(growth.high))
-
-
 def _exponent(growth: Growth, p: int) -> arb:
-    return -_ball(growth).log() / ball(p).log() / 2
+    return -growth.ball().log() / ball(p).log() / 2
 
 
 def _value(growth: Growth, p: int, exact: ClosedForm) -> Interval:

@@ -9,7 +9,7 @@ import functools
 import itertools
 import json
 from fractions import Fraction
-from math import comb, lcm, prod
+from math import comb, factorial, lcm, prod
 
 from hand_made import claim, q
 
@@ -19,6 +19,8 @@ from subdiv_cli.pipeline import joint_spectral_radius
 WORK = 1_000_000
 TWO = [[2, 0], [0, 2]]
 QUINCUNX = [[1, 1], [1, -1]]
+QUINCUNX_GROWTH = ("33/100", "17/50")
+"""Around the largest zero of the whole polynomial."""
 
 
 def product(*factors):
@@ -261,6 +263,56 @@ def norm(quotient, p, level):
     return max(classes.values())
 
 
+def correlation(name):
+    """b(z) = a(z) a(1/z)."""
+    terms = MASKS[name][1]
+    return product(terms, {tuple(-i for i in x): v for x, v in terms.items()})
+
+
+def mean_square_step(name, v):
+    """(G v)(α) = (1/m) Σ_β b(Mα-β) v(β)."""
+    matrix = MASKS[name][0]
+    image = transition(matrix, correlation(name), (0,) * len(matrix), v)
+    return {x: value / len(representatives(matrix)) for x, value in image.items()}
+
+
+def laplacian_power(s, k):
+    """w, as a sum over all |μ| = k of the autocorrelations of ∇^μ δ with multinomial weights."""
+    total = {}
+    for mu in monomials(s, k):
+        weight = Fraction(factorial(k), prod(map(factorial, mu)))
+        d = difference(mu)
+        for x, value in product(d, {tuple(-i for i in x): v for x, v in d.items()}).items():
+            total[x] = total.get(x, 0) + weight * value
+    return {x: value for x, value in total.items() if value}
+
+
+@functools.cache
+def annihilator(name, k):
+    """The monic polynomial f of the least degree with f(G) w = 0, the constant first."""
+    vectors = [laplacian_power(len(MASKS[name][0]), k)]
+    while True:
+        window = sorted({x for v in vectors for x in v})
+        basis, _ = null_space([[v.get(x, Fraction(0)) for v in vectors] for x in window])
+        if basis:
+            return [Fraction(c, basis[0][-1]) for c in basis[0]]
+        vectors.append(mean_square_step(name, vectors[-1]))
+
+
+def divided(f, g):
+    """f / g, the constants first."""
+    f, found = list(f), []
+    while len(f) >= len(g):
+        found.append(f[-1] / g[-1])
+        f = [x - found[-1] * y for x, y in zip(f, [0] * (len(f) - len(g)) + g, strict=True)][:-1]
+    assert not any(f)
+    return found[::-1]
+
+
+def polynomial(coefficients):
+    return {"start": 0, "coefficients": [q(Fraction(c)) for c in coefficients]}
+
+
 class _Book:
     """Claims in the order they are made; `add` returns the number of a claim."""
 
@@ -284,6 +336,14 @@ class _Book:
         more, number = radius(self.name, k, len(self.claims))
         self.claims += more
         return family, number
+
+    def sobolev(self, k, f, low, high, stable=None):
+        """By the zero of f in [low, high]; from below where no claim on stability is given."""
+        uses = [1] if stable is None else [1, stable]
+        cofactor = polynomial(divided(annihilator(self.name, k), [Fraction(c) for c in f]))
+        fields = {"polynomial": polynomial(f), "low": low, "high": high}
+        name = "sobolev-lower" if stable is None else "sobolev"
+        self.add("surface-sobolev", uses, {"cofactor": cofactor}, property=name, **fields)
 
     def box(self, directions, power, shift, scale=2):
         directions = [list(x) for x in sorted(directions)]
@@ -309,10 +369,14 @@ def bilinear():
     book.add("holder-upper", [root, family, 1, stable], length=1, bound="1/2")
     exact = {"length": 1, "polynomial": ["-1", "2"], "low": "1/2", "high": "1/2"}
     book.add("holder-root", [root, family, 1, stable], **exact)
+    book.add("reproduction", [1], degree=1)
+    book.sobolev(2, [-1, 8], "1/8", "1/8", stable)
+    book.sobolev(2, [-1, 8], "1/8", "1/8")
     spline = book.box([(1, 0), (1, 0), (0, 1), (0, 1)], 1, (-1, -1))
     book.add("box-smooth", [spline], property="smooth", order=0)
     book.add("box-not-smooth", [spline], property="not-smooth", order=1)
     book.add("box-holder", [spline], property="holder-value", value=1)
+    book.add("box-sobolev", [spline], property="sobolev-value", value="3/2")
     book.add("box-stable", [spline], property="stable", holds=True)
     factors = [
         book.add(
@@ -338,12 +402,16 @@ def courant():
 
 
 def zwart_powell():
-    """C^1, α = 2, not stable."""
+    """C^1, α = 2, s = 5/2, not stable: differences see s >= 2. Of cubics it generates lines only."""
     book = _Book("zwart_powell")
+    book.structure(2)
+    book.add("reproduction", [1], degree=1)
+    book.sobolev(2, [-1, 16], "1/16", "1/16")
     spline = book.box([(1, 0), (0, 1), (1, 1), (1, -1)], 1, (0, 0))
     book.add("box-smooth", [spline], property="smooth", order=1)
     book.add("box-not-smooth", [spline], property="not-smooth", order=2)
     book.add("box-holder", [spline], property="holder-value", value=2)
+    book.add("box-sobolev", [spline], property="sobolev-value", value="5/2")
     book.add("box-stable", [spline], property="stable", holds=False)
     return book.document()
 
@@ -360,15 +428,18 @@ def quincunx():
     book.add("not-smooth", [stable, root, family], order=1)
     book.add("holder-lower", [root, family], length=said["length"], bound=said["high"])
     book.add("holder-upper", [root, family, 1, stable], length=said["length"], bound=said["low"])
+    book.add("reproduction", [1], degree=1)
+    book.sobolev(2, annihilator("quincunx", 2), *QUINCUNX_GROWTH, stable)
     exact = {key: said[key] for key in ("length", "polynomial", "low", "high")}
     book.add("holder-root", [root, family, 1, stable], **exact)
     return book.document()
 
 
 def four_eight():
-    """α = 5 as a box spline of the quincunx dilation, of which differences see 4."""
+    """α = 5 as a box spline of the quincunx dilation, of which differences see 4. It generates cubics."""
     book = _Book("four_eight")
     book.structure(4)
+    book.add("reproduction", [1], degree=1)
     family, root = book.radius(4)
     book.add("smooth", [root, family], order=3)
     book.add("holder-lower", [root, family], length=1, bound="1/4")
@@ -376,6 +447,7 @@ def four_eight():
     book.add("box-smooth", [spline], property="smooth", order=4)
     book.add("box-not-smooth", [spline], property="not-smooth", order=5)
     book.add("box-holder", [spline], property="holder-value", value=5)
+    book.add("box-sobolev", [spline], property="sobolev-value", value="11/2")
     book.add("box-stable", [spline], property="stable", holds=False)
     return book.document()
 
@@ -399,6 +471,8 @@ def butterfly():
     converges = book.add("directional-converges", [0, *factors], property="convergent", holds=True)
     stable = book.add("interpolatory-stable", [converges], property="stable", holds=True)
     book.add("not-smooth", [stable, 1], order=4)
+    book.add("reproduction", [1], degree=3)
+    book.sobolev(4, [-1, -40, 2048], "339/10000", "17/500", stable)
     return book.document()
 
 
@@ -430,6 +504,7 @@ def trilinear():
     axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
     spline = book.box(2 * axes, 1, (-1, -1, -1))
     book.add("box-holder", [spline], property="holder-value", value=1)
+    book.add("box-sobolev", [spline], property="sobolev-value", value="3/2")
     book.add("box-stable", [spline], property="stable", holds=True)
     factors = [
         book.add(

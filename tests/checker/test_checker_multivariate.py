@@ -2,12 +2,13 @@
 
 import copy
 import json
+from fractions import Fraction
 from pathlib import Path
 
 import jsonschema
 import pytest
 from hand_made import claim, q
-from hand_made_surfaces import ALL_SURFACES, MASKS, WORK, differences, document, norm, quotient
+from hand_made_surfaces import ALL_SURFACES, MASKS, WORK, annihilator, differences, divided, document, norm, quotient
 
 import subdiv_cli
 from subdiv_cli.checker import check_document, check_text
@@ -52,11 +53,17 @@ def test_every_rule_is_there():
 
 def test_the_line_reads_well():
     made = copy.deepcopy(MADE["four_eight"])
-    made["goal"] = made["goal"][-5:]
+    made["goal"] = made["goal"][-6:]
     assert check_document(made).line == (
         "VERIFIED φ is the box spline of (0, 1) 2 times, (1, -1) 2 times, (1, 0) 2 times, (1, 1) 2 times; φ is C^4; "
-        "φ is not C^5; α = 5; φ is not stable"
+        "φ is not C^5; α = 5; s = 11/2; φ is not stable"
     )
+    made = copy.deepcopy(MADE["zwart_powell"])
+    made["goal"] = made["goal"][2:5]
+    assert check_document(made).line == "VERIFIED generation degree 1; reproduction degree 1; s >= 2"
+    made = copy.deepcopy(MADE["butterfly"])
+    made["goal"] = made["goal"][-1:]
+    assert check_document(made).line == "VERIFIED s = -log_2(λ)/2, λ the zero of a polynomial"
     made = copy.deepcopy(MADE["quincunx"])
     made["goal"] = made["goal"][-1:]
     assert check_document(made).line.startswith("VERIFIED α = -log_2(the root of 16x^2 - 12x + 1 in [")
@@ -64,6 +71,11 @@ def test_the_line_reads_well():
 
 witness = lambda *path: set_in("witness", *path)  # noqa: E731
 said = lambda key, value: set_in("statement", key, value)  # noqa: E731
+
+
+def line(*coefficients):
+    return {"start": 0, "coefficients": list(coefficients)}
+
 
 FORGED = [
     ("flat", "coset-sums", said("holds", True), "not all 1"),
@@ -75,6 +87,28 @@ FORGED = [
     ("butterfly", "total-sum-rules", said("order", 10_000), "more work"),
     ("bilinear", "generation", said("degree", 2), "of order 2"),
     ("flat", "generation", said("degree", 0), "of order 0"),
+    ("bilinear", "reproduction", said("degree", 0), "a higher degree"),
+    ("bilinear", "reproduction", said("degree", 2), "of order 2"),
+    ("bilinear", "reproduction", said("degree", -1), "of order 2"),
+    ("four_eight", "reproduction", said("degree", 2), "degree 2 are not reproduced"),
+    ("four_eight", "reproduction", said("degree", 0), "a higher degree"),
+    ("four_eight", "reproduction", set_in("work", 9), "more work"),
+    ("butterfly", "reproduction", said("degree", 2), "a higher degree"),
+    ("bilinear", "surface-sobolev", said("high", "1/9"), "not one of positive numbers"),
+    ("bilinear", "surface-sobolev", said("low", "0"), "not one of positive numbers"),
+    ("bilinear", "surface-sobolev", said("low", "1/7"), "not one of positive numbers"),
+    ("bilinear", "surface-sobolev", said("low", "1/100"), "the cofactor is not seen to be positive"),
+    ("bilinear", "surface-sobolev", said("polynomial", line("-1", "16")), "no change of sign"),
+    ("bilinear", "surface-sobolev", said("polynomial", line("1", "-8")), "not seen to increase"),
+    ("bilinear", "surface-sobolev", said("polynomial", line("1")), "is constant"),
+    ("bilinear", "surface-sobolev", witness("cofactor", line("1")), "do not annihilate"),
+    ("bilinear", "surface-sobolev", witness("cofactor", {"start": 0, "coefficients": []}), "the cofactor"),
+    ("bilinear", "surface-sobolev", witness("cofactor", {"start": 200, "coefficients": ["1"]}), "of degree 201"),
+    ("bilinear", "surface-sobolev", lambda c: c["uses"].pop(), "does not use a claim on stable"),
+    ("bilinear", "surface-sobolev", lambda c: c["uses"].pop(0), "not total-sum-rules"),
+    ("zwart_powell", "surface-sobolev", said("property", "sobolev"), "does not use a claim on stable"),
+    ("bilinear", "surface-sobolev", said("property", "sobolev-lower"), "claims that it does not need"),
+    ("bilinear", "surface-sobolev", set_in("work", 100), "more work"),
     ("bilinear", "differences", said("order", 3), "of order 2"),
     ("bilinear", "differences", said("order", 0), "of order 2"),
     ("bilinear", "differences", said("order", 1), "as many generators"),
@@ -132,6 +166,8 @@ FORGED = [
     ("zwart_powell", "box-smooth", said("order", 2), "d = 3"),
     ("zwart_powell", "box-not-smooth", said("order", 1), "d = 3"),
     ("zwart_powell", "box-holder", said("value", 3), "d = 3"),
+    ("zwart_powell", "box-sobolev", said("value", "2"), "d = 3"),
+    ("zwart_powell", "box-sobolev", said("value", "3"), "d = 3"),
     ("zwart_powell", "box-stable", said("holds", True), "not unimodular"),
     ("bilinear", "box-stable", said("holds", False), "unimodular"),
     ("bilinear", "directional-norm", said("norm", "1/3"), "the norm is another"),
@@ -357,6 +393,37 @@ def test_an_interpolatory_mask_interpolates(name, words):
     assert check_document(of(name, *claims)).verified
     made = of(name, *claims, claim("interpolatory-stable", [3], property="stable", holds=True))
     rejected(made, 4, words)
+
+
+def test_a_smaller_growth_than_the_largest_is_not_that_of_the_mean_squares():
+    """Of the bilinear B-spline 1/16 and 1/32 are zeros of the polynomial as well: they would give s = 2 and 5/2."""
+    for zero in (16, 32):
+        made = copy.deepcopy(MADE["bilinear"])
+        number = next(i for i, c in enumerate(made["claims"]) if c["rule"] == "surface-sobolev")
+        f = [Fraction(-1), Fraction(zero)]
+        cofactor = [q(c) for c in divided(annihilator("bilinear", 2), f)]
+        made["claims"][number]["witness"]["cofactor"] = line(*cofactor)
+        at = q(Fraction(1, zero))
+        made["claims"][number]["statement"] |= {"polynomial": line("-1", str(zero)), "low": at, "high": at}
+        rejected(made, number, "the cofactor is not seen to be positive")
+
+
+def test_a_zero_that_is_no_pole():
+    """(z - 1) f annihilates too."""
+    made = copy.deepcopy(MADE["bilinear"])
+    number = next(i for i, c in enumerate(made["claims"]) if c["rule"] == "surface-sobolev")
+    made["claims"][number]["witness"]["cofactor"] = line(*map(q, annihilator("bilinear", 2)))
+    made["claims"][number]["statement"] |= {"polynomial": line("-1", "1"), "low": "1", "high": "1"}
+    rejected(made, number, "poles for all its zeros")
+
+
+def test_the_exponent_in_the_mean_needs_an_isotropic_dilation_and_sum_rules():
+    found = {"cofactor": line("1")}
+    said = {"property": "sobolev-lower", "polynomial": line("-1", "8"), "low": "1/8", "high": "1/8"}
+    made = of("anisotropic", *structure(2), claim("surface-sobolev", [1], found, WORK, **said))
+    rejected(made, 2, "not seen to be isotropic")
+    made = of("flat", *structure(0), claim("surface-sobolev", [1], found, WORK, **said))
+    rejected(made, 2, "the sum rules are of order 0")
 
 
 def spline(directions, power=1, shift=(0, 0), scale=2):

@@ -30,23 +30,26 @@ class Facts(NamedTuple):
     alpha: float
     smooth: int
     stable: bool
+    s: float
+    """The Sobolev exponent."""
+    reproduction: int
     directions: list[list[int]] | None = None
 
 
 GOLDEN = (1 + math.sqrt(5)) / 2
 FACTS = {
-    "bilinear": Facts(2, True, 1, 0, True, [[0, 1], [0, 1], [1, 0], [1, 0]]),
-    "courant": Facts(2, True, 1, 0, True, [[0, 1], [1, 0], [1, 1]]),
-    "zwart_powell": Facts(2, None, 2, 1, False, [[0, 1], [1, -1], [1, 0], [1, 1]]),
-    "quincunx": Facts(2, True, 2 - 2 * math.log2(GOLDEN), 0, True),
+    "bilinear": Facts(2, True, 1, 0, True, 1.5, 1, [[0, 1], [0, 1], [1, 0], [1, 0]]),
+    "courant": Facts(2, True, 1, 0, True, 1.5, 1, [[0, 1], [1, 0], [1, 1]]),
+    "zwart_powell": Facts(2, None, 2, 1, False, 2.5, 1, [[0, 1], [1, -1], [1, 0], [1, 1]]),
+    "quincunx": Facts(2, True, 2 - 2 * math.log2(GOLDEN), 0, True, 1.5776445337925926, 1),
     "four_eight": Facts(
-        4, None, 5, 4, False, [[0, 1], [0, 1], [1, -1], [1, -1], [1, 0], [1, 0], [1, 1], [1, 1]]
+        4, None, 5, 4, False, 5.5, 1, [[0, 1], [0, 1], [1, -1], [1, -1], [1, 0], [1, 0], [1, 1], [1, 1]]
     ),
-    "butterfly": Facts(4, True, 2, 1, True),
-    "haar": Facts(1, False, 0, -1, True, [[0, 1], [1, 0]]),
-    "flat": Facts(0, False, math.nan, -1, False),
+    "butterfly": Facts(4, True, 2, 1, True, 2.4407654450703506, 3),
+    "haar": Facts(1, False, 0, -1, True, 0.5, 0, [[0, 1], [1, 0]]),
+    "flat": Facts(0, False, math.nan, -1, False, math.nan, -1),
     "trilinear": Facts(
-        2, True, 1, 0, True, [[0, 0, 1], [0, 0, 1], [0, 1, 0], [0, 1, 0], [1, 0, 0], [1, 0, 0]]
+        2, True, 1, 0, True, 1.5, 1, [[0, 0, 1], [0, 0, 1], [0, 1, 0], [0, 1, 0], [1, 0, 0], [1, 0, 0]]
     ),
 }  # fmt: skip
 MADE = {name: make() for name, make in ALL_SURFACES.items()}
@@ -65,6 +68,12 @@ def is_true(s, name):
         (zero,) = (z.real for z in zeros if abs(z.imag) < 1e-12 and low - 1e-12 <= z.real <= high + 1e-12)
         return abs(-math.log(zero, scale) / s["length"] - facts.alpha) < 1e-9
 
+    def sobolev():
+        zeros = np.roots([float(Fraction(c)) for c in s["polynomial"]["coefficients"][::-1]])
+        low, high = float(Fraction(s["low"])), float(Fraction(s["high"]))
+        (zero,) = (z.real for z in zeros if abs(z.imag) < 1e-12 and low - 1e-12 <= z.real <= high + 1e-12)
+        return -math.log(zero, scale) / 2
+
     def directional():
         return norm(quotient(name, *s["direction"]), 2, s["level"]) == Fraction(s["norm"])
 
@@ -80,6 +89,10 @@ def is_true(s, name):
         "holder-upper": lambda: exponent() >= facts.alpha - 1e-9,
         "holder-root": root,
         "holder-value": lambda: s["value"] == facts.alpha,
+        "sobolev": lambda: abs(sobolev() - facts.s) < 1e-9,
+        "sobolev-lower": lambda: sobolev() <= facts.s + 1e-9,
+        "sobolev-value": lambda: Fraction(s["value"]) == facts.s,
+        "reproduction": lambda: s["degree"] == facts.reproduction,
         "stable": lambda: s["holds"] == facts.stable,
         "box-spline": lambda: (s["directions"], s["scale"]) == (facts.directions, 2),
         "directional-norm": directional,
@@ -135,9 +148,9 @@ CHANGES = {
     "a little more": lambda x: x + Fraction(1, 10**6),
     "a little less": lambda x: x - Fraction(1, 10**6),
 }
-FREE = {"work", "uses", "order", "low", "high", "bound", "cosets"}
+FREE = {"work", "uses", "order", "low", "high", "bound", "cosets", "polynomial", "cofactor"}
 """What may be another in some claim: more work, another claim of the same statement, a weaker statement, another
-representative of a coset whose operator is zero.
+representative of a coset whose operator is zero, a multiple of a polynomial.
 """
 
 

@@ -16,7 +16,9 @@ from subdiv_cli.stages.multivariate import (
     difference_radius,
     directional_norms,
     exponent,
+    reproduction,
     smoothness,
+    sobolev,
     stability,
     total_sum_rules,
 )
@@ -32,6 +34,8 @@ MULTIVARIATE: tuple[Stage, ...] = (
     stability.run,
     smoothness.run,
     exponent.run,
+    sobolev.run,
+    reproduction.run,
 )
 
 

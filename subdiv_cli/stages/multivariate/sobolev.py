@@ -1,0 +1,86 @@
+"""SD617: the Sobolev exponent of φ, s = sup {t : φ ∈ H^t}.
+
+Theorems. For isotropic M, λ = |det M|^(1/dimension), k >= 1 the order of the sum rules, and Λ the growth of the mean
+squares of the differences of order k (quantities/mean_squares.py): s >= -log_λ(Λ)/2, and for stable φ they are equal
+(Jia 1999; Han 2003). A smaller order than that of the sum rules would give too little where Λ = λ^-2k. Box splines
+(SD603): s = d - 1/2 exactly, whatever their stability. Always s - dimension/2 <= α <= s, α the Hölder exponent.
+Hypotheses: M isotropic, the order, that the mask is no box spline: checked; stability (SD616), for equality.
+
+Witness: `by`, SD603 and `value`; or SD602, the order of the differences, with `polynomial`, that of Λ, integers, lowest
+power first; `low` and `high`, which enclose Λ and no other zero of it; `cofactor`, which makes it annihilate the
+sequences; `window` and `pairs`, the sizes of the operator; `holds`, whether s is equal to the bound.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from flint import arb, ctx
+
+from subdiv_cli.exact.closed import closed_interval, readable
+from subdiv_cli.exact.enclosures import ball, interval
+from subdiv_cli.exact.text import certain, number
+from subdiv_cli.model import Data, Finding, Interval, Root, Verdict
+from subdiv_cli.quantities.mean_squares import MeanSquares
+from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.quantities.sobolev import Growth
+from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, surface_exponent, verdict_of
+from subdiv_cli.stages.stage import Rule
+
+RULE = Rule("SD617", "surface-sobolev", "Jia 1999; Han 2003; de Boor, Höllig & Riemenschneider 1993, chapter I")
+
+_QUESTION = "how regular is φ in L2?"
+
+
+def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    if numbers.box is not None:
+        return (_of_box_spline(numbers.box.depth),)
+    reason = None if numbers.lattice.is_isotropic else ANISOTROPIC
+    reason = reason if numbers.order else "no sum rule holds"
+    if reason is not None:
+        return (RULE.skipped(_QUESTION, reason),)
+    found = numbers.mean_squares
+    if found is None:
+        return (RULE.undecided(_QUESTION, "the operator on correlations is too large for this effort"),)
+    if found.growth is None:
+        return (RULE.undecided(_QUESTION, "the growth of the mean squares is a multiple zero of its polynomial"),)
+    stable = verdict_of(facts, "SD616")
+    return (_found(numbers, found, found.growth, stable is not None and stable.verdict is Verdict.PROVED),)
+
+
+def _of_box_spline(depth: int) -> Finding:
+    s = depth - Fraction(1, 2)
+    statement = f"s = {s}: {depth} directions must go until the others do not span"
+    return RULE.proved(statement, {"by": "SD603", "value": s}, interval(s), s)
+
+
+def _found(numbers: MultivariateNumbers, found: MeanSquares, growth: Growth, stable: bool) -> Finding:
+    m, dimension, k = numbers.lattice.index, numbers.dimension, numbers.order
+    root = Root(tuple(int(c) for c in growth.radius.minimal_polynomial), growth.low, growth.high)
+    witness: dict[str, Data] = {
+        "by": "SD602",
+        "polynomial": root.coefficients,
+        "low": growth.low,
+        "high": growth.high,
+        "cofactor": growth.cofactor_coefficients(),
+        "window": found.window,
+        "pairs": found.pairs,
+        "holds": stable,
+    }
+
+    def exponent() -> arb:
+        return -growth.ball().log() * dimension / ball(m).log() / 2
+
+    closed = surface_exponent(m, dimension, 2, root)
+    rational = growth.radius.rational
+    shown = (readable(closed) if closed is not None and rational is not None else None) or certain(exponent)
+    size = certain(growth.ball) if rational is None else number(rational)
+    if closed is not None:
+        value = closed_interval(closed)
+    else:
+        with ctx.workprec(128):
+            value = interval(exponent())
+    why = f"the mean squares of differences of order {k} grow like Λ^L, Λ = {size}"
+    if stable:
+        return RULE.proved(f"s = {shown}: φ is stable, and {why}", witness, value, closed)
+    return RULE.proved(f"s ≥ {shown}: {why}", witness, Interval(lower=value.lower))
