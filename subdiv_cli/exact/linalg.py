@@ -41,10 +41,14 @@ def nullspace(a: fmpq_mat) -> tuple[Vector, ...]:
 
 
 def reduced(rows: fmpq_mat) -> fmpq_mat:
-    """Independent rows replaced by short integer ones with the same span (Lenstra, Lenstra & Lovász 1982)."""
-    echelon = rows.rref()[0].table()
-    scaled = [fmpq_mat([row]).numer_denom()[0].tolist()[0] for row in echelon]
-    return fmpq_mat(fmpz_mat(scaled).lll())
+    """Independent rows replaced by a short basis of the integer vectors that they span over Q.
+
+    With H the Hermite normal form of the transpose, whose columns are a lattice's, H^(-T) times the rows spans all of
+    them; then lattice reduction (Lenstra, Lenstra & Lovász 1982).
+    """
+    scaled = fmpz_mat([fmpq_mat([row]).numer_denom()[0].tolist()[0] for row in rows.rref()[0].tolist()])
+    triangle = fmpz_mat(scaled.transpose().hnf().tolist()[: rows.nrows()])
+    return fmpq_mat((fmpq_mat(triangle.transpose()).inv() * scaled).numer_denom()[0].lll())
 
 
 def eigenvectors(a: fmpq_mat, eigenvalue: Fraction | int) -> tuple[Vector, ...]:

@@ -18,12 +18,12 @@ from flint import ctx
 from subdiv_cli.exact.enclosures import bounds
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.arrays import Numbers
+from subdiv_cli.jsr.balance import scales
 from subdiv_cli.jsr.body import Body, Start
 from subdiv_cli.jsr.closing import close
 from subdiv_cli.jsr.enclosing import Bound, by_columns, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
-from subdiv_cli.jsr.measure import gauge
 from subdiv_cli.jsr.polytope import Grown, grow
 from subdiv_cli.jsr.reduce import Blocks, decomposed
 from subdiv_cli.jsr.result import Radius, root_data
@@ -137,28 +137,13 @@ class _Attempt:
             monotone=self.monotone,
         )
 
-    def _balanced(self, starts: list[Start]) -> list[Start]:
-        """Leaders scaled so that none lies inside what grows from another (Guglielmi & Protasov 2013, section 3).
-
-        t x is left outside the hull P that grows from the first one, y, and y outside tQ, where Q grows from x, for
-        1/gauge_P(x) <= t <= gauge_Q(y): the geometric mean.
-        """
+    def _balanced(self, starts: Sequence[Start]) -> list[Start]:
         assert self.leaders is not None
-        scaled, each = [starts[0]], [self.leaders.each[0]]
-        for start, leader in zip(starts[1:], self.leaders.each[1:], strict=True):
-            forward = self._gauge_of(start.vector, starts[0])
-            backward = self._gauge_of(starts[0].vector, start)
-            factor = Fraction(round(64 * (backward / forward) ** 0.5), 64) if forward and backward else Fraction(1)
-            factor = factor or Fraction(1, 64)
-            scaled.append(start._replace(vector=start.vector * float(factor)))
-            each.append(leader._replace(scale=leader.scale * factor))
-        self.leaders = self.leaders._replace(each=tuple(each))
-        return scaled
-
-    def _gauge_of(self, vector: Numbers, start: Start) -> float:
-        body = self._body([start], self.sigma)
-        grown = grow(body, Effort(min(200, self.effort.work)))
-        return gauge(grown.body, vector)
+        factors = scales(starts, lambda start: self._body([start], self.sigma), self.effort)
+        pairs = zip(self.leaders.each, factors, strict=True)
+        each = tuple(leader._replace(scale=leader.scale * factor) for leader, factor in pairs)
+        self.leaders = self.leaders._replace(each=each)
+        return [start._replace(vector=start.vector * float(x)) for start, x in zip(starts, factors, strict=True)]
 
     def enclosed(self) -> Radius | None:
         """The best bound of a polytope that is not closed, or that is for matrices scaled down a little."""
