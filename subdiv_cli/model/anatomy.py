@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
@@ -34,6 +35,26 @@ class Curve(NamedTuple):
     values: tuple[Fraction, ...]
     order: int = 0
     """Of the derivative whose values these are."""
+
+
+class Surface(NamedTuple):
+    """Exact values of a function on a plane of R^s at the points U α, α ∈ Z^2; zero where there is none."""
+
+    unit: tuple[tuple[Fraction, ...], ...]
+    """The rows of U, the first two coordinates."""
+    values: Mapping[tuple[int, ...], Fraction]
+    at: tuple[Fraction, ...] = ()
+    """The other coordinates, those of the plane."""
+
+
+class Net(NamedTuple):
+    """Control points in space, one for each of some α ∈ Z^2; their neighbours are α ± e_1, α ± e_2."""
+
+    vertices: Mapping[tuple[int, ...], tuple[Fraction, ...]]
+    diagonal: tuple[int, int] | None = None
+    """(1, 1) or (1, -1): a neighbour as well, so the faces are triangles; None for quadrilaterals."""
+    turned: bool = False
+    """The refinement has turned Z^2 over."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

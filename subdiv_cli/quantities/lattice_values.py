@@ -26,8 +26,8 @@ Tail = Index
 """The coordinates of an index from the third on."""
 
 
-class TooLargeError(ValueError):
-    """More is asked for than is computed; the message says what."""
+class NoValuesError(ValueError):
+    """Values that are not computed, as there are too many or as they are not determined; the message says why."""
 
 
 def at_integers(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fraction]:
@@ -35,28 +35,28 @@ def at_integers(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fra
 
     Needs φ continuous with integral 1, proved, and Σ_α φ(· - α) = 1: so it is where the coset sums are 1 (its Fourier
     coefficients φ^(2πk), k ≠ 0, have a factor a(exp(-iω)) = 0), and for all box splines (a direction has ξ·k ≠ 0). That
-    there is only one v, which convergence implies, is checked: raises ArithmeticError where there are more.
-    Raises TooLargeError for a support that is too large.
+    there is only one v, which convergence implies, is checked. Raises NoValuesError where
+    there are more, and for a support that is too large.
     """
     window = integers_of_support(scheme, lattice)
     if len(window) > LARGEST_WINDOW:
-        raise TooLargeError(f"the support has {len(window)} integers; the limit is {LARGEST_WINDOW}")
+        raise NoValuesError(f"the support has {len(window)} integers; the limit is {LARGEST_WINDOW}")
     zero = (0,) * lattice.dimension
     found = eigenvectors(transition_matrix(scheme, lattice, zero, window), 1) if window else ()
     total = sum(found[0]) if len(found) == 1 else 0
     if not total:
-        raise ArithmeticError("the refinement equation alone does not determine φ at the integers")
+        raise NoValuesError("the refinement equation alone does not determine φ at the integers")
     return {alpha: x / total for alpha, x in zip(window, found[0], strict=True) if x}
 
 
 def integers_of_support(scheme: MultivariateScheme, lattice: Lattice) -> list[Index]:
     """The integers of K, and perhaps more: those in a box around it from which x -> Mx - γ leads on in it for ever.
 
-    x ∈ K is M^-1 (γ + y) with y ∈ K, and y = Mx - γ is an integer where x is. Raises TooLargeError.
+    x ∈ K is M^-1 (γ + y) with y ∈ K, and y = Mx - γ is an integer where x is. Raises NoValuesError.
     """
     sides = [range(ceil(low), floor(high) + 1) for low, high in support_box(scheme, lattice)]
     if prod(map(len, sides)) > _LARGEST_BOX:
-        raise TooLargeError("the support is too large")
+        raise NoValuesError("the support is too large")
     alive = set(product(*sides))
     while True:
         images = {alpha: lattice.image(alpha) for alpha in alive}
@@ -98,7 +98,7 @@ def at_fractions(
 ) -> dict[Index, Fraction]:
     """α -> φ(M^-level α), those that are not zero; with a `tail` only the α that end in it, M then being c I.
 
-    Raises TooLargeError beyond MOST_PRODUCTS.
+    Raises NoValuesError beyond MOST_PRODUCTS.
     """
     mask_denominator = lcm(*(x.denominator for x in scheme.terms.values()))
     mask = [(gamma, int(x * mask_denominator)) for gamma, x in scheme.terms.items()]
@@ -109,7 +109,7 @@ def at_fractions(
     for j in range(level):
         work += len(values) * len(mask)
         if work > MOST_PRODUCTS:
-            raise TooLargeError(f"level {level} has too many values; the limit is {MOST_PRODUCTS} products")
+            raise NoValuesError(f"there are too many values at level {level}")
         values = _refined(mask, values, None if wanted is None else wanted[j + 1])
         mask = [(lattice.image(gamma), a) for gamma, a in mask]
         denominator *= mask_denominator
