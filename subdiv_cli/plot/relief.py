@@ -12,28 +12,29 @@ Rows = tuple[tuple[float, ...], ...]
 
 
 class Relief(NamedTuple):
-    """Heights z over the points (x, y), all three rows by columns; neighbours in the arrays are so in the plane."""
+    """Heights over a rectangle."""
 
     title: str
-    x: Rows
-    y: Rows
+    x: tuple[float, ...]
+    y: tuple[float, ...]
     z: Rows
+    """A row for each y."""
 
 
 def relief(surface: Surface, title: str) -> Relief:
-    """All values that are not zero, and a ring of zeros around."""
+    """The values and zeros around; where their grid is not rectangular, those next to the points of one that is."""
+    across, up = surface.unit
+    if across[1] or up[0]:
+        side = max(round(len(surface.values) ** 0.5), 2)
+        raster, ((left, right), (low, high)) = sampled(surface, side, side)
+        middles = [(i + 0.5) / side for i in range(side)]
+        x = tuple(left + (right - left) * t for t in middles)
+        return Relief(title, x, tuple(low + (high - low) * t for t in middles), tuple(map(tuple, reversed(raster))))
     columns = list(zip(*surface.values, strict=True))
     first, second = (range(min(column) - 1, max(column) + 2) for column in columns)
-    across, up = surface.unit
-    x = tuple(tuple(float(across[0] * i + across[1] * j) for i in first) for j in second)
-    y = tuple(tuple(float(up[0] * i + up[1] * j) for i in first) for j in second)
+    first, second = (way[:: -1 if unit < 0 else 1] for way, unit in ((first, across[0]), (second, up[1])))
     z = tuple(tuple(float(surface.values.get((i, j), 0)) for i in first) for j in second)
-    return Relief(title, x, y, z)
-
-
-def extent(*sides: Rows) -> list[tuple[float, float]]:
-    """The smallest and the largest entry of each."""
-    return [(min(map(min, rows)), max(map(max, rows))) for rows in sides]
+    return Relief(title, tuple(float(across[0] * i) for i in first), tuple(float(up[1] * j) for j in second), z)
 
 
 def sampled(surface: Surface, columns: int, rows: int) -> tuple[list[list[float]], list[tuple[float, float]]]:

@@ -1,19 +1,22 @@
-"""Functions of two variables drawn by matplotlib: a shaded surface over its contours, or a map of contours."""
+"""Functions of two variables drawn by matplotlib: shaded surfaces, or maps of contours."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
+from math import ceil, floor, log10
 from typing import Any
 
 from subdiv_cli.plot.figure import saved
-from subdiv_cli.plot.relief import Relief, extent
+from subdiv_cli.plot.relief import Relief
 
 STYLES = ("surface", "contour")
-_BANDS = 12
+_BANDS = 20
 _MAP = "viridis"
-_VIEW = {"elev": 32, "azim": -58}
-_FLOOR = 0.55
-"""How far below the surface its contours lie, by its height."""
+_VIEW = {"elev": 34, "azim": -58}
+_SIZES = {"surface": (8, 6.4), "contour": (7, 5.6)}
+_HEIGHT = 0.6
+"""Of a surface, by the longer side of its support."""
 
 
 def reliefs(panels: Sequence[Relief], form: str, style: str) -> bytes:
@@ -26,31 +29,36 @@ def reliefs(panels: Sequence[Relief], form: str, style: str) -> bytes:
             else:
                 _contour(figure, figure.add_subplot(len(panels), 1, place), panel)
 
-    return saved(paint, (8, (6.4 if style == "surface" else 5.6) * len(panels)), form)
+    width, height = _SIZES[style]
+    return saved(paint, (width, height * len(panels)), form)
 
 
 def _surface(axes: Any, panel: Relief) -> None:
-    x, y, z = _arrays(panel)
-    (left, right), (front, back), (low, high) = extent(panel.x, panel.y, panel.z)
-    floor = low - _FLOOR * (high - low)
-    axes.contour(x, y, z, _levels(low, high), zdir="z", offset=floor, cmap=_MAP, linewidths=0.8)
-    axes.plot_surface(x, y, z, cmap=_MAP, rstride=1, cstride=1, linewidth=0, antialiased=False, rasterized=True)
-    axes.set_zlim(floor, high)
-    wide, deep = right - left, back - front
-    axes.set_box_aspect((wide, deep, 0.75 * max(wide, deep)))
+    """Lit from the left; an SVG or PDF has it as an image, as there are thousands of facets."""
+    import matplotlib as mpl
+    import numpy as np
+    from matplotlib.colors import LightSource
+
+    x, y, z = panel.x, panel.y, np.array(panel.z)
+    wide, deep = x[-1] - x[0], y[-1] - y[0]
+    tall = _HEIGHT * max(wide, deep)
+    steps = {"dx": x[1] - x[0], "dy": y[1] - y[0], "vert_exag": tall / np.ptp(z)}
+    colours = LightSource(azdeg=225, altdeg=45).shade(z, mpl.colormaps[_MAP], blend_mode="soft", **steps)
+    plain = {"linewidth": 0, "antialiased": False, "shade": False, "rasterized": True}
+    axes.plot_surface(*np.meshgrid(x, y), z, facecolors=colours, rstride=1, cstride=1, **plain)
+    axes.set_box_aspect((wide, deep, tall), zoom=1.05)
     axes.view_init(**_VIEW)
-    axes.set_zticks([tick for tick in axes.get_zticks() if low <= tick <= high])
     _named(axes, panel)
 
 
 def _contour(figure: Any, axes: Any, panel: Relief) -> None:
-    x, y, z = _arrays(panel)
-    _, _, (low, high) = extent(panel.x, panel.y, panel.z)
-    levels = _levels(low, high)
-    filled = axes.contourf(x, y, z, levels, cmap=_MAP, extend="both")
-    axes.contour(x, y, z, levels, colors="black", linewidths=0.4, alpha=0.6)
+    levels = _levels(min(map(min, panel.z)), max(map(max, panel.z)))
+    filled = axes.contourf(panel.x, panel.y, panel.z, levels, cmap=_MAP)
+    axes.contour(panel.x, panel.y, panel.z, levels, colors="black", linewidths=0.4, alpha=0.6)
     axes.set_aspect("equal")
-    figure.colorbar(filled, ax=axes)
+    bands = [(a + b) / 2 for a, b in pairwise(levels)]
+    zero = min(range(len(bands)), key=lambda i: abs(bands[i]))
+    figure.colorbar(filled, ax=axes, ticks=bands[zero % 2 :: 2])
     _named(axes, panel)
 
 
@@ -60,14 +68,8 @@ def _named(axes: Any, panel: Relief) -> None:
     axes.set_ylabel("y")
 
 
-def _arrays(panel: Relief) -> tuple[Any, Any, Any]:
-    import numpy as np
-
-    return np.array(panel.x), np.array(panel.y), np.array(panel.z)
-
-
 def _levels(low: float, high: float) -> list[float]:
-    """Inside the range, not its ends; zero is none of them, as φ is zero on all of the plane around."""
-    step = (high - low) / (_BANDS + 1)
-    levels = [low + step * i for i in range(1, _BANDS + 1)]
-    return [level for level in levels if abs(level) > step / 8]
+    """Odd multiples of half a round step: none is zero, which φ is on all of the plane around its support."""
+    unit = 10.0 ** floor(log10((high - low) / _BANDS))
+    step = next(unit * times for times in (1, 2, 2.5, 5, 10) if unit * times * _BANDS >= high - low)
+    return [(i + 0.5) * step for i in range(floor(low / step - 0.5), ceil(high / step + 0.5))]

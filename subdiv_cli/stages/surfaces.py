@@ -14,7 +14,7 @@ from subdiv_cli.quantities.nets import Vertices, diagonal, refined
 from subdiv_cli.schemes.lattice import Lattice
 from subdiv_cli.schemes.multivariate import Index, MultivariateScheme, multiple_of_identity
 
-MOST_POINTS = 20_000
+MOST_POINTS = 50_000
 """Of a surface, about."""
 
 
