@@ -90,3 +90,23 @@ class Anatomy:
     """Of approximation, with Q and without."""
     curve: Curve | None
     """φ, finely enough for a picture."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceAnatomy:
+    """A mask in several variables taken apart; None and empty where the scheme does not have the part."""
+
+    dilation: tuple[tuple[int, ...], ...]
+    terms: Mapping[tuple[int, ...], Fraction]
+    factors: Mapping[tuple[int, ...], int]
+    """θ -> how often 1 + z^θ + … + z^((c-1)θ) divides the symbol, the dilation being c I."""
+    quotient: Mapping[tuple[int, ...], Fraction]
+    """What is left of the symbol."""
+    differences: int | None
+    """The dimension of V_k, k the order of the sum rules."""
+    centre: tuple[Fraction, ...] | None
+    """∫ x φ(x) dx."""
+    values: Mapping[tuple[int, ...], Fraction]
+    """φ at the integers."""
+    surface: Surface | None
+    """φ, for a picture."""
