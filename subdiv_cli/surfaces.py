@@ -12,12 +12,18 @@ from subdiv_cli.model.judge import status
 from subdiv_cli.pipeline import Checked, judged, named, sobolev_exponent, verified
 from subdiv_cli.schemes.multivariate import MultivariateScheme
 from subdiv_cli.stages.figures import digits
-from subdiv_cli.stages.multivariate.analysis import analyse
+from subdiv_cli.stages.multivariate.analysis import Analysis, analyse
 
 
 def check_surface(scheme: MultivariateScheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:
     """As `pipeline.check`. Raises DisagreementError where the checker says no."""
-    analysis = analyse(scheme, effort)
+    return certified_surface(scheme, analyse(scheme, effort), expectations, effort)
+
+
+def certified_surface(
+    scheme: MultivariateScheme, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort
+) -> Checked:
+    """As `pipeline.certified`. Raises DisagreementError."""
     findings = analysis.findings
     written = surface_certificate(dict(canonical(scheme)), findings)
     if written is not None and not verified(written.document):

@@ -1,4 +1,4 @@
-"""`subdiv plot`: the refinable function and its derivatives, or curves of a control polygon."""
+"""`subdiv plot`: the refinable function and its derivatives, or curves of a control polygon; surfaces and nets."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from subdiv_cli.model import Effort, Result
     from subdiv_cli.plot.figure import Panel
     from subdiv_cli.plot.sampled import Line
+    from subdiv_cli.schemes.scalar import ScalarScheme
 
 _EPILOG = """\b
 Examples:
@@ -28,6 +29,9 @@ Examples:
   subdiv plot masks/scalar/four_point.toml --points polygon.csv --closed -o curve.svg
   subdiv plot masks/scalar/four_point.toml masks/scalar/six_point.toml --points polygon.csv
       -p w=.022 -p w=.04 -p theta=.002 -p theta=.014 -p theta=.02 -o figure.svg
+  subdiv plot masks/multivariate/loop.toml --as contour -o loop.svg
+  subdiv plot masks/multivariate/butterfly.toml -p w=1/16 -p w=1/32 -o butterfly.png
+  subdiv plot masks/multivariate/loop.toml -o net.obj --points net.csv --levels 4
 
 \b
 Exit codes:
@@ -48,7 +52,17 @@ _DERIVATIVES = 4
 @click.argument("files", nargs=-1, type=click.Path(), metavar="[FILE | -]...")
 @single.options
 @click.option(
-    "-o", "--output", metavar="FILE", type=click.Path(), help="Write an .svg, .png or .pdf.  [default: draw here]"
+    "-o",
+    "--output",
+    metavar="FILE",
+    type=click.Path(),
+    help="Write an .svg, .png or .pdf, or a net as .obj.  [default: draw here]",
+)
+@click.option(
+    "--as",
+    "style",
+    type=click.Choice(["surface", "contour"]),
+    help="How a function of two variables is drawn into a file.  [default: surface]",
 )
 @click.option(
     "--derivatives",
@@ -61,7 +75,7 @@ _DERIVATIVES = 4
     "polygon",
     metavar="FILE.csv",
     type=click.Path(),
-    help="Draw the limit of this control polygon: a point x,y in a line.",
+    help="Draw the limit of this control polygon: a point x,y in a line. Of an .obj the net: i,j,x,y,z.",
 )
 @click.option(
     "--closed/--open", "closed", default=None, help="Whether the polygon is closed.  [default: if its ends meet]"
@@ -69,14 +83,10 @@ _DERIVATIVES = 4
 @click.option(
     "--levels",
     type=click.IntRange(0, _MOST_LEVELS),
-    default=0,
-    show_default=True,
     metavar="K",
-    help="Draw the control polygons up to level K too.",
+    help="Draw the control polygons up to level K too. Of an .obj: refine K times.  [default: 0; of an .obj 3]",
 )
-@click.option(
-    "--samples", type=WholeType(), default=_POINTS, show_default=True, metavar="N", help="Points of a curve, at least."
-)
+@click.option("--samples", type=WholeType(), metavar="N", help=f"Points of a curve, at least.  [default: {_POINTS}]")
 @click.option("--debug", is_flag=True, help="Show the traceback of an internal error.")
 def command(
     files: tuple[str, ...],
@@ -86,45 +96,78 @@ def command(
     arity: int | None,
     effort: int,
     output: str | None,
+    style: str | None,
     derivatives: int | None,
     polygon: str | None,
     closed: bool | None,
-    levels: int,
-    samples: int,
+    levels: int | None,
+    samples: int | None,
     debug: bool,
 ) -> ExitCode:
     """Draw the refinable function and its derivatives, as far as they are proved continuous.
 
     With --points the limit curve of a control polygon. All values are exact, at points i/p^m. A parameter with several
     values, and several masks, give a curve each.
+
+    Of a mask in two variables a surface, in more a slice of it through the centre. Into an .obj goes a net: the graph
+    of the function, or with --points a control net, refined as far as it is determined.
     """
-    _usage(output, polygon, closed, levels, derivatives)
+    _writable(output)
     family = single.read_family(single.Named("plot", files, mask, start, arity, parameters))
     from subdiv_cli.model import Effort
 
+    kinds = {one.mask.kind for one in family}
+    if len(kinds) > 1:
+        raise click.UsageError("masks in one variable and in several are not drawn into one picture")
+    if kinds == {"multivariate"}:
+        from subdiv_cli.cli import plot_surfaces
+
+        for name, value in (("--derivatives", derivatives), ("--closed, --open", closed), ("--samples", samples)):
+            if value is not None:
+                raise click.UsageError(f"{name} belongs to curves, those of masks in one variable")
+        asked = plot_surfaces.Asked(output, style, polygon, levels)
+        return plot_surfaces.plot(family, asked, Effort(effort), _nothing)
+    _usage(output, style, polygon, closed, levels, derivatives)
     panels: list[Panel] | ExitCode
+    points = min(samples or _POINTS, 10_000)
     if polygon is None:
-        panels = _functions(family, Effort(effort), min(samples, 10_000), derivatives)
+        panels = _functions(family, Effort(effort), points, derivatives)
     else:
-        panels = _curves(family, Effort(effort), min(samples, 10_000), _points(polygon), closed, levels)
+        panels = _curves(family, Effort(effort), points, _points(polygon), closed, levels or 0)
     if isinstance(panels, ExitCode):
         return panels
     return _terminal(panels) if output is None else _file(panels, output)
 
 
-def _usage(output: str | None, polygon: str | None, closed: bool | None, levels: int, derivatives: int | None) -> None:
+def _writable(output: str | None) -> None:
+    from subdiv_cli.cli.plot_surfaces import OBJ
     from subdiv_cli.plot.figure import SUFFIXES
 
+    if output is None:
+        return
+    if PurePath(output).suffix.lower() not in (*SUFFIXES, OBJ):
+        raise click.BadParameter(f"{output!r} must end in {', '.join((*SUFFIXES, OBJ))}", param_hint="-o")
+    if (reason := why_not(output)) is not None:
+        raise click.BadParameter(f"{output!r} cannot be written: {reason}", param_hint="-o")
+
+
+def _usage(
+    output: str | None,
+    style: str | None,
+    polygon: str | None,
+    closed: bool | None,
+    levels: int | None,
+    derivatives: int | None,
+) -> None:
+    """For masks in one variable."""
+    if style is not None:
+        raise click.UsageError("--as belongs to surfaces, those of masks in several variables")
+    if output is not None and PurePath(output).suffix.lower() == ".obj":
+        raise click.UsageError("an .obj is the net of a mask in two variables")
     if polygon is None and (closed is not None or levels):
         raise click.UsageError("--closed, --open and --levels belong to --points")
     if polygon is not None and derivatives is not None:
         raise click.UsageError("--derivatives are those of the refinable function: leave out --points")
-    if output is None:
-        return
-    if PurePath(output).suffix.lower() not in SUFFIXES:
-        raise click.BadParameter(f"{output!r} must end in {', '.join(SUFFIXES)}", param_hint="-o")
-    if (reason := why_not(output)) is not None:
-        raise click.BadParameter(f"{output!r} cannot be written: {reason}", param_hint="-o")
 
 
 def _points(file: str) -> Points:
@@ -137,6 +180,13 @@ def _points(file: str) -> Points:
         single.complain(error.problems)
 
 
+def _scheme(one: single.One) -> ScalarScheme:
+    from subdiv_cli.schemes.scalar import ScalarScheme
+
+    assert isinstance(one.scheme, ScalarScheme)
+    return one.scheme
+
+
 def _functions(
     family: Sequence[single.One], effort: Effort, samples: int, derivatives: int | None
 ) -> list[Panel] | ExitCode:
@@ -147,15 +197,15 @@ def _functions(
 
     rows: list[list[Line]] = []
     for one in family:
-        result, curves, support = drawn(one.scheme, effort, samples)
-        label = _label(one, family)
+        result, curves, support = drawn(_scheme(one), effort, samples)
+        label = one.title(family)
         if not curves:
             return _nothing(one, result, ("SD302",), "φ is not proved continuous")
         for curve in curves[: (_DERIVATIVES if derivatives is None else derivatives) + 1]:
             if curve.order == len(rows):
                 rows.append([])
             rows[curve.order].append(graph(curve, label, support))
-    title = _label(family[0], []) if len(family) == 1 else "φ"
+    title = family[0].title() if len(family) == 1 else "φ"
     names = (("φ" + "'" * order if order < 4 else f"φ^({order})") for order in range(len(rows)))
     return [
         Panel(f"{name} — {title}" if title != "φ" else name, tuple(lines))
@@ -179,7 +229,7 @@ def _curves(
     for number, one in enumerate(family):
         try:
             result, curves, refined = traced(
-                one.scheme, effort, columns, samples, closed=closed, levels=0 if number else levels
+                _scheme(one), effort, columns, samples, closed=closed, levels=0 if number else levels
             )
         except TooFewPointsError as error:
             raise click.ClickException(f"{error}: give more, or --closed") from None
@@ -188,8 +238,8 @@ def _curves(
         for level, (x, y) in enumerate(refined, 1):
             lines.append(plane(f"level {level}", x, y, closed=closed, polygon=True))
         across, up = (curve.values for curve in curves)
-        lines.append(plane(_label(one, family), across, up, closed=False))
-    title = _label(family[0], []) if len(family) == 1 else "limit curves"
+        lines.append(plane(one.title(family), across, up, closed=False))
+    title = family[0].title() if len(family) == 1 else "limit curves"
     return [Panel(title, tuple(lines), plane=True)]
 
 
@@ -205,16 +255,6 @@ def _nothing(one: single.One, result: Result, codes: Sequence[str], undecided: s
     why = undecided if found is None else found.statement
     emit(f"{name}: nothing to draw, {why}\n", sys.stderr)
     return ExitCode.UNDECIDED if found is None else ExitCode.FAILED
-
-
-def _label(one: single.One, family: Sequence[single.One]) -> str:
-    """The name of the mask, and the parameters where several masks of the family have the same name."""
-    from subdiv_cli.report.numbers import exact
-
-    name = one.mask.name or one.mask.file
-    alike = sum(other.mask.file == one.mask.file for other in family)
-    given = f"{', '.join(f'{key} = {exact(value)}' for key, value in one.parameters.items())}"
-    return f"{name}, {given}" if given and (alike > 1 or not family) else name
 
 
 def _terminal(panels: Sequence[Panel]) -> ExitCode:
@@ -239,17 +279,6 @@ def _terminal(panels: Sequence[Panel]) -> ExitCode:
 
 
 def _file(panels: Sequence[Panel], output: str) -> ExitCode:
-    from subdiv_cli.catalog.files import write_whole
-    from subdiv_cli.plot.figure import INSTALL, MissingExtraError, picture
+    from subdiv_cli.plot.figure import picture
 
-    try:
-        content = picture(panels, PurePath(output).suffix.lower().lstrip("."))
-    except MissingExtraError:
-        emit(f"error: drawing into a file needs matplotlib, which is not installed: {INSTALL}\n", sys.stderr)
-        return ExitCode.ERROR
-    try:
-        write_whole(output, content)
-    except OSError as error:
-        emit(f"error: {output} cannot be written: {error.strerror or error}\n", sys.stderr)
-        return ExitCode.ERROR
-    return ExitCode.PASSED
+    return single.write_picture(output, lambda: picture(panels, PurePath(output).suffix.lower().lstrip(".")))

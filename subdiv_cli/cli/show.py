@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 import click
+from click.core import ParameterSource
 
 from subdiv_cli.cli import single
 from subdiv_cli.cli.exits import ExitCode
@@ -17,7 +18,9 @@ from subdiv_cli.report.look import Look
 from subdiv_cli.report.show import FORMATS, renderer
 
 if TYPE_CHECKING:
+    from subdiv_cli.model import Result
     from subdiv_cli.model.anatomy import Anatomy
+    from subdiv_cli.pipeline import Checked
 
 _EPILOG = """\b
 Examples:
@@ -25,6 +28,7 @@ Examples:
   subdiv show masks/scalar/four_point.toml -p w=1/20
   subdiv show --mask "[1, 4, 6, 4, 1]/8" --start -2 --tolerance 1e-6
   subdiv show masks/scalar/four_point.toml --format latex -o four_point.tex
+  subdiv show masks/multivariate/loop.toml
 
 \b
 Exit codes:
@@ -73,25 +77,20 @@ def command(
     """Take one mask apart.
 
     The symbol factored, polyphase components, derived schemes, refinement matrices and their spectra, the refinable
-    function and its values, limit stencils, polynomials and Q, error bounds. Every verdict is certified and checked,
-    as `check` does it.
+    function and its values, limit stencils, polynomials and Q, error bounds. Of a mask in several variables, as text or
+    json, the directional factors of its symbol, a stencil for each coset, the refinable function. Every verdict is
+    certified and checked, as `check` does it.
     """
     if output is not None and (reason := why_not(output)) is not None:
         raise click.BadParameter(f"{output!r} cannot be written: {reason}", param_hint="-o")
     files = () if file is None else (file,)
     one = single.read(single.Named("show", files, mask, start, arity, parameters))
-    from subdiv_cli.model import Effort
-    from subdiv_cli.portrait import portrait
-
-    checked, anatomy = portrait(one.scheme, tolerance, Effort(effort))
-    result = one.label(checked.result)
-    if certificate is not None and (text := checked.certificate_text()) is not None:
-        from dataclasses import replace
-
-        result = replace(result, certificate=_write_certificate(certificate, result.file, text))
     form = form or _by_suffix(output)
     look = look_of(sys.stdout) if output is None else Look()
-    page = renderer(form)(result, anatomy, _picture(anatomy, look), look)
+    several = one.mask.kind == "multivariate"
+    if several:
+        _check_surface_options(form)
+    page = (_surface_page if several else _page)(one, form, tolerance, effort, certificate, look)
     if output is not None:
         return _write(output, page)
     try:
@@ -100,6 +99,51 @@ def command(
         error.show()
         return ExitCode.ERROR
     return ExitCode.PASSED
+
+
+def _check_surface_options(form: str) -> None:
+    if form not in ("text", "json"):
+        raise click.UsageError("masks in several variables are shown as text or json")
+    if click.get_current_context().get_parameter_source("tolerance") is ParameterSource.COMMANDLINE:
+        raise click.UsageError("--tolerance belongs to curves, those of masks in one variable")
+
+
+def _page(one: single.One, form: str, tolerance: Fraction, effort: int, certificate: str | None, look: Look) -> str:
+    from subdiv_cli.model import Effort
+    from subdiv_cli.portrait import portrait
+    from subdiv_cli.schemes.scalar import ScalarScheme
+
+    assert isinstance(one.scheme, ScalarScheme)
+    checked, anatomy = portrait(one.scheme, tolerance, Effort(effort))
+    return renderer(form)(_labelled(one, checked, certificate), anatomy, _picture(anatomy, look), look)
+
+
+def _surface_page(
+    one: single.One, form: str, tolerance: Fraction, effort: int, certificate: str | None, look: Look
+) -> str:
+    from subdiv_cli.model import Effort
+    from subdiv_cli.plot.heights import draw_heights
+    from subdiv_cli.relief import surface_portrait
+    from subdiv_cli.report.show.lattice import render
+    from subdiv_cli.schemes.multivariate import MultivariateScheme
+
+    assert isinstance(one.scheme, MultivariateScheme)
+    checked, anatomy = surface_portrait(one.scheme, Effort(effort))
+    picture: list[str] = []
+    if anatomy.surface is not None:
+        width = min(look.width - 2, _WIDEST)
+        picture = draw_heights(anatomy.surface, width=width, height=_HEIGHT, unicode=look.unicode)
+    return render(form, _labelled(one, checked, certificate), anatomy, picture, look)
+
+
+def _labelled(one: single.One, checked: Checked, certificate: str | None) -> Result:
+    """The result with what the file says; its certificate is written where one is asked for."""
+    result = one.label(checked.result)
+    if certificate is None or (text := checked.certificate_text()) is None:
+        return result
+    from dataclasses import replace
+
+    return replace(result, certificate=_write_certificate(certificate, result.file, text))
 
 
 def _by_suffix(output: str | None) -> str:

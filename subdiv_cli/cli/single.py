@@ -17,7 +17,7 @@ from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
 
 if TYPE_CHECKING:
     from subdiv_cli.maskfile import MaskFile
-    from subdiv_cli.schemes.scalar import ScalarScheme
+    from subdiv_cli.maskfile.bodies import Scheme
 
 Command = Callable[..., Any]
 
@@ -27,7 +27,16 @@ class One(NamedTuple):
 
     mask: MaskFile
     parameters: dict[str, Fraction]
-    scheme: ScalarScheme
+    scheme: Scheme
+
+    def title(self, family: Sequence[One] = ()) -> str:
+        """The name of the mask, and its parameters, among others only where some of these have the same name."""
+        from subdiv_cli.report.numbers import exact
+
+        name = self.mask.name or self.mask.file
+        alike = sum(other.mask.file == self.mask.file for other in family)
+        given = f"{', '.join(f'{key} = {exact(value)}' for key, value in self.parameters.items())}"
+        return f"{name}, {given}" if given and (alike > 1 or not family) else name
 
     def label(self, result: Result) -> Result:
         """The result with what the file says about it."""
@@ -130,7 +139,7 @@ def _variants(mask: MaskFile, values: Mapping[str, Sequence[Fraction]], *, alone
     names = [name for name in values if alone or name in mask.parameters]
     for combination in product(*(dict.fromkeys(values[name]) for name in names)):
         overrides = dict(zip(names, combination, strict=True))
-        yield One(mask, mask.values(overrides), mask.scalar_scheme(overrides))
+        yield One(mask, mask.values(overrides), mask.scheme(overrides))
 
 
 def complain(problems: Sequence[Problem]) -> NoReturn:
@@ -141,3 +150,21 @@ def complain(problems: Sequence[Problem]) -> NoReturn:
     settings = {} if sys.stderr.isatty() else {"width": UNWRAPPED}
     emit(render(problems, look_of(sys.stderr, **settings)) + "\n", sys.stderr)
     raise click.exceptions.Exit(ExitCode.ERROR)
+
+
+def write_picture(output: str, draw: Callable[[], bytes]) -> ExitCode:
+    """What is drawn into a file, whole or not at all; on stderr why it is not."""
+    from subdiv_cli.catalog.files import write_whole
+    from subdiv_cli.plot.figure import INSTALL, MissingExtraError
+
+    try:
+        content = draw()
+    except MissingExtraError:
+        emit(f"error: drawing into a file needs matplotlib, which is not installed: {INSTALL}\n", sys.stderr)
+        return ExitCode.ERROR
+    try:
+        write_whole(output, content)
+    except OSError as error:
+        emit(f"error: {output} cannot be written: {error.strerror or error}\n", sys.stderr)
+        return ExitCode.ERROR
+    return ExitCode.PASSED

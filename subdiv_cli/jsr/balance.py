@@ -1,7 +1,7 @@
 """Leaders scaled so that none lies inside what grows from another one (Guglielmi & Protasov 2013, section 3).
 
-The hull that grows from leader j reaches c_ij times leader i: scaled by t, all leaders stay outside where c_ij t_j < t_i,
-and the fewer steps bring an image inside the smaller c_ij t_j / t_i is. Floats, and a suggestion only.
+The hull that grows from leader j reaches c_ij times leader i: scaled by t, all leaders stay outside where c_ij t_j <
+t_i, and the fewer steps bring an image inside the smaller c_ij t_j / t_i is. Floats, and a suggestion only.
 """
 
 from __future__ import annotations

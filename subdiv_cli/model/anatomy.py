@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
@@ -34,6 +35,26 @@ class Curve(NamedTuple):
     values: tuple[Fraction, ...]
     order: int = 0
     """Of the derivative whose values these are."""
+
+
+class Surface(NamedTuple):
+    """Exact values of a function on a plane of R^s at the points U α, α ∈ Z^2; zero where there is none."""
+
+    unit: tuple[tuple[Fraction, ...], ...]
+    """The rows of U, the first two coordinates."""
+    values: Mapping[tuple[int, ...], Fraction]
+    at: tuple[Fraction, ...] = ()
+    """The other coordinates, those of the plane."""
+
+
+class Net(NamedTuple):
+    """Control points in space, one for each of some α ∈ Z^2; their neighbours are α ± e_1, α ± e_2."""
+
+    vertices: Mapping[tuple[int, ...], tuple[Fraction, ...]]
+    diagonal: tuple[int, int] | None = None
+    """(1, 1) or (1, -1): a neighbour as well, so the faces are triangles; None for quadrilaterals."""
+    turned: bool = False
+    """The refinement has turned Z^2 over."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,3 +90,23 @@ class Anatomy:
     """Of approximation, with Q and without."""
     curve: Curve | None
     """φ, finely enough for a picture."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceAnatomy:
+    """A mask in several variables taken apart; None and empty where the scheme does not have the part."""
+
+    dilation: tuple[tuple[int, ...], ...]
+    terms: Mapping[tuple[int, ...], Fraction]
+    factors: Mapping[tuple[int, ...], int]
+    """θ -> how often 1 + z^θ + … + z^((c-1)θ) divides the symbol, the dilation being c I."""
+    quotient: Mapping[tuple[int, ...], Fraction]
+    """What is left of the symbol."""
+    differences: int | None
+    """The dimension of V_k, k the order of the sum rules."""
+    centre: tuple[Fraction, ...] | None
+    """∫ x φ(x) dx."""
+    values: Mapping[tuple[int, ...], Fraction]
+    """φ at the integers."""
+    surface: Surface | None
+    """φ, for a picture."""

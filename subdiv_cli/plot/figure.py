@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from io import BytesIO
 from typing import Any, NamedTuple
 
@@ -28,16 +28,25 @@ class Panel(NamedTuple):
 
 def picture(panels: Sequence[Panel], form: str) -> bytes:
     """The panels one above another. `form` is svg, png or pdf. Raises MissingExtraError without matplotlib."""
+
+    def paint(figure: Any) -> None:
+        for place, panel in enumerate(panels, 1):
+            _panel(figure.add_subplot(len(panels), 1, place), panel)
+
+    tall = 5.0 if any(panel.plane for panel in panels) else 2.4
+    return saved(paint, (8, tall * len(panels)), form)
+
+
+def saved(paint: Callable[[Any], None], size: tuple[float, float], form: str) -> bytes:
+    """What is painted on a figure of so many inches. Raises MissingExtraError."""
     try:
         import matplotlib as mpl
         from matplotlib.figure import Figure
     except ImportError as error:
         raise MissingExtraError(str(error)) from None
     with mpl.rc_context({"svg.hashsalt": "subdiv", "svg.fonttype": "path", "axes.grid": True, "grid.alpha": 0.3}):
-        tall = 5.0 if any(panel.plane for panel in panels) else 2.4
-        figure = Figure(figsize=(8, tall * len(panels)), layout="constrained")
-        for place, panel in enumerate(panels, 1):
-            _panel(figure.add_subplot(len(panels), 1, place), panel)
+        figure = Figure(figsize=size, layout="constrained")
+        paint(figure)
         buffer = BytesIO()
         figure.savefig(buffer, format=form, metadata=_METADATA[form], dpi=150)
     return buffer.getvalue()

@@ -9,13 +9,13 @@ from subdiv_cli.plot.sampled import Line
 _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 """The bits of the eight dots of a Braille cell, by row and column."""
 _BLANK = 0x2800
-_MARGIN = 10
+MARGIN = 10
 """Columns for the numbers beside the picture."""
 
 
 def draw(lines: Sequence[Line], *, width: int = 80, height: int = 16, unicode: bool = True) -> list[str]:
     """The lines in one picture, at most so many columns wide and so many rows high, an axis of numbers around it."""
-    columns, rows = max(width - _MARGIN - 3, 8), max(height, 4)
+    columns, rows = max(width - MARGIN - 3, 8), max(height, 4)
     xs, ys = [x for line in lines for x in line.x], [y for line in lines for y in line.y]
     left, right, low, high = *_range(xs), *_range(ys)
     across, down = (2, 4) if unicode else (1, 2)
@@ -27,7 +27,7 @@ def draw(lines: Sequence[Line], *, width: int = 80, height: int = 16, unicode: b
         ]
         canvas.trace(places)
     cells = canvas.braille() if unicode else canvas.ascii()
-    return _framed(cells, (left, right), (low, high), columns, unicode)
+    return framed(cells, (left, right), (low, high), columns, unicode)
 
 
 def _range(values: Sequence[float]) -> tuple[float, float]:
@@ -35,16 +35,16 @@ def _range(values: Sequence[float]) -> tuple[float, float]:
     return (low, high) if high > low else (low - 0.5, high + 0.5)
 
 
-def _framed(
+def framed(
     cells: list[str], across: tuple[float, float], up: tuple[float, float], columns: int, unicode: bool
 ) -> list[str]:
     """The picture with the numbers of its corners."""
     bar, corner, rule = ("│", "└", "─") if unicode else ("|", "+", "-")
     numbers = {0: f"{up[1]:.4g}", len(cells) - 1: f"{up[0]:.4g}"}
-    rows = [f"{numbers.get(i, ''):>{_MARGIN}} {bar}{row}".rstrip() for i, row in enumerate(cells)]
+    rows = [f"{numbers.get(i, ''):>{MARGIN}} {bar}{row}".rstrip() for i, row in enumerate(cells)]
     left, right = f"{across[0]:.4g}", f"{across[1]:.4g}"
-    rows.append(" " * (_MARGIN + 1) + corner + rule * columns)
-    rows.append(" " * (_MARGIN + 2) + left + right.rjust(max(columns - len(left), len(right) + 1)))
+    rows.append(" " * (MARGIN + 1) + corner + rule * columns)
+    rows.append(" " * (MARGIN + 2) + left + right.rjust(max(columns - len(left), len(right) + 1)))
     return rows
 
 

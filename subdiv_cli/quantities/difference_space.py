@@ -50,7 +50,7 @@ def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> Di
     window = _invariant_window(scheme, lattice, {alpha for v in starts for alpha in v})
     if window is None:
         return None
-    operators = [_operator(scheme, lattice, epsilon, window) for epsilon in lattice.representatives]
+    operators = [transition_matrix(scheme, lattice, epsilon, window) for epsilon in lattice.representatives]
     places = {alpha: j for j, alpha in enumerate(window)}
     first = fmpq_mat([_row(v, places) for v in starts])
     span = _closure(first, operators)
@@ -98,8 +98,10 @@ def _invariant_window(scheme: MultivariateScheme, lattice: Lattice, start: Itera
     return sorted(found)
 
 
-def _operator(scheme: MultivariateScheme, lattice: Lattice, epsilon: Index, window: Sequence[Index]) -> fmpq_mat:
-    """T_ε on sequences over the window."""
+def transition_matrix(
+    scheme: MultivariateScheme, lattice: Lattice, epsilon: Index, window: Sequence[Index]
+) -> fmpq_mat:
+    """T_ε on sequences over the window: entry (α, β) is a(ε+Mα-β)."""
     common = lcm(*(x.denominator for x in scheme.terms.values()))
     numerators = {gamma: int(x * common) for gamma, x in scheme.terms.items()}
     rows = []

@@ -51,6 +51,21 @@ def directional_factors(scheme: MultivariateScheme, c: int) -> dict[Index, dict[
     return found
 
 
+def factored(scheme: MultivariateScheme, lattice: Lattice) -> tuple[dict[Index, int], Mapping[Index, Fraction]]:
+    """How often the factor of each direction divides the mask, short directions first, and the quotient by all.
+
+    No factors where M is not c I, c >= 2.
+    """
+    power, c = lattice.scalar_power or (0, 0)
+    rest, found = scheme.terms, dict[Index, int]()
+    if power != 1 or c < 2:
+        return found, rest
+    for theta in sorted(directional_factors(scheme, c), key=lambda theta: (sum(map(abs, theta)), theta)):
+        while len(rest) > 1 and (quotient := divided(rest, theta, c)) is not None:
+            found[theta], rest = found.get(theta, 0) + 1, quotient
+    return found, rest
+
+
 def norms(quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Iterator[Fraction]:
     """‖S_d‖∞, ‖S_d^2‖∞, … as far as the effort goes; work is counted in products of coefficients."""
     iterated: Mapping[Index, Fraction] = {(0,) * len(next(iter(quotient))): Fraction(1)}

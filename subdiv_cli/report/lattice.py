@@ -80,6 +80,16 @@ def put_stencils(page: Page, terms: Mapping[Index, Fraction], dilation: Sequence
         page.put(f"and {more} more coset{'' if more == 1 else 's'}", "quiet", indent=INDENT)
 
 
+def put_values(page: Page, title: str, values: Mapping[Index, Fraction]) -> None:
+    """A function on Z^s, where it is not zero, as the weights of a stencil are put."""
+    scaled = title + _scale(values)
+    if len(next(iter(values))) == 2:
+        _put_beside(page, [(scaled, _cells(values))])
+    else:
+        page.put(scaled, "quiet", indent=INDENT, hanging=2)
+        _put_beside(page, _slices(values))
+
+
 def _inverse(rows: Sequence[Sequence[int]]) -> list[list[Fraction]]:
     """By Gauss and Jordan. Raises ValueError for a singular matrix."""
     size = len(rows)
@@ -131,8 +141,12 @@ def _title(stencil: Stencil) -> str:
     where = f" at {_tuple(stencil.at)}" if any(stencil.at) else " at the old points"
     if not stencil.weights:
         return f"{coset}{where}: no weights"
-    denominator = _denominator(stencil.weights)
-    return f"{coset}{where}" + (f", in 1/{denominator}" if denominator > 1 else "")
+    return f"{coset}{where}{_scale(stencil.weights)}"
+
+
+def _scale(weights: Mapping[Index, Fraction]) -> str:
+    denominator = _denominator(weights)
+    return f", in 1/{denominator}" if denominator > 1 else ""
 
 
 def _tuple(entries: Sequence[Fraction | int]) -> str:

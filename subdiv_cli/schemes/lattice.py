@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from functools import cached_property
 from itertools import product
 
@@ -40,6 +41,16 @@ class Lattice:
     def coset(self, alpha: Index) -> Index:
         """A key of α + M Z^s: equal for two indices iff they differ by an element of M Z^s."""
         return tuple(x % self.index for x in self._scaled(alpha))
+
+    def inverse_power(self, n: int) -> tuple[tuple[Fraction, ...], ...]:
+        """The rows of M^-n, n >= 0."""
+        units = (tuple(int(i == j) for i in range(self.dimension)) for j in range(self.dimension))
+        columns = []
+        for column in units:
+            for _ in range(n):
+                column = self._scaled(column)
+            columns.append([Fraction(x, self.determinant**n) for x in column])
+        return tuple(zip(*columns, strict=True))
 
     def _scaled(self, alpha: Index) -> Index:
         return tuple(sum(x * y for x, y in zip(row, alpha, strict=True)) for row in self._adjugate)

@@ -1,0 +1,49 @@
+"""A function of two variables drawn with letters: the darker the higher, and a sign of its own below zero."""
+
+from __future__ import annotations
+
+from subdiv_cli.model.anatomy import Surface
+from subdiv_cli.plot.relief import ratio, sampled
+from subdiv_cli.plot.terminal import MARGIN, framed
+
+_SHADES = {True: "·░▒▓█", False: ".:+*#"}
+_BELOW = "-"
+_FLAT = 100
+"""What is lower than so much of the top is left blank."""
+_TALL = 2
+"""Height by width of a letter, about."""
+
+
+def draw_heights(surface: Surface, *, width: int = 80, height: int = 30, unicode: bool = True) -> list[str]:
+    """A map at most so many columns wide and about so many rows high, both axes in one unit, and its key."""
+    columns, rows = max(width - MARGIN - 3, 8), max(height, 4)
+    _, box = sampled(surface, 1, 1)
+    tall = ratio(box) / _TALL
+    if columns * tall > rows:
+        columns = max(round(rows / tall), 8)
+    rows = max(round(columns * tall), 4)
+    raster, box = sampled(surface, columns, rows)
+    top, shades = max(map(float, surface.values.values())), _SHADES[unicode]
+    cells = ["".join(_letter(z, top, shades) for z in row) for row in raster]
+    return [*framed(cells, box[0], box[1], columns, unicode), *_key(surface, top, shades, width)]
+
+
+def _letter(z: float, top: float, shades: str) -> str:
+    if abs(z) < top / _FLAT:
+        return " "
+    return _BELOW if z < 0 else shades[min(int(z / top * len(shades)), len(shades) - 1)]
+
+
+def _key(surface: Surface, top: float, shades: str, width: int) -> list[str]:
+    """What the letters mean, in as many rows as it takes."""
+    low = min(map(float, surface.values.values()))
+    parts = [f"{_BELOW} {low:.3g} to 0"] if low < 0 else []
+    parts += [f"{shade} to {top * (i + 1) / len(shades):.3g}" for i, shade in enumerate(shades)]
+    rows = [""]
+    for part in parts:
+        longer = f"{rows[-1]}   {part}" if rows[-1] else part
+        if rows[-1] and len(longer) + 2 > width:
+            rows.append(part)
+        else:
+            rows[-1] = longer
+    return [f"  {row}" for row in rows]
