@@ -27,7 +27,7 @@ _SHARE = 0.2
 _CHUNK = 256
 _SAME = 1e-12
 _SMALL = 1 / 16
-_INDEPENDENT = 1e-8
+_INDEPENDENT = 1e-3
 
 
 class Grown(NamedTuple):

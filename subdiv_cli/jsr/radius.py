@@ -31,7 +31,7 @@ from subdiv_cli.jsr.search import candidates
 from subdiv_cli.model import Data, Effort, Root
 
 LARGEST_ORDER = 120
-LARGEST_BLOCK = 40
+LARGEST_BLOCK = 60
 """Of matrices for which polytopes are tried."""
 _QUICK, _DEEP = 10, 24
 """Lengths of products in the first and in the second search."""
