@@ -1,14 +1,18 @@
-"""Surfaces and nets for pictures: φ on the plane or a plane, its graph as a net, control nets. No verdicts."""
+"""Surfaces, nets and masks taken apart, for pictures and pages: φ on a plane, its graph, control nets. No verdicts."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from contextlib import suppress
 from fractions import Fraction
 from itertools import product
 
 from subdiv_cli.exact.linalg import matrix, solution
-from subdiv_cli.model.anatomy import Net, Surface
+from subdiv_cli.model.anatomy import Net, Surface, SurfaceAnatomy
 from subdiv_cli.quantities.box_spline import iterated
-from subdiv_cli.quantities.lattice_values import NoValuesError, at_fractions, at_integers, support_box
+from subdiv_cli.quantities.directional import factored
+from subdiv_cli.quantities.lattice_values import NoValuesError as NoValuesError
+from subdiv_cli.quantities.lattice_values import at_fractions, at_integers, support_box
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
 from subdiv_cli.quantities.nets import Vertices, diagonal, refined
 from subdiv_cli.schemes.lattice import Lattice
@@ -16,6 +20,8 @@ from subdiv_cli.schemes.multivariate import Index, MultivariateScheme, multiple_
 
 MOST_POINTS = 50_000
 """Of a surface, about."""
+_FEWER = 5_000
+"""Of one in letters."""
 
 
 def surface(numbers: MultivariateNumbers, points: int = MOST_POINTS) -> Surface:
@@ -65,6 +71,28 @@ def centre(numbers: MultivariateNumbers) -> tuple[Fraction, ...]:
     found = solution(matrix(rows), mean)
     assert found is not None, "M is expanding"
     return found
+
+
+def anatomy(numbers: MultivariateNumbers, *, continuous: bool) -> SurfaceAnatomy:
+    """The mask taken apart, with φ where it is proved continuous and has not too many values."""
+    scheme = numbers.scheme
+    values: Mapping[Index, Fraction] = {}
+    picture = None
+    if continuous:
+        with suppress(NoValuesError):
+            values = at_integers(scheme, numbers.lattice)
+            picture = surface(numbers, _FEWER)
+    factors, quotient = factored(scheme, numbers.lattice)
+    return SurfaceAnatomy(
+        dilation=scheme.dilation,
+        terms=scheme.terms,
+        factors=factors,
+        quotient=quotient,
+        differences=None if numbers.space is None else numbers.space.basis.nrows(),
+        centre=centre(numbers) if numbers.is_normalised else None,
+        values=values,
+        surface=picture,
+    )
 
 
 def graph(numbers: MultivariateNumbers, levels: int) -> Net:
