@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 from subdiv_cli.catalog.cache import Cache, Entry, key
 from subdiv_cli.maskfile import MaskFile, MaskFileError, load_path, read_bytes
 from subdiv_cli.model import DEFAULT_EFFORT, Drawing, Effort, Expectation, Judgement, Problem, Result, Verdict
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 
 class Draw(NamedTuple):
@@ -107,7 +106,7 @@ def _perform(task: Task, settings: Settings) -> Done:
 
 def _drawing(scheme: Any, result: Result, settings: Settings) -> Drawing | None:
     """Of masks in one variable, for the formats that draw."""
-    if settings.draw is None or not isinstance(scheme, ScalarScheme):
+    if settings.draw is None or result.kind != "scalar":
         return None
     return settings.draw(scheme, result.convergent is Verdict.PROVED)
 
