@@ -1,7 +1,7 @@
 """Leaders scaled so that none lies inside what grows from another one (Guglielmi & Protasov 2013, section 3).
 
-The hull that grows from leader j reaches c_ij times leader i: scaled by t, all leaders stay outside where c_ij t_j <
-t_i, and the fewer steps bring an image inside the smaller c_ij t_j / t_i is. Floats, and a suggestion only.
+The hull that grows from leader j reaches c_ij times leader i: scaled by t, all leaders stay outside where c_ij t_j is
+less than t_i, and the smaller it is the fewer steps bring an image inside. Floats, and a suggestion only.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _SMALLEST = 1e-3
 
 def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Effort) -> list[Fraction]:
     """A factor for every leader, 1 for the first one."""
-    grown = [grow(body_of(start), Effort(min(_WORK, effort.work))).body for start in starts]
+    grown = [grow(body_of(start), effort.limited(_WORK)).body for start in starts]
     reach = np.array([[_reach(start, own, body) for body in grown] for start, own in zip(starts, grown, strict=True)])
     balanced = _balanced(np.log(np.maximum(reach, _SMALLEST)))
     return [Fraction(max(1, round(64 * x)), 64) for x in np.exp(balanced - balanced[0]).tolist()]
@@ -34,8 +34,8 @@ def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Ef
 def _reach(start: Start, own: Body, body: Body) -> float:
     """How far a body reaches in the direction of a leader.
 
-    With f the functional of its product, f(v) = 1, Π^n x / μ^n tends to f(x) v where the eigenvalue is simple: |f(x)|
-    it is. Otherwise, what multiple of the leader is in the body.
+    With f the functional of its product, f(v) = 1, Π^n x / μ^n tends to f(x) v where the eigenvalue is simple: it is
+    |f(x)|. Otherwise, what multiple of the leader is in the body.
     """
     if (functional := _functional(start, own)) is not None:
         return float(np.abs(functional @ body.columns).max())

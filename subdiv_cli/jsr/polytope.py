@@ -28,6 +28,8 @@ _CHUNK = 256
 _SAME = 1e-12
 _SMALL = 1 / 16
 _INDEPENDENT = 1e-3
+"""Of a vector, what must be new for it to count as independent of others: a body that is thin has proofs of no use."""
+_SMALL_ORDER = 10
 
 
 class Grown(NamedTuple):
@@ -38,12 +40,14 @@ class Grown(NamedTuple):
     """No image lies outside, as floats see it."""
     value: float
     """The largest gauge of an image: the radius is at most σ times it."""
+    spent: int
+    """Work."""
 
 
 def grow(body: Body, effort: Effort) -> Grown:
     """Let a body grow until it is closed or the effort ends.
 
-    Work is counted in gauges, those in large bodies several times.
+    Work is counted in gauges, those in large bodies many times, as they take.
     """
     (_cover if body.monotone else _span)(body)
     return _grow(body, body.pending(range(body.size)), effort)
@@ -66,12 +70,12 @@ def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort) -> Grown:
             fresh: list[int] = []
             for start in range(0, len(pending), _CHUNK):
                 chunk = pending[start : start + _CHUNK]
-                spent += len(chunk) * (1 + body.columns.size // 2000)
+                spent += len(chunk) * (1 + body.columns.size * max(body.order, _SMALL_ORDER) // (2000 * _SMALL_ORDER))
                 if not effort.allows(spent):
-                    return _unfinished(body, memory, pending[start:] + body.pending(fresh))
+                    return _unfinished(body, memory, pending[start:] + body.pending(fresh), spent)
                 fresh += _absorb(body, memory, chunk)
             pending = body.pending(fresh)
-    return Grown(body, True, max((image.value for image in body.images.values()), default=0.0))
+    return Grown(body, True, max((image.value for image in body.images.values()), default=0.0), spent)
 
 
 def _span(body: Body) -> None:
@@ -165,7 +169,7 @@ def _record(body: Body, pair: tuple[int, int], found: Gauges | Dominations, k: i
     body.images[pair] = Image(*pair, columns, weights, float(found.value[k]))
 
 
-def _unfinished(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]]) -> Grown:
+def _unfinished(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]], spent: int) -> Grown:
     """The effort ended: measure what is left, for the bound that the body proves as it is."""
     for start in range(0, len(pairs), _CHUNK):
         chunk = pairs[start : start + _CHUNK]
@@ -173,4 +177,4 @@ def _unfinished(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, 
         found = memory.measure(targets, float("inf"))
         for k, pair in enumerate(chunk):
             _record(body, pair, found, k)
-    return Grown(body, False, max((image.value for image in body.images.values()), default=0.0))
+    return Grown(body, False, max((image.value for image in body.images.values()), default=0.0), spent)

@@ -215,9 +215,18 @@ class Effort:
         self.work = work
         self.struck = False
         self._deadline = None if seconds is None else time.monotonic() + seconds
+        self._whole: Effort | None = None
+
+    def limited(self, work: int) -> Effort:
+        """At most so much of it, for one part of a question; the clock is the same."""
+        part = Effort(min(work, self.work))
+        part._whole = self
+        return part
 
     def allows(self, work: int) -> bool:
         """Whether a question that has cost `work` so far, its next step included, may take that step."""
+        if self._whole is not None:
+            return work <= self.work and self._whole.allows(work)
         if self._deadline is not None and time.monotonic() > self._deadline:
             self.struck = True
         return not self.struck and work <= self.work
