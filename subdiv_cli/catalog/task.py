@@ -13,7 +13,17 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.catalog.cache import Cache, Entry, key
 from subdiv_cli.maskfile import MaskFile, MaskFileError, load_path, read_bytes
-from subdiv_cli.model import DEFAULT_EFFORT, Drawing, Effort, Expectation, Judgement, Problem, Result, Verdict
+from subdiv_cli.model import (
+    DEFAULT_EFFORT,
+    Drawing,
+    Effort,
+    Expectation,
+    Judgement,
+    LatticeMask,
+    Problem,
+    Result,
+    Verdict,
+)
 from subdiv_cli.schemes.scalar import ScalarScheme
 
 
@@ -100,6 +110,7 @@ def _perform(task: Task, settings: Settings) -> Done:
             parameters=parameters,
             expectations=tuple(_placed(judged, mask) for judged in result.expectations),
             drawing=_drawing(scheme, result, settings),
+            mask=None if isinstance(scheme, ScalarScheme) else LatticeMask(scheme.dilation, scheme.terms),
         ),
         certificate=done.certificate if settings.certificates else None,
     )
