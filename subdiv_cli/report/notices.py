@@ -69,9 +69,12 @@ def _missed(result: Result, judged: Judgement, look: Look) -> Notice:
 
 
 def _code(result: Result, key: str) -> str:
-    """Of the finding that an expectation is about; where the result has none, the key says it."""
-    found = words.finding(result, *words.ABOUT[key])
-    return f"expect-{key}" if found is None else found.code
+    """Of the finding that an expectation is about; where several variables have none, the key says it."""
+    codes = words.ABOUT[key]
+    found = words.finding(result, *codes)
+    if found is not None:
+        return found.code
+    return f"expect-{key}" if result.kind == "multivariate" else codes[0]
 
 
 def _open(look: Look) -> Level:
