@@ -13,7 +13,17 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.catalog.cache import Cache, Entry, key
 from subdiv_cli.maskfile import MaskFile, MaskFileError, load_path, read_bytes
-from subdiv_cli.model import DEFAULT_EFFORT, Drawing, Effort, Expectation, Judgement, Problem, Result, Verdict
+from subdiv_cli.model import (
+    DEFAULT_EFFORT,
+    Drawing,
+    Effort,
+    Expectation,
+    Judgement,
+    LatticeMask,
+    Problem,
+    Result,
+    Verdict,
+)
 
 
 class Draw(NamedTuple):
@@ -99,9 +109,15 @@ def _perform(task: Task, settings: Settings) -> Done:
             parameters=parameters,
             expectations=tuple(_placed(judged, mask) for judged in result.expectations),
             drawing=_drawing(scheme, result, settings),
+            mask=_lattice_mask(scheme),
         ),
         certificate=done.certificate if settings.certificates else None,
     )
+
+
+def _lattice_mask(scheme: Any) -> LatticeMask | None:
+    """Of masks in several variables, for reports that show stencils."""
+    return LatticeMask(scheme.dilation, scheme.terms) if hasattr(scheme, "dilation") else None
 
 
 def _drawing(scheme: Any, result: Result, settings: Settings) -> Drawing | None:

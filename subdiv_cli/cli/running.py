@@ -113,7 +113,7 @@ class Run:
         if self.asked.verbose > 1 or written & {"json", "jsonl"} or self.asked.form == "json":
             return result
         if self.asked.form == "jsonl" and not written:
-            return replace(result, findings=(), facts={}, drawing=None)
+            return replace(result, findings=(), facts={}, drawing=None, mask=None)
         return replace(result, findings=tuple(replace(f, witness={}) for f in result.findings))
 
 

@@ -141,6 +141,15 @@ class Drawing(NamedTuple):
     """Points (x, φ(x)), x increasing; each is an exact value rounded once."""
 
 
+class LatticeMask(NamedTuple):
+    """A mask in several variables, for the pictures of its stencils."""
+
+    dilation: tuple[tuple[int, ...], ...]
+    """The rows of M."""
+    terms: Mapping[tuple[int, ...], Fraction]
+    """α -> a_α."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
     """Why a file or an option was not usable: where, what, and how to mend it."""
@@ -199,6 +208,8 @@ class Result:
     """What is worse than in the baseline, which then decides the status; None where the baseline has no such mask."""
     drawing: Drawing | None = None
     """Made only for a format that draws it."""
+    mask: LatticeMask | None = None
+    """Of a mask in several variables, whose stencils are shown."""
 
 
 DEFAULT_EFFORT = 20_000

@@ -5,15 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from html import escape
 
-from subdiv_cli.model import Drawing, Finding, Result, Stencil, Verdict
+from subdiv_cli.model import Drawing, Finding, LatticeMask, Result, Stencil, Verdict
 from subdiv_cli.report import svg, words
+from subdiv_cli.report.lattice import put_stencils
+from subdiv_cli.report.layout import paint
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.notices import notices
 from subdiv_cli.report.numbers import data, exact, interval
+from subdiv_cli.report.page import Page
 
 MOST_WEIGHTS = 40
 """A stencil longer than this is left out: its numbers are in the mask."""
+_COLUMNS = 60
+"""Of the stencils in several variables: half of a wide page."""
 
 
 def text(words_: str) -> str:
@@ -36,7 +41,7 @@ def card(number: int, result: Result, look: Look) -> str:
     if result.status != "invalid":
         parts.append('<div class="two"><div>')
         parts += [_properties(result), _expectations(result), "</div><div>"]
-        parts += [*_pictures(result.drawing), "</div></div>"]
+        parts += [*_pictures(result.drawing), *_grids(result.mask), "</div></div>"]
         parts.append(_findings(look.shown(result.findings), look))
         if result.certificate is not None:
             parts.append(f"<p>proof: <code>{text(result.certificate)}</code></p>")
@@ -115,6 +120,15 @@ def _pictures(drawing: Drawing | None) -> Iterator[str]:
         rows.append(("limit at k", drawing.limit))
     shown = [f"<tr><th>{name}</th><td>{_stencil(rule)}</td></tr>" for name, rule in rows]
     yield f"<h3>stencils</h3>{_table(shown)}"
+
+
+def _grids(mask: LatticeMask | None) -> Iterator[str]:
+    """The stencils of a mask in several variables, as the text report has them."""
+    if mask is None:
+        return
+    page = Page(Look(width=_COLUMNS))
+    put_stencils(page, mask.terms, mask.dilation)
+    yield f"<h3>stencils</h3><pre>{escape(paint(page.lines))}</pre>"
 
 
 def _stencil(stencil: Stencil) -> str:

@@ -33,7 +33,7 @@ def _lines(result: Result, look: Look) -> Iterator[str]:
         yield f"{result.file}: {_finding(found)}"
     yield from _judged(result, result.expectations)
     yield from _notes(result)
-    if not result.problems and words.finding(result, "SD201") is None and not result.expectations:
+    if not result.problems and words.finding(result, *words.ABOUT["convergent"]) is None and not result.expectations:
         yield f"{result.file}: {result.status}"
 
 

@@ -11,17 +11,7 @@ from subdiv_cli.report.look import Look
 
 Level = Literal["error", "warning", "note"]
 
-CODES = {
-    "convergent": "SD201",
-    "smoothness": "SD302",
-    "holder": "SD311",
-    "generation": "SD103",
-    "reproduction": "SD104",
-    "stable": "SD402",
-}
-"""The finding that an expectation is about."""
 BASELINE = "SD018"
-CONVERGENCE = "SD201"
 NOT_FILES = ("-", "--mask", "")
 
 
@@ -44,9 +34,10 @@ def notices(result: Result, look: Look) -> Iterator[Notice]:
     if result.status != "invalid":
         yield from _gate(result, look)
     if result.stopped:
-        yield Notice("note", CONVERGENCE, "stopped", f"stopped by the {result.stopped}: another run may find more")
+        message = f"stopped by the {result.stopped}: another run may find more"
+        yield Notice("note", _code(result, "convergent"), "stopped", message)
     for hint in result.hints:
-        yield Notice("note", CONVERGENCE, "hint", hint)
+        yield Notice("note", _code(result, "convergent"), "hint", hint)
 
 
 def _gate(result: Result, look: Look) -> Iterator[Notice]:
@@ -60,7 +51,7 @@ def _gate(result: Result, look: Look) -> Iterator[Notice]:
             yield _missed(result, judged, look)
     if not result.expectations and result.status != "passed":
         level: Level = "error" if result.status == "failed" else _open(look)
-        yield Notice(level, CONVERGENCE, "convergence", words.headline(result))
+        yield Notice(level, _code(result, "convergent"), "convergence", words.headline(result))
 
 
 def _problem(problem: Problem) -> Notice:
@@ -74,7 +65,16 @@ def _missed(result: Result, judged: Judgement, look: Look) -> Notice:
     level: Level = "error" if judged.verdict is Verdict.REFUTED else _open(look)
     key = judged.expectation.key
     message = words.judged(result, judged, judged.verdict.value)
-    return Notice(level, CODES.get(key, f"expect-{key}"), words.asked(judged.expectation), message, judged.line)
+    return Notice(level, _code(result, key), words.asked(judged.expectation), message, judged.line)
+
+
+def _code(result: Result, key: str) -> str:
+    """Of the finding that an expectation is about; where several variables have none, the key says it."""
+    codes = words.ABOUT[key]
+    found = words.finding(result, *codes)
+    if found is not None:
+        return found.code
+    return f"expect-{key}" if result.kind == "multivariate" else codes[0]
 
 
 def _open(look: Look) -> Level:

@@ -100,6 +100,7 @@ class _Page(Page):
         for line in words.figures(result, digits=self.look.verbosity > 0):
             self.put(line, "quiet", indent=INDENT, hanging=2)
         self.expectations(result)
+        self.stencils(result)
         findings.show(self, self.look.shown(result.findings))
 
     def headline(self, result: Result) -> None:
@@ -139,21 +140,21 @@ class _Page(Page):
         """The rows of the table; None for a property nothing is known of and nobody asked about."""
         sobolev = None if result.sobolev is None else interval(result.sobolev)
         return [
-            self.property(result, "convergence", result.convergent, None, "SD201", "SD101"),
+            self.property(result, "convergence", result.convergent, None, "convergent", "sums"),
             self.smoothness(result),
             *self.holder(result),
-            self.property(result, "Sobolev (L2)", None, sobolev, "SD321"),
-            self.property(result, "stability", result.stable, None, "SD402"),
-            self.property(result, "independence", result.linearly_independent, None, "SD401"),
-            self.property(result, "sum rules", None, _degree("order", result.sum_rule_order), "SD102"),
-            self.property(result, "generation", None, _degree("degree", result.generation), "SD103"),
-            self.property(result, "reproduction", None, _degree("degree", result.reproduction), "SD104"),
+            self.property(result, "Sobolev (L2)", None, sobolev, "sobolev"),
+            self.property(result, "stability", result.stable, None, "stable"),
+            self.property(result, "independence", result.linearly_independent, None, "independent"),
+            self.property(result, "sum rules", None, _degree("order", result.sum_rule_order), "order"),
+            self.property(result, "generation", None, _degree("degree", result.generation), "generation"),
+            self.property(result, "reproduction", None, _degree("degree", result.reproduction), "reproduction"),
         ]
 
     def smoothness(self, result: Result) -> list[Cell] | None:
         """The row of the order of smoothness: proved by one finding, and found sharp by another."""
-        row = self.property(result, "smoothness", None, words.smoothness_or_that_of_phi(result), "SD302")
-        sharp = words.finding(result, "SD303")
+        row = self.property(result, "smoothness", None, words.smoothness_or_that_of_phi(result), "smoothness")
+        sharp = words.finding(result, *words.ABOUT["next"])
         return self.proved_too(row, sharp if sharp and sharp.verdict is Verdict.REFUTED else None)
 
     def holder(self, result: Result) -> list[list[Cell] | None]:
@@ -161,14 +162,14 @@ class _Page(Page):
         exponent = result.holder or Exponent()
         lower, upper = finite(exponent.lower), finite(exponent.upper)
         if exponent.exact is not None:
-            row = self.property(result, "Hölder exponent", None, words.holder(result), "SD311")
-            return [self.proved_too(row, words.finding(result, "SD312"))]
+            row = self.property(result, "Hölder exponent", None, words.holder(result), "holder")
+            return [self.proved_too(row, words.finding(result, *words.ABOUT["above"]))]
         places = worth(lower, upper) if lower is not None and upper is not None else 6
         below = None if lower is None else at_least(lower, places)
         above = None if upper is None else words.labelled(at_most(upper, places), exponent)
         return [
-            self.property(result, "Hölder, lower", None, below, "SD311"),
-            self.property(result, "Hölder, upper", None, above, "SD312"),
+            self.property(result, "Hölder, lower", None, below, "holder"),
+            self.property(result, "Hölder, upper", None, above, "above"),
         ]
 
     def proved_too(self, row: list[Cell] | None, also: Finding | None) -> list[Cell] | None:
@@ -178,9 +179,9 @@ class _Page(Page):
         return row
 
     def property(
-        self, result: Result, title: str, verdict: Verdict | None, value: str | None, *codes: str
+        self, result: Result, title: str, verdict: Verdict | None, value: str | None, *about: str
     ) -> list[Cell] | None:
-        found = words.finding(result, *codes)
+        found = words.finding(result, *(code for one in about for code in words.ABOUT[one]))
         if found is None and value is None and verdict in (None, Verdict.SKIPPED):
             return None
         if verdict is None and found is not None:
@@ -203,6 +204,15 @@ class _Page(Page):
         self.blank()
         header = ("expected", "verdict", "found" if any(row[2][0] for row in rows) else "")
         self.table(header if header[2] else header[:2], [row if header[2] else row[:2] for row in rows])
+
+    def stencils(self, result: Result) -> None:
+        """Of a mask in several variables, where more is asked for: the rule of each coset as a small grid."""
+        if result.mask is None or self.look.verbosity < 1:
+            return
+        from subdiv_cli.report.lattice import put_stencils
+
+        self.blank()
+        put_stencils(self, result.mask.terms, result.mask.dilation)
 
     def closing(self, result: Result, *, indent: int = 0) -> None:
         """Why the exit code is what it is."""

@@ -9,6 +9,21 @@ from subdiv_cli.report.numbers import LONGEST, data, exact, interval
 
 MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
 ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
+ABOUT = {
+    "convergent": ("SD201", "SD611"),
+    "smoothness": ("SD302", "SD612"),
+    "next": ("SD303", "SD613"),
+    "holder": ("SD311", "SD614"),
+    "above": ("SD312", "SD615"),
+    "sobolev": ("SD321",),
+    "stable": ("SD402", "SD616"),
+    "independent": ("SD401",),
+    "sums": ("SD101", "SD601"),
+    "order": ("SD102", "SD602"),
+    "generation": ("SD103", "SD602"),
+    "reproduction": ("SD104",),
+}
+"""The findings that a property is about, one for each kind of mask: `next` refutes C^(n+1), `above` bounds α."""
 _NO_WORSE = "nothing is worse than in the baseline"
 STATUS_MARKS = {"passed": "✓", "failed": "✗", "undecided": "?", "invalid": "!"}
 STATUS_ROLES = {"passed": "good", "failed": "bad", "undecided": "open", "invalid": "bad"}
@@ -57,8 +72,10 @@ def _order(smooth: Smoothness) -> str | None:
 
 
 def facts(result: Result) -> list[str]:
-    """The facts of a mask in words, the most telling ones: `support -3 … 3`, `symmetric about 0`, `interpolatory`."""
+    """The facts of a mask in words, the most telling ones: `support -3 … 3`, `symmetric about 0`, `dilation 2I`."""
     told = []
+    if {"lowest", "highest"} <= result.facts.keys():
+        told.append(f"support {data(result.facts['lowest'])} … {data(result.facts['highest'])}")
     for key, value in result.facts.items():
         if (phrase := _fact(key, value)) is not None:
             told.append(phrase)
@@ -81,9 +98,25 @@ def _fact(key: str, value: Data) -> str | None:
             return value
         case (("interpolatory" | "nonnegative"), True):
             return key
+        case "dilation", tuple():
+            return f"dilation {_matrix(value)}"
+        case "isotropic", False:
+            return "anisotropic"
+        case "symmetries", int() if value > 1:
+            return f"{value} symmetries"
         case (("gaps" | "spacing" | "symmetry" | "type" | "interpolatory" | "nonnegative" | "centre"), _):
             return None
+        case (("dimension" | "cosets" | "isotropic" | "lowest" | "highest" | "symmetries"), _):
+            return None
     return f"{key}: {data(value)}"
+
+
+def _matrix(rows: tuple[Data, ...]) -> str:
+    """`2I`, or by rows `[[1,1],[1,-1]]`, as mask files have it."""
+    square = [[x for x in row if isinstance(x, int)] for row in rows if isinstance(row, tuple)]
+    if square == [[square[0][0] * (i == j) for j in range(len(square))] for i in range(len(square))]:
+        return f"{square[0][0]}I"
+    return f"[{','.join('[' + ','.join(map(str, row)) + ']' for row in square)}]"
 
 
 def holder(result: Result) -> str | None:
@@ -121,7 +154,7 @@ def headline(result: Result) -> str:
         verdict = f"φ is {smooth}, but this scheme does not converge" if smooth else "does not converge"
         return _with(verdict, _statement(result, Verdict.REFUTED))
     if result.convergent is Verdict.UNDECIDED:
-        asked = finding(result, "SD201")
+        asked = finding(result, *ABOUT["convergent"])
         return _with("convergence undecided", asked.reason if asked else None)
     return "convergence not asked"
 
@@ -143,7 +176,7 @@ def _convergent(result: Result) -> str:
 
 def _statement(result: Result, verdict: Verdict) -> str | None:
     """Why: the most telling finding about convergence that has this verdict."""
-    for code in ("SD201", "SD101", "SD202"):
+    for code in (*ABOUT["convergent"], *ABOUT["sums"], "SD202"):
         for found in result.findings:
             if found.code == code and found.verdict is verdict:
                 return found.statement.partition(": ")[2] or found.statement

@@ -10,8 +10,11 @@ of directions whose removal leaves a set that does not span; `unimodular`, wheth
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from subdiv_cli.model import Data, Finding
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.schemes.multivariate import Index
 from subdiv_cli.stages.multivariate.rule import Facts
 from subdiv_cli.stages.stage import Rule
 
@@ -23,9 +26,8 @@ def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     if box is None:
         return ()
     count = box.multiplicities
-    names = ", ".join(f"({', '.join(map(str, xi))})" + (f" {n} times" if n > 1 else "") for xi, n in count.items())
-    of = "" if box.power == 1 else f"; the mask is that of S^{box.power}, dilation {box.scale}I"
-    statement = f"φ is the box spline of {len(box.directions)} directions: {names}{of}"
+    of = "" if box.power == 1 else f"; recognised in S^{box.power}, whose dilation is {box.scale}I"
+    statement = f"φ is the box spline of {len(box.directions)} directions: {_listed(count)}{of}"
     witness: dict[str, Data] = {
         "directions": tuple(count),
         "multiplicities": tuple(count.values()),
@@ -36,3 +38,11 @@ def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
         "unimodular": box.is_unimodular,
     }
     return (RULE.proved(statement, witness),)
+
+
+def _listed(count: Mapping[Index, int]) -> str:
+    """`(0, 1), (1, 0), each twice`, or `(0, 1), (1, 0) 3 times`."""
+    times = {n: "twice" if n == 2 else f"{n} times" for n in count.values()}
+    if len(times) == 1 and 1 not in times and len(count) > 1:
+        return f"{', '.join(map(str, count))}, each {times[min(times)]}"
+    return ", ".join(f"{xi}" + (f" {times[n]}" if n > 1 else "") for xi, n in count.items())

@@ -22,7 +22,14 @@ from subdiv_cli.jsr.result import root_data
 from subdiv_cli.model import Data, Finding, Interval, Verdict, logarithm, unpowered
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
 from subdiv_cli.stages.joint_radius import shown
-from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, surface_exponent, verdict_of
+from subdiv_cli.stages.multivariate.rule import (
+    ANISOTROPIC,
+    Facts,
+    not_spanning,
+    spanning,
+    surface_exponent,
+    verdict_of,
+)
 from subdiv_cli.stages.stage import Rule, product_name
 
 BELOW = Rule("SD614", "surface-holder-lower", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
@@ -52,8 +59,8 @@ def _of_box_spline(depth: int) -> tuple[Finding, ...]:
         return (BELOW.skipped(_BELOW, reason), ABOVE.skipped(_ABOVE, reason))
     alpha = Fraction(depth - 1)
     witness: dict[str, Data] = {"by": "SD603", "value": alpha}
-    rule = f"α = {alpha}: {depth} directions must go until the others do not span"
-    return (BELOW.proved(rule, witness, interval(alpha), alpha), ABOVE.proved(rule, witness, interval(alpha), alpha))
+    below, above = f"α ≥ {alpha}: {spanning(depth - 1)}", f"α ≤ {alpha}: {not_spanning(depth)}"
+    return (BELOW.proved(below, witness, interval(alpha), alpha), ABOVE.proved(above, witness, interval(alpha), alpha))
 
 
 def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:

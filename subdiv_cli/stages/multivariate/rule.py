@@ -15,7 +15,17 @@ from subdiv_cli.quantities.multivariate import MultivariateNumbers
 Facts = Mapping[str, tuple[Finding, ...]]
 Stage = Callable[[MultivariateNumbers, Facts], tuple[Finding, ...]]
 
-ANISOTROPIC = "the dilation matrix is not isotropic, and smoothness is decided for isotropic ones"
+ANISOTROPIC = "smoothness is decided for isotropic dilations only"
+
+
+def spanning(count: int) -> str:
+    """Of the directions of a box spline: so many may go, whichever they are."""
+    return f"its directions span without any {'one' if count == 1 else count} of them"
+
+
+def not_spanning(count: int) -> str:
+    """Of the directions of a box spline: so many are too many."""
+    return f"its directions do not span without some {'one' if count == 1 else count} of them"
 
 
 def surface_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm | None:

@@ -13,9 +13,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.jsr.products import Product
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import Finding, Verdict, exact_root
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, verdict_of
+from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, not_spanning, spanning, verdict_of
 from subdiv_cli.stages.stage import Rule, product_name
 
 RULE = Rule("SD612", "surface-smoothness", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
@@ -42,7 +42,7 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
             return (RULE.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)
         return (RULE.undecided(_QUESTION, "it is not proved that φ is continuous"),)
     n = proved[-1]
-    first = RULE.proved(f"φ is C^{n}: ρ_{k} < λ^-{n}, λ^{numbers.dimension} = {numbers.lattice.index}", _by(n, "SD605"))
+    first = RULE.proved(f"φ is C^{n}: ρ_{k} < {_threshold(numbers, n)}", _by(n, "SD605"))
     obstacle = _obstacle(numbers, n + 1)
     if obstacle is None or not stably:
         why = "it is not proved that φ is stable" if obstacle else "no product is known that excludes it"
@@ -52,17 +52,26 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 
 def _of_box_spline(depth: int) -> tuple[Finding, ...]:
-    rule = f"{depth} directions must go until the others do not span"
+    enough, few = spanning(depth - 1), not_spanning(depth)
     if depth < 2:
-        return (RULE.refuted(f"φ is not continuous: {rule}", _by(0, "SD603")),)
+        return (RULE.refuted(f"φ is not continuous: {few}", _by(0, "SD603")),)
     return (
-        RULE.proved(f"φ is C^{depth - 2}: {rule}", _by(depth - 2, "SD603")),
-        NEXT.refuted(f"φ is not C^{depth - 1}: {rule}", _by(depth - 1, "SD603")),
+        RULE.proved(f"φ is C^{depth - 2}: {enough}", _by(depth - 2, "SD603")),
+        NEXT.refuted(f"φ is not C^{depth - 1}: {few}", _by(depth - 1, "SD603")),
     )
 
 
 def _by(order: int, code: str) -> dict[str, int | str]:
     return {"order": order, "by": code}
+
+
+def _threshold(numbers: MultivariateNumbers, n: int) -> str:
+    """λ^-n in words: `1`, `λ^-2, λ = 3`, `λ^-1, λ = √2`."""
+    if n == 0:
+        return "1"
+    m, s = numbers.lattice.index, numbers.dimension
+    root = exact_root(m, s)
+    return f"λ^-{n}, " + (f"λ = {root}" if root is not None else f"λ = √{m}" if s == 2 else f"λ^{s} = {m}")
 
 
 def _is_below(numbers: MultivariateNumbers, n: int) -> bool:
@@ -84,7 +93,7 @@ def _obstacle(numbers: MultivariateNumbers, n: int) -> str | None:
     if n >= k:
         return f"C^{n} needs sum rules of order {n + 1}, but the mask has order {k}"
     if product is not None and reaches(numbers, product, n):
-        return f"{product_name(product.word)} keeps ρ_{k} ≥ λ^-{n}"
+        return f"{product_name(product.word)} keeps ρ_{k} ≥ {_threshold(numbers, n)}"
     return None
 
 
