@@ -3,7 +3,12 @@
 ρ(M_0, …, M_(p-1)) = lim max ‖M_(w_L) … M_(w_1)‖^(1/L). `products` and `search` look for a product of large spectral
 radius, which bounds it from below; `body`, `measure` and `polytope` grow a convex body that the scaled matrices map
 into itself, which bounds it from above, by the linear programmes of `gauge` (balanced bodies) and `dominance` (monotone
-ones); `reduce` takes families with a common invariant subspace apart; `closing` with `ties`, and `enclosing`, turn what
-floats found into equalities and inequalities that are proved, and `radius` puts all of it together. numpy is loaded
-with these parts only, not with `family`, `products` and `result`.
+ones); `closing` with `ties`, and `enclosing`, turn what floats found into equalities and inequalities that are proved.
+`irreducible` puts that together for one family, `reduce` takes families with common invariant subspaces apart, and
+`radius` puts all of it together. numpy is loaded with these parts only, not with `family`, `products` and `result`, and
+for one thread: its matrices are small, and threads that wait for each other would take most of the time.
 """
+
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

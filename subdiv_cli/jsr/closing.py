@@ -57,7 +57,7 @@ def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dic
             if not proof.spans or proof.is_large:
                 return None
             for bits in _WEIGHT_BITS:
-                decided, left = proof.images(bits)
+                decided, left = proof.images(bits, to_the_end=bits == _WEIGHT_BITS[-1])
                 if not left:
                     places += proof.lost
                     return proof.witness(places, bits, decided) if places <= _MOST_PLACES else None
@@ -149,14 +149,19 @@ class _Closing:
         kappa = _largest([_norm(column) for column in zip(*inverse.table(), strict=True)])
         return kappa if kappa.is_finite() else None
 
-    def images(self, bits: int) -> tuple[list[tuple[int, ...] | Tie], list[tuple[int, int]]]:
-        """Every image that is neither an edge nor a return, decided with weights of so many bits; and what is not."""
+    def images(self, bits: int, *, to_the_end: bool) -> tuple[list[tuple[int, ...] | Tie], list[tuple[int, int]]]:
+        """Every image that is neither an edge nor a return, decided with weights of so many bits; and what is not.
+
+        Otherwise the first one that is not decided ends it.
+        """
         decided: list[tuple[int, ...] | Tie] = []
         left: list[tuple[int, int]] = []
         for pair in sorted(self._body.images):
             answer = self._decide(self._body.images[pair], bits)
             if answer is None:
                 left.append(pair)
+                if not to_the_end:
+                    break
             else:
                 decided.append(answer)
         return decided, left

@@ -36,8 +36,8 @@ _LONGEST_ROOT = 60_000
 """Bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
 _ROUNDING = 1e-9
 _MARGIN = 30
-_SLACK = tuple(Fraction(1, n) for n in (32, 64, 128, 512, 4096, 1 << 20))
-"""By how much the matrices are scaled down where the polytope at the candidate itself does not close."""
+_SLACK = Fraction(1, 64)
+"""By how much the matrices are scaled down first where the polytope at the candidate itself does not close."""
 
 
 def irreducible_radius(family: Family, effort: Effort) -> Radius | None:
@@ -161,26 +161,37 @@ class _Attempt:
         return [start._replace(vector=start.vector * float(x)) for start, x in zip(starts, factors, strict=True)]
 
     def enclosed(self, effort: Effort) -> Radius | None:
-        """The best bound of a polytope that is not closed, or that is for matrices scaled down a little.
-
-        From one slack to the next smaller one, as long as polytopes close and the work of all is allowed.
-        """
+        """The best bound of a polytope that is not closed, or that is for matrices scaled down a little."""
         if self.leaders is None:
             return None
-        best = enclose(self.family, self.grown, self.sigma) if self.grown is not None else None
-        left = effort.work
-        for slack in _SLACK:
-            scaled = self.sigma * (1 + slack)
-            if best is not None and best.upper <= scaled:
-                continue
-            real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
-            grown = grow(self._body(real, scaled), effort.limited(left))
-            left -= grown.spent
-            bound = enclose(self.family, grown, scaled)
-            best = min((b for b in (best, bound) if b is not None), key=lambda b: b.upper, default=None)
-            if not grown.closed or left <= 0:
-                break
+        grown = self.grown
+        if grown is not None and grown.closed and (bound := enclose(self.family, grown, self.sigma)) is not None:
+            return self._at_most(bound)
+        found = [] if grown is None else [(self.sigma, grown)]
+        found += self._slackened(effort)
+        found.sort(key=lambda pair: float(pair[0]) * max(1.0, pair[1].value))
+        bounds = (enclose(self.family, grown, scaled) for scaled, grown in found)
+        best = next((bound for bound in bounds if bound is not None), None)
         return None if best is None else self._at_most(best)
+
+    def _slackened(self, effort: Effort) -> list[tuple[Fraction, Grown]]:
+        """Polytopes for matrices scaled down: by less and less as long as they close, or by more until one does.
+
+        No one takes more than the effort, and all together no more than twice of it.
+        """
+        assert self.leaders is not None
+        real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
+        found: list[tuple[Fraction, Grown]] = []
+        slack, left = _SLACK, 2 * effort.work
+        while left > 0 and _SLACK**3 <= slack <= 1:
+            scaled = self.sigma * (1 + slack)
+            grown = grow(self._body(real, scaled), effort.limited(left))
+            found.append((scaled, grown))
+            left -= grown.spent
+            if grown.closed is not found[0][1].closed:
+                break
+            slack = slack / 4 if grown.closed else slack * 4
+        return found
 
     def _at_most(self, bound: Bound) -> Radius:
         assert self.leaders is not None

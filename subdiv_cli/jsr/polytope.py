@@ -29,7 +29,7 @@ _SAME = 1e-12
 _SMALL = 1 / 16
 _INDEPENDENT = 1e-3
 """Of a vector, what must be new for it to count as independent of others: a body that is thin has proofs of no use."""
-_SMALL_ORDER = 10
+_SMALL_ORDER = 20
 
 
 class Grown(NamedTuple):
