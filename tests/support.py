@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 
+from subdiv_cli.catalog import masks_directory
+from subdiv_cli.maskfile import read_path
 from subdiv_cli.model import Effort, Finding, Result
 from subdiv_cli.pipeline import check
+from subdiv_cli.schemes.multivariate import IntMatrix, MultivariateScheme
 from subdiv_cli.schemes.scalar import ScalarScheme
 
 
@@ -15,8 +19,27 @@ def scheme(coefficients: Sequence[int | str | Fraction], start: int = 0, arity: 
     return ScalarScheme(arity=arity, start=start, coefficients=tuple(Fraction(c) / over for c in coefficients))
 
 
-def answer(mask: ScalarScheme, work: int = 20_000) -> Result:
+def answer(mask: ScalarScheme | MultivariateScheme, work: int = 20_000) -> Result:
     return check(mask, (), Effort(work)).result
+
+
+def surface(terms: Mapping[tuple[int, ...], Fraction], dilation: IntMatrix = ((2, 0), (0, 2))) -> MultivariateScheme:
+    """A mask in several variables."""
+    return MultivariateScheme(dilation=dilation, terms=terms)
+
+
+@cache
+def shipped_surface(name: str) -> MultivariateScheme:
+    """A mask of the catalog in several variables."""
+    found = read_path(masks_directory() / "multivariate" / f"{name}.toml").scheme()
+    assert isinstance(found, MultivariateScheme)
+    return found
+
+
+@cache
+def shipped_answer(name: str) -> Result:
+    """What is found of a mask of the catalog in several variables, once for all tests."""
+    return answer(shipped_surface(name))
 
 
 def findings(result: Result, code: str) -> list[Finding]:
