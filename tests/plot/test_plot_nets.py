@@ -17,7 +17,7 @@ from subdiv_cli.stages.surfaces import graph, net
 
 F = Fraction
 MASKS = Path(__file__).parents[2] / "masks" / "multivariate"
-TRIANGLES = {"loop", "butterfly", "courant", "kobbelt_sqrt3", "box_211", "box_333", "loop_ternary", "labsik_greiner"}
+TRIANGLES = {"loop", "butterfly", "courant", "kobbelt_sqrt3", "box_211", "box_333", "loop_ternary"}
 QUADRILATERALS = {
     "catmull_clark", "doo_sabin", "bilinear", "zwart_powell", "velho_zorin", "midedge", "tensor_four_point", "bear",
     "anisotropic_bilinear", "quincunx_linear", "biquadratic_ternary",
