@@ -50,6 +50,7 @@ class _Proof:
         self.m = len(as_tuple(self.found["SD601"].witness["cosets"]))
         self._families: list[None] = []
         self._family: int | None = None
+        self._radius_claim: int | None = None
 
     def claims_of(self, finding: Finding) -> list[int]:
         """Those that say what a decided finding says."""
@@ -142,10 +143,14 @@ class _Proof:
 
     def _radius(self) -> int:
         """The claim on its joint spectral radius from above, or on the number itself."""
-        proof = self.found["SD605"].proof
-        self._differences()
-        order = len(as_tuple(cast(Map, proof["space"])["basis"]))
-        return Radii(self.claims, self._families, self.m, []).claim(cast(Map, proof["radius"]), 0, order)
+        if self._radius_claim is None:
+            proof = self.found["SD605"].proof
+            self._differences()
+            order = len(as_tuple(cast(Map, proof["space"])["basis"]))
+            self._radius_claim = Radii(self.claims, self._families, self.m, []).claim(
+                cast(Map, proof["radius"]), 0, order
+            )
+        return self._radius_claim
 
     def _word(self, word: Sequence[int], bound: Fraction) -> int:
         self._differences()

@@ -153,8 +153,11 @@ def _over_q(rows: fmpz_mod_mat) -> fmpq_mat | None:
 
 
 def _fraction(x: int, prime: int) -> Fraction | None:
-    """p/q ≡ x with |p|, q at most the square root of half the prime: unique; by Euclid's algorithm (Wang 1981)."""
-    most = isqrt(prime // 2)
+    """p/q ≡ x with |p| and q far below the square root of the prime, so that few x have any, and none has two.
+
+    By Euclid's algorithm (Wang 1981).
+    """
+    most = isqrt(prime) >> 8
     (r, s), (u, v) = (prime, x), (0, 1)
     while s > most:
         quotient = r // s
