@@ -164,6 +164,8 @@ class _Proof:
         rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
         if by == "SD604":
             rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
+        elif by == "SD617":
+            uses = [self._mean_squares(found, lower=True)]
         elif by == "SD605":
             word = () if holds else as_word(found.witness)
             uses = [self._radius() if holds else self._word(word, Fraction(1)), self._differences()]
@@ -183,7 +185,13 @@ class _Proof:
         n = as_integer(finding.witness["order"])
         if finding.witness["by"] == "SD603":
             return self._add("box-smooth", {"property": "smooth", "order": n}, uses=[self._box()], work=self._breadth())
-        return self._add("smooth", {"order": n}, uses=[self._radius(), self._differences()])
+        return self._add("smooth", {"order": n}, uses=self._decay(finding))
+
+    def _decay(self, finding: Finding) -> list[int]:
+        """What bounds the radius from above: that of a family, or mean squares."""
+        if finding.witness["by"] == "SD617":
+            return [self._mean_squares(finding, lower=True)]
+        return [self._radius(), self._differences()]
 
     def _not_smooth(self, finding: Finding) -> int:
         n, by = as_integer(finding.witness["order"]), finding.witness["by"]
@@ -204,8 +212,8 @@ class _Proof:
             return [self._exponent(finding, root)]
         bound = rational(as_rational(root["high"] if root is not None else finding.witness["bound"]))
         statement = {"length": finding.witness["length"], "bound": bound}
-        radius = self._radius()
-        return [self._add("holder-lower", statement, uses=[radius, self._differences()]), radius]
+        uses = self._decay(finding)
+        return [self._add("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
 
     def _upper(self, finding: Finding) -> list[int]:
         if finding.witness["by"] == "SD603":
@@ -234,11 +242,16 @@ class _Proof:
         if found["by"] == "SD603":
             statement = {"property": "sobolev-value", "value": rational(as_rational(found["value"]))}
             return self._add("box-sobolev", statement, uses=[self._box()], work=self._breadth())
+        return self._mean_squares(finding, lower=not found["holds"])
+
+    def _mean_squares(self, finding: Finding, *, lower: bool) -> int:
+        """The claim on s by the growth of mean squares, or on its bound from below."""
+        found = finding.proof
         f, cofactor = as_tuple(found["polynomial"]), as_tuple(found["cofactor"])
         degree, k = len(f) + len(cofactor) - 2, as_integer(self.found["SD602"].witness["order"])
         size = as_integer(found["pairs"]) + 4 * as_integer(found["window"])
         of_root: Json = {
-            "property": "sobolev" if found["holds"] else "sobolev-lower",
+            "property": "sobolev-lower" if lower else "sobolev",
             "polynomial": as_polynomial(0, f),
             "low": rational(as_rational(found["low"])),
             "high": rational(as_rational(found["high"])),
@@ -247,7 +260,7 @@ class _Proof:
             "surface-sobolev",
             of_root,
             {"cofactor": as_polynomial(0, cofactor)},
-            [self._sum_rules(), *([self._stable()] if found["holds"] else [])],
+            [self._sum_rules(), *([] if lower else [self._stable()])],
             self.terms**2 + k * (2 * self.s + 1) * (2 * k + 1) ** self.s + (degree + 1) * size,
         )
 

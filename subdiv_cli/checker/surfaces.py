@@ -19,9 +19,8 @@ LOWER = ("radius-lower", "radius", "bounded")
 def converges(c: Claim) -> None:
     """S converges iff ρ < 1 (Han & Jia 1998 for k = 1; M expanding, so differences of lower order decay as well)."""
     c.count(1)
-    used = c.use(*UPPER).statement
-    c.use("family", family=used["family"])
-    require(bound_of(used) < 1, "the radius is not small enough")
+    _, bound = _decay(c)
+    require(bound < 1, "the radius is not small enough")
 
 
 def diverges(c: Claim) -> None:
@@ -40,10 +39,8 @@ def smooth(c: Claim) -> None:
     n = c.statement["order"]
     c.count(1)
     _isotropic(c)
-    used = c.use(*UPPER).statement
-    family = c.use("family", family=used["family"]).statement
-    require(family["order"] > n, f"the differences are of order {family['order']}")
-    require(_scaled(c, bound_of(used), n * used["length"]) < 1, "the radius is not small enough")
+    length, bound = _decay(c, n)
+    require(_scaled(c, bound, n * length) < 1, "the radius is not small enough")
 
 
 def not_smooth(c: Claim) -> None:
@@ -66,9 +63,8 @@ def holder_lower(c: Claim) -> None:
     """α >= -log_λ(x)/ℓ: ρ^ℓ <= x."""
     c.count(1)
     _isotropic(c)
-    used = c.use(*UPPER).statement
-    c.use("family", family=used["family"])
-    _same(c, used, bound_of(used))
+    length, bound = _decay(c)
+    _same(c, length, bound)
 
 
 def holder_upper(c: Claim) -> None:
@@ -77,7 +73,7 @@ def holder_upper(c: Claim) -> None:
     _isotropic(c)
     used = c.use(*LOWER).statement
     _highest_differences(c, used)
-    _same(c, used, _bound_below(used))
+    _same(c, used["length"], _bound_below(used))
 
 
 def holder_root(c: Claim) -> None:
@@ -95,9 +91,23 @@ def _highest_differences(c: Claim, used: Statement) -> None:
     c.use("stable", holds=True)
 
 
-def _same(c: Claim, used: Statement, bound: Fraction) -> None:
+def _decay(c: Claim, n: int = 0) -> tuple[int, Fraction]:
+    """ℓ and x with ρ^ℓ <= x, for differences of an order above n: of a family, or ρ² <= m Λ of mean squares.
+
+    In the mean ‖T_w v‖² is at most the sum over all words w of one length, so ρ² <= m Λ; their order is that of the sum
+    rules, and it is above n where m Λ < λ^-2n, as Λ >= λ^-2k.
+    """
+    used = c.use(*UPPER, "sobolev-lower").statement
+    if used["property"] == "sobolev-lower":
+        return 2, c.lattice().dilation.cosets * used["high"]
+    order = c.use("family", family=used["family"]).statement["order"]
+    require(order > n, f"the differences are of order {order}")
+    return used["length"], bound_of(used)
+
+
+def _same(c: Claim, length: int, bound: Fraction) -> None:
     asked = (c.statement["length"], c.statement["bound"])
-    require((used["length"], bound) == asked, "the radius has another length or bound")
+    require((length, bound) == asked, "the radius has another length or bound")
     require(bound > 0, "the bound is not positive")
 
 

@@ -83,6 +83,12 @@ class MultivariateNumbers:
         """The growth of the mean squares of differences of order k >= 1; None where the operator is too large."""
         return mean_squares(self.scheme, self.lattice, self.order, self.effort) if self.order else None
 
+    @property
+    def mean_decay(self) -> Fraction | None:
+        """x with ρ_k² <= x: m Λ, as ‖T_w v‖² is at most the sum over all words of one length. For isotropic M."""
+        found = self.mean_squares if self.lattice.is_isotropic else None
+        return None if found is None or found.growth is None else self.lattice.index * found.growth.high
+
     @cached_property
     def reproduction(self) -> Reproduction:
         """The polynomials that are reproduced, for k >= 1."""

@@ -473,6 +473,11 @@ def butterfly():
     book.add("not-smooth", [stable, 1], order=4)
     book.add("reproduction", [1], degree=3)
     book.sobolev(4, [-1, -40, 2048], "339/10000", "17/500", stable)
+    book.sobolev(4, [-1, -40, 2048], "339/10000", "17/500")
+    mean = len(book.claims) - 1
+    book.add("converges", [mean], property="convergent", holds=True)
+    book.add("smooth", [mean], order=1)
+    book.add("holder-lower", [mean], length=2, bound="17/125")
     return book.document()
 
 

@@ -62,8 +62,8 @@ def test_the_line_reads_well():
     made["goal"] = made["goal"][2:5]
     assert check_document(made).line == "VERIFIED generation degree 1; reproduction degree 1; s >= 2"
     made = copy.deepcopy(MADE["butterfly"])
-    made["goal"] = made["goal"][-1:]
-    assert check_document(made).line == "VERIFIED s = -log_2(λ)/2, λ the zero of a polynomial"
+    made["goal"] = made["goal"][-5:-3]
+    assert check_document(made).line.startswith("VERIFIED s = -log_2(λ)/2, λ the zero of a polynomial; s >= -log_2(λ)")
     made = copy.deepcopy(MADE["quincunx"])
     made["goal"] = made["goal"][-1:]
     assert check_document(made).line.startswith("VERIFIED α = -log_2(the root of 16x^2 - 12x + 1 in [")
@@ -132,6 +132,9 @@ FORGED = [
     ("bilinear", "differences", set_in("work", 100), "more work"),
     ("bilinear", "converges", lambda c: c["uses"].reverse(), "it uses family"),
     ("bilinear", "converges", lambda c: c["uses"].pop(), "does not use"),
+    ("butterfly", "smooth", said("order", 2), "radius is not small enough"),
+    ("butterfly", "holder-lower", said("length", 1), "another length or bound"),
+    ("butterfly", "holder-lower", said("bound", "17/500"), "another length or bound"),
     ("haar", "diverges", said("holds", True), "does not prove such statements"),
     ("haar", "diverges", set_in("uses", [0]), "the coset sums are 1"),
     ("bilinear", "smooth", said("order", 1), "radius is not small enough"),
@@ -424,6 +427,15 @@ def test_the_exponent_in_the_mean_needs_an_isotropic_dilation_and_sum_rules():
     rejected(made, 2, "not seen to be isotropic")
     made = of("flat", *structure(0), claim("surface-sobolev", [1], found, WORK, **said))
     rejected(made, 2, "the sum rules are of order 0")
+
+
+def test_mean_squares_that_decay_too_slowly_prove_no_convergence():
+    """Of the square s = 1/2, so m Λ = 2."""
+    said = {"property": "sobolev-lower", "polynomial": line("-1", "2"), "low": "1/2", "high": "1/2"}
+    mean = claim("surface-sobolev", [1], {"cofactor": line("1")}, WORK, **said)
+    assert check_document(of("haar", *structure(1), mean)).verified
+    converges = claim("converges", [2], property="convergent", holds=True)
+    rejected(of("haar", *structure(1), mean, converges), 3, "radius is not small enough")
 
 
 def spline(directions, power=1, shift=(0, 0), scale=2):

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from subdiv_cli.maskfile import read_path
 from subdiv_cli.model import Effort, Verdict
+from subdiv_cli.pipeline import check
 from subdiv_cli.quantities.coset_sums import sum_rule_order
 from subdiv_cli.quantities.mean_squares import autocorrelation, mean_squares
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
@@ -197,6 +198,20 @@ def test_the_bounds_of_the_hoelder_exponent(row):
     assert low >= value.lower - scheme.dimension / 2 - 1e-6
     if value.upper is not None or not row["truth"]["stable"]:
         assert high <= (value.upper or row["truth"]["sobolev_of_limits"]) + 1e-6
+
+
+@pytest.mark.parametrize(
+    ("name", "order"), [("labsik_greiner", 1), ("sqrt3_linear", 0), ("quincunx_interpolatory_4", 1)]
+)
+def test_convergence_in_the_mean(name, order, monkeypatch):
+    """Without a joint spectral radius: s > dimension/2, so S converges; then interpolation is stable, and s exact."""
+    monkeypatch.setattr(MultivariateNumbers, "radius", None)
+    mask = read_path(ROOT / "masks" / "multivariate" / f"{name}.toml")
+    result = check(mask.scheme(), mask.expectations, Effort()).result
+    assert result.convergent is result.stable is Verdict.PROVED
+    assert result.refinable.order == order
+    assert result.sobolev.exact is not None
+    assert result.holder.lower == pytest.approx(result.sobolev.lower - 1)
 
 
 small = st.fractions(min_value=-1, max_value=1, max_denominator=4)

@@ -2,7 +2,8 @@
 
 Theorem (Han & Jia 1998, Theorem 4.3, for any expanding M; quantities/difference_space.py for k > 1): S converges
 uniformly iff its coset sums are 1 and ρ_k < 1, k any order of its sum rules. No stability is needed. Also proved by
-directional difference schemes that contract (SD604). Hypotheses: the coset sums (SD601).
+directional difference schemes that contract (SD604), or in the mean: ρ_k² is at most m Λ, Λ the growth of the mean
+squares (SD617), m = |det M|; that is s > dimension/2 for its bound of s. Hypotheses: the coset sums (SD601).
 
 Witness: `by`, the code of the finding that decides.
 """
@@ -13,7 +14,7 @@ from fractions import Fraction
 
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.stages.multivariate.rule import Facts, verdict_of
+from subdiv_cli.stages.multivariate.rule import Facts, growth_proof, verdict_of
 from subdiv_cli.stages.stage import ContradictionError, Rule, product_name
 
 RULE = Rule("SD611", "surface-convergence", "Han & Jia 1998, Theorem 4.3; Dyn 1992, section 6")
@@ -34,6 +35,11 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         if norms is not None:
             return (RULE.proved("S converges uniformly: the directional differences contract", {"by": "SD604"}),)
         return (RULE.proved(f"S converges uniformly: the coset sums are 1 and ρ_{k} < 1", {"by": "SD605"}),)
+    if (mean := numbers.mean_decay) is not None and mean < 1:
+        statement = (
+            f"S converges uniformly: the mean squares of differences of order {k} decay fast enough for ρ_{k} < 1"
+        )
+        return (RULE.proved(statement, {"by": "SD617"}, proof=growth_proof(numbers)),)
     if diverges and product is not None:
         statement = f"S does not converge uniformly: {product_name(product.word)} keeps ρ_{k} ≥ 1"
         return (RULE.refuted(statement, {"by": "SD605", "word": product.word}),)

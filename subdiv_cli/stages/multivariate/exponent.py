@@ -4,8 +4,10 @@ Theorems. For isotropic M, λ = |det M|^(1/s), k the order of the sum rules (Jia
 for stable φ they are equal. A product of ℓ operators with an eigenvalue of modulus r bounds ρ_k^ℓ >= r. Box splines
 (SD603): α = d - 1 exactly, d >= 2. Hypotheses: M isotropic, checked; stability (SD616) from above.
 
-Witness: `by`, SD603 or SD605; `length` and `root`, or `length` and `bound`, as SD605 has them; from above `length` and
-`radius`, a rational lower bound of ρ_k^length.
+Where no bound of ρ_k is known, ρ_k² <= m Λ of the mean squares (SD617): α >= s - dimension/2.
+
+Witness: `by`, SD603, SD605 or SD617; `length` and `root`, or `length` and `bound`, as SD605 has them; from above
+`length` and `radius`, a rational lower bound of ρ_k^length.
 """
 
 from __future__ import annotations
@@ -25,6 +27,7 @@ from subdiv_cli.stages.joint_radius import shown
 from subdiv_cli.stages.multivariate.rule import (
     ANISOTROPIC,
     Facts,
+    growth_proof,
     not_spanning,
     spanning,
     surface_exponent,
@@ -47,7 +50,7 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (BELOW.skipped(_BELOW, reason), ABOVE.skipped(_ABOVE, reason))
     if numbers.radius is None:
         none = "no bound of the decay of differences is known"
-        return (BELOW.undecided(_BELOW, none), ABOVE.undecided(_ABOVE, none))
+        return (_in_the_mean(numbers) or BELOW.undecided(_BELOW, none), ABOVE.undecided(_ABOVE, none))
     stable = verdict_of(facts, "SD616")
     stably = stable is not None and stable.verdict is Verdict.PROVED
     return (_below(numbers, stably), _above(numbers, stably))
@@ -75,11 +78,28 @@ def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
             return BELOW.proved(f"α = {text}, as φ is stable and ρ_{k} = {shown(radius)}", witness, value, exact)
         return BELOW.proved(f"α ≥ {text}, as ρ_{k} = {shown(radius)}", witness, Interval(lower=value.lower))
     length, bound = radius.upper
-    with ctx.workprec(128):
-        lower = interval(-ball(bound).log() * s / ball(m).log() / length).lower
-    assert lower is not None
+    lower = _exponent(numbers, length, bound)
     statement = f"α ≥ {rounded_down(lower)}, from the bound of ρ_{k}"
     return BELOW.proved(statement, {**witness, "bound": bound}, Interval(lower=lower))
+
+
+def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
+    """α >= s - dimension/2, for the bound of s that SD617 has."""
+    bound = numbers.mean_decay
+    if bound is None:
+        return None
+    lower = _exponent(numbers, 2, bound)
+    witness: dict[str, Data] = {"by": "SD617", "length": 2, "bound": bound}
+    statement = f"α ≥ {rounded_down(lower)}, from the mean squares of differences of order {numbers.order}"
+    return BELOW.proved(statement, witness, Interval(lower=lower), proof=growth_proof(numbers))
+
+
+def _exponent(numbers: MultivariateNumbers, length: int, bound: Fraction) -> float:
+    """-log_λ(bound)/length, rounded down."""
+    with ctx.workprec(128):
+        lower = interval(-ball(bound).log() * numbers.dimension / ball(numbers.lattice.index).log() / length).lower
+    assert lower is not None
+    return lower
 
 
 def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:

@@ -9,7 +9,7 @@ from flint import fmpq_mat, fmpq_poly
 
 from subdiv_cli.exact.algebraic import isolated, number_of, roots
 from subdiv_cli.exact.closed import exponent
-from subdiv_cli.model import ClosedForm, Finding, Root, unpowered
+from subdiv_cli.model import ClosedForm, Data, Finding, Root, unpowered
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
 
 Facts = Mapping[str, tuple[Finding, ...]]
@@ -52,6 +52,22 @@ def _power(root: Root, n: int) -> Root | None:
     target = number_of(root).enclosure().real ** n
     near = [number for number, _ in roots((companion**n).charpoly()) if number.region.overlaps(target)]
     return isolated(near[0]) if len(near) == 1 and near[0].is_real else None
+
+
+def growth_proof(numbers: MultivariateNumbers) -> dict[str, Data]:
+    """What certificates need to show of the growth Λ of mean squares, where that is known."""
+    found = numbers.mean_squares
+    assert found is not None
+    assert found.growth is not None
+    growth = found.growth
+    return {
+        "polynomial": tuple(int(c) for c in growth.radius.minimal_polynomial),
+        "low": growth.low,
+        "high": growth.high,
+        "cofactor": growth.cofactor_coefficients(),
+        "window": found.window,
+        "pairs": found.pairs,
+    }
 
 
 def verdict_of(facts: Facts, code: str) -> Finding | None:

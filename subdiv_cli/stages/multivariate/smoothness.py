@@ -5,7 +5,10 @@ stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k 
 C^n iff n <= d - 2, whatever their stability. Hypotheses: M isotropic, checked (others are skipped); stability (SD616),
 for refutations that are not of box splines.
 
-Witness: `order`; `by`, SD605 or SD603; SD613: `by`, SD603, SD602 (the sum rules are too few) or SD605 with `word`.
+In the mean, ρ_k² is at most m Λ, Λ the growth of the mean squares of differences (SD617).
+
+Witness: `order`; `by`, SD605, SD617 or SD603; SD613: `by`, SD603, SD602 (the sum rules are too few) or
+SD605 with `word`.
 """
 
 from __future__ import annotations
@@ -15,7 +18,7 @@ from fractions import Fraction
 from subdiv_cli.jsr.products import Product
 from subdiv_cli.model import Finding, Verdict, exact_root
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, not_spanning, spanning, verdict_of
+from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, growth_proof, not_spanning, spanning, verdict_of
 from subdiv_cli.stages.stage import Rule, product_name
 
 RULE = Rule("SD612", "surface-smoothness", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
@@ -31,18 +34,20 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return _of_box_spline(numbers.box.depth)
     if not numbers.lattice.is_isotropic:
         return (RULE.skipped(_QUESTION, ANISOTROPIC),)
-    k, radius = numbers.order, numbers.radius
-    if radius is None:
+    k = numbers.order
+    if numbers.radius is None and numbers.mean_decay is None:
         return (RULE.undecided(_QUESTION, "no bound of the decay of differences is known"),)
-    proved = [n for n in range(k) if _is_below(numbers, n)]
+    proved = [(n, by) for n in range(k) if (by := _below(numbers, n)) is not None]
     stable = verdict_of(facts, "SD616")
     stably = stable is not None and stable.verdict is Verdict.PROVED
     if not proved:
         if stably and (obstacle := _obstacle(numbers, 0)) is not None:
             return (RULE.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)
         return (RULE.undecided(_QUESTION, "it is not proved that φ is continuous"),)
-    n = proved[-1]
-    first = RULE.proved(f"φ is C^{n}: ρ_{k} < {_threshold(numbers, n)}", _by(n, "SD605"))
+    n, by = proved[-1]
+    mean = "" if by == "SD605" else ", by the mean squares of differences"
+    proof = growth_proof(numbers) if mean else None
+    first = RULE.proved(f"φ is C^{n}: ρ_{k} < {_threshold(numbers, n)}{mean}", _by(n, by), proof=proof)
     obstacle = _obstacle(numbers, n + 1)
     if obstacle is None or not stably:
         why = "it is not proved that φ is stable" if obstacle else "no product is known that excludes it"
@@ -74,11 +79,15 @@ def _threshold(numbers: MultivariateNumbers, n: int) -> str:
     return f"λ^-{n}, " + (f"λ = {root}" if root is not None else f"λ = √{m}" if s == 2 else f"λ^{s} = {m}")
 
 
-def _is_below(numbers: MultivariateNumbers, n: int) -> bool:
-    """Whether ρ_k < λ^-n is proved: x^s m^(n length) < 1 for ρ_k^length <= x."""
-    assert numbers.radius is not None
-    length, bound = numbers.radius.upper
-    return bool(bound**numbers.dimension * numbers.lattice.index ** (n * length) < 1)
+def _below(numbers: MultivariateNumbers, n: int) -> str | None:
+    """The code of what proves ρ_k < λ^-n: x^s m^(n length) < 1 for ρ_k^length <= x."""
+    bounds = {"SD605": numbers.radius and numbers.radius.upper, "SD617": (2, numbers.mean_decay)}
+    for code, pair in bounds.items():
+        if pair is not None and (bound := pair[1]) is not None:
+            length = pair[0]
+            if bound**numbers.dimension * numbers.lattice.index ** (n * length) < 1:
+                return code
+    return None
 
 
 def reaches(numbers: MultivariateNumbers, product: Product, n: int) -> bool:

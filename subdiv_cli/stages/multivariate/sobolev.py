@@ -7,8 +7,8 @@ squares of the differences of order k (quantities/mean_squares.py): s >= -log_λ
 Hypotheses: M isotropic, the order, that the mask is no box spline: checked; stability (SD616), for equality.
 
 Witness: `by`, SD603 and `value`; or SD602, the order of the differences, with `polynomial`, that of Λ, integers, lowest
-power first; `low` and `high`, which enclose Λ and no other zero of it; `cofactor`, which makes it annihilate the
-sequences; `window` and `pairs`, the sizes of the operator; `holds`, whether s is equal to the bound.
+power first; `low` and `high`, which enclose Λ and no other zero of it; `holds`, whether s is equal to the bound.
+`proof`: these, and the `cofactor` that makes the polynomial annihilate the sequences.
 """
 
 from __future__ import annotations
@@ -21,10 +21,9 @@ from subdiv_cli.exact.closed import closed_interval, readable
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, number
 from subdiv_cli.model import Data, Finding, Interval, Root, Verdict
-from subdiv_cli.quantities.mean_squares import MeanSquares
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
 from subdiv_cli.quantities.sobolev import Growth
-from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, surface_exponent, verdict_of
+from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, growth_proof, surface_exponent, verdict_of
 from subdiv_cli.stages.stage import Rule
 
 RULE = Rule("SD617", "surface-sobolev", "Jia 1999; Han 2003; de Boor, Höllig & Riemenschneider 1993, chapter I")
@@ -45,7 +44,7 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if found.growth is None:
         return (RULE.undecided(_QUESTION, "the growth of the mean squares is a multiple zero of its polynomial"),)
     stable = verdict_of(facts, "SD616")
-    return (_found(numbers, found, found.growth, stable is not None and stable.verdict is Verdict.PROVED),)
+    return (_found(numbers, found.growth, stable is not None and stable.verdict is Verdict.PROVED),)
 
 
 def _of_box_spline(depth: int) -> Finding:
@@ -54,7 +53,7 @@ def _of_box_spline(depth: int) -> Finding:
     return RULE.proved(statement, {"by": "SD603", "value": s}, interval(s), s)
 
 
-def _found(numbers: MultivariateNumbers, found: MeanSquares, growth: Growth, stable: bool) -> Finding:
+def _found(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Finding:
     m, dimension, k = numbers.lattice.index, numbers.dimension, numbers.order
     root = Root(tuple(int(c) for c in growth.radius.minimal_polynomial), growth.low, growth.high)
     witness: dict[str, Data] = {
@@ -62,9 +61,6 @@ def _found(numbers: MultivariateNumbers, found: MeanSquares, growth: Growth, sta
         "polynomial": root.coefficients,
         "low": growth.low,
         "high": growth.high,
-        "cofactor": growth.cofactor_coefficients(),
-        "window": found.window,
-        "pairs": found.pairs,
         "holds": stable,
     }
 
@@ -82,5 +78,5 @@ def _found(numbers: MultivariateNumbers, found: MeanSquares, growth: Growth, sta
             value = interval(exponent())
     why = f"the mean squares of differences of order {k} grow like Λ^L, Λ = {size}"
     if stable:
-        return RULE.proved(f"s = {shown}: φ is stable, and {why}", witness, value, closed)
-    return RULE.proved(f"s ≥ {shown}: {why}", witness, Interval(lower=value.lower))
+        return RULE.proved(f"s = {shown}: φ is stable, and {why}", witness, value, closed, growth_proof(numbers))
+    return RULE.proved(f"s ≥ {shown}: {why}", witness, Interval(lower=value.lower), proof=growth_proof(numbers))
