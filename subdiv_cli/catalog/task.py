@@ -24,7 +24,6 @@ from subdiv_cli.model import (
     Result,
     Verdict,
 )
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 
 class Draw(NamedTuple):
@@ -110,15 +109,20 @@ def _perform(task: Task, settings: Settings) -> Done:
             parameters=parameters,
             expectations=tuple(_placed(judged, mask) for judged in result.expectations),
             drawing=_drawing(scheme, result, settings),
-            mask=None if isinstance(scheme, ScalarScheme) else LatticeMask(scheme.dilation, scheme.terms),
+            mask=_lattice_mask(scheme),
         ),
         certificate=done.certificate if settings.certificates else None,
     )
 
 
+def _lattice_mask(scheme: Any) -> LatticeMask | None:
+    """Of masks in several variables, for reports that show stencils."""
+    return LatticeMask(scheme.dilation, scheme.terms) if hasattr(scheme, "dilation") else None
+
+
 def _drawing(scheme: Any, result: Result, settings: Settings) -> Drawing | None:
     """Of masks in one variable, for the formats that draw."""
-    if settings.draw is None or not isinstance(scheme, ScalarScheme):
+    if settings.draw is None or result.kind != "scalar":
         return None
     return settings.draw(scheme, result.convergent is Verdict.PROVED)
 
