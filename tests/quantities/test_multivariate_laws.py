@@ -1,0 +1,200 @@
+"""Laws of schemes in several variables: what must not change, and what must change in a known way."""
+
+import random
+from fractions import Fraction
+from itertools import combinations, product
+
+import numpy as np
+import pytest
+from support import answer, b_spline, four_point, scheme, shipped_answer, shipped_surface, surface
+
+from subdiv_cli.exact.closed import closed_interval
+from subdiv_cli.model import Verdict
+from subdiv_cli.quantities.box_spline import box_spline, iterated
+from subdiv_cli.schemes.lattice import Lattice
+
+F = Fraction
+DE_RHAM = scheme([1, 4, 4, 1], start=-1, over=5)
+
+
+def said(result):
+    """What a change of coordinates must leave alone."""
+    holder = result.holder
+    return {
+        "convergent": result.convergent,
+        "smoothness": result.smoothness,
+        "refinable": result.refinable,
+        "stable": result.stable,
+        "order": result.sum_rule_order,
+        "generation": result.generation,
+        "holder": None if holder is None else (holder.exact, holder.exact is None and round(holder.lower, 6)),
+    }
+
+
+def times(matrix, alpha):
+    return tuple(sum(x * y for x, y in zip(row, alpha, strict=True)) for row in matrix)
+
+
+def product_of(a, b):
+    return tuple(tuple(sum(x * y for x, y in zip(row, col, strict=True)) for col in zip(*b, strict=True)) for row in a)
+
+
+def inverse(u):
+    (a, b), (c, d) = u
+    det = a * d - b * c
+    return ((d * det, -b * det), (-c * det, a * det))
+
+
+def tensor(first, second):
+    """The product of two masks in one variable, of one arity."""
+    terms = {
+        (first.start + i, second.start + j): x * y
+        for (i, x), (j, y) in product(enumerate(first.coefficients), enumerate(second.coefficients))
+        if x * y
+    }
+    return surface(terms, ((first.arity, 0), (0, first.arity)))
+
+
+@pytest.mark.parametrize("u", [((1, 1), (0, 1)), ((0, 1), (1, 0)), ((2, 1), (1, 1)), ((1, 0), (0, -1))])
+@pytest.mark.parametrize(
+    "name", ["courant", "zwart_powell", "box_221", "quincunx_linear", "counterexamples/box_21_discontinuous", "bear"]
+)
+def test_a_change_of_variables_changes_no_verdict(name, u):
+    """b(α) = a(Uα) with the dilation U^-1 M U has the function φ(U ·)."""
+    before = shipped_surface(name)
+    back = inverse(u)
+    after = surface(
+        {times(back, alpha): x for alpha, x in before.terms.items()}, product_of(product_of(back, before.dilation), u)
+    )
+    assert all(before.terms[times(u, alpha)] == x for alpha, x in after.terms.items())
+    assert said(answer(after)) == said(shipped_answer(name))
+
+
+@pytest.mark.parametrize("name", ["courant", "zwart_powell", "quincunx_linear", "counterexamples/haar", "bear"])
+def test_shifts_and_reflections_change_nothing(name):
+    before = shipped_surface(name)
+    shifted = surface({(i + 3, j - 5): x for (i, j), x in before.terms.items()}, before.dilation)
+    reflected = surface({(-i, -j): x for (i, j), x in before.terms.items()}, before.dilation)
+    assert said(answer(shifted)) == said(answer(reflected)) == said(shipped_answer(name))
+
+
+def test_a_shift_of_an_interpolatory_mask_contradicts_nothing():
+    """Only the mask as it stands is seen to interpolate; what needs that is undecided after a shift, not refuted."""
+    before = shipped_surface("sqrt3_linear")
+    result, shifted = (
+        shipped_answer("sqrt3_linear"),
+        answer(surface({(i + 1, j): x for (i, j), x in before.terms.items()}, before.dilation)),
+    )
+    assert (shifted.convergent, shifted.smoothness.order) == (result.convergent, result.smoothness.order)
+    assert shifted.stable is Verdict.UNDECIDED
+    assert shifted.holder.lower == result.holder.lower
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        (b_spline(1), b_spline(2)),
+        (b_spline(3), b_spline(2)),
+        (b_spline(2, arity=3), b_spline(1, arity=3)),
+        (four_point("1/32"), b_spline(1)),
+        (four_point("-1/4"), b_spline(1)),
+        (DE_RHAM, b_spline(1)),
+        (DE_RHAM, b_spline(0)),
+    ],
+)
+def test_tensor_products_have_the_smaller_exponent(first, second):
+    both = answer(tensor(first, second))
+    exponents = [answer(one).holder for one in (first, second)]
+    smaller = min(exponents, key=lambda holder: holder.lower)
+    if smaller.upper == 0:
+        assert both.convergent is Verdict.REFUTED
+        return
+    assert both.convergent is Verdict.PROVED
+    assert abs(both.holder.lower - smaller.lower) < 1e-9
+    if both.stable is Verdict.PROVED:
+        assert closed_interval(both.holder.exact) == closed_interval(smaller.exact)
+    assert both.sum_rule_order == min(answer(one).sum_rule_order for one in (first, second))
+
+
+def depth(directions, s):
+    """The least number of directions whose removal leaves a set that does not span, by trying all."""
+    for count in range(len(directions) + 1):
+        for kept in combinations(directions, len(directions) - count):
+            if not kept or np.linalg.matrix_rank(np.array(kept)) < s:
+                return count
+    raise AssertionError
+
+
+def box_mask(directions, s, c=2):
+    terms = {(0,) * s: F(c) ** (s - len(directions))}
+    for xi in directions:
+        longer = {}
+        for alpha, x in terms.items():
+            for i in range(c):
+                index = tuple(a + i * t for a, t in zip(alpha, xi, strict=True))
+                longer[index] = longer.get(index, F(0)) + x
+        terms = longer
+    return surface(terms, tuple(tuple(c * (i == j) for j in range(s)) for i in range(s)))
+
+
+def random_directions():
+    chosen = random.Random(1993)
+    for s, c in [(2, 2)] * 12 + [(2, 3)] * 4 + [(3, 2)] * 8:
+        axes = [tuple(int(i == j) for j in range(s)) for i in range(s)]
+        others = [d for d in product((-1, 0, 1), repeat=s) if d > (0,) * s]
+        yield s, c, [*axes, *(chosen.choice(others) for _ in range(chosen.randint(0, 3)))], chosen.choice(others)
+
+
+def test_another_direction_raises_the_smoothness_as_the_rule_says():
+    """d grows by one where the direction lies off every hyperplane that leaves the fewest outside, else it stays."""
+    grown, unstable = [], []
+    for s, c, directions, another in random_directions():
+        found = []
+        for some in (directions, [*directions, another]):
+            mask = box_mask(some, s, c)
+            box = box_spline(mask, Lattice(mask.dilation))
+            assert sorted(box.directions) == sorted(some)
+            assert box.depth == depth(some, s)
+            determinants = {abs(round(np.linalg.det(np.array(few)))) for few in combinations(some, s)}
+            assert box.is_unimodular is (max(determinants) <= 1)
+            unstable.append(not box.is_unimodular)
+            found.append(box.depth)
+        grown.append(found[1] - found[0])
+    assert set(grown) == {0, 1}
+    assert any(unstable)
+    assert not all(unstable)
+
+
+@pytest.mark.parametrize("name", ["courant", "zwart_powell", "quincunx_linear", "box_221", "counterexamples/haar"])
+def test_two_steps_at_once_have_the_same_function(name):
+    """S² has the dilation M² and the same φ."""
+    once = shipped_surface(name)
+    twice = surface(iterated(once, Lattice(once.dilation), 2), product_of(once.dilation, once.dilation))
+    assert said(answer(twice)) == said(shipped_answer(name))
+
+
+def test_an_interpolatory_mask_in_two_steps():
+    once = shipped_surface("sqrt3_linear")
+    twice = surface(iterated(once, Lattice(once.dilation), 2), product_of(once.dilation, once.dilation))
+    assert twice.dilation == ((3, 0), (0, 3))
+    assert said(answer(twice)) == said(shipped_answer("sqrt3_linear"))
+
+
+@pytest.mark.parametrize("dilation", [((2, 0), (0, 3)), ((2, 1), (0, 2)), ((3, 1), (1, 2))])
+def test_anisotropic_dilations_have_no_smoothness(dilation):
+    """Neither 2 by 3, nor a Jordan block, nor two real eigenvalues of different size."""
+    lattice = Lattice(dilation)
+    assert not lattice.is_isotropic
+    constant = {alpha: F(1) for alpha in lattice.representatives}
+    averaged = {}
+    for (i, j), x in constant.items():
+        for k, l in product((0, 1), repeat=2):
+            averaged[i + k, j + l] = averaged.get((i + k, j + l), F(0)) + x / 4
+    result = answer(surface(averaged, dilation))
+    assert result.sum_rule_order >= 1
+    assert result.smoothness.order is None
+    assert result.refinable.order is None
+    assert result.holder is None
+    verdicts = {f.code: f.verdict for f in result.findings}
+    assert {verdicts[code] for code in ("SD612", "SD614", "SD615")} == {Verdict.SKIPPED}
+    assert "SD613" not in verdicts
