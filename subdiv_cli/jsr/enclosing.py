@@ -131,8 +131,10 @@ class _Enclosing:
             weights = [weight.real for weight in image.weights]
         else:
             numbers, weights = [self._body.target(u, letter)[0]], [self._body.target(u, letter)[1]]
-        pairs = sorted(zip(numbers, weights, strict=True))
-        rounded = ((k, round(c * shrink * (1 << _WEIGHT_BITS))) for k, c in pairs)
+        total = dict.fromkeys(sorted(numbers), 0.0)
+        for number, weight in zip(numbers, weights, strict=True):
+            total[number] += weight  # a degenerate basis may have a column twice
+        rounded = ((k, round(c * shrink * (1 << _WEIGHT_BITS))) for k, c in total.items())
         return [entry for pair in rounded if pair[1] for entry in pair]
 
     def _is_inside(self, u: int, letter: int, flat: tuple[int, ...], x: Fraction) -> bool:
