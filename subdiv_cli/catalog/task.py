@@ -117,7 +117,7 @@ def _perform(task: Task, settings: Settings) -> Done:
 
 def _lattice_mask(scheme: Any) -> LatticeMask | None:
     """Of masks in several variables, for reports that show stencils."""
-    return LatticeMask(scheme.dilation, scheme.terms) if hasattr(scheme, "dilation") else None
+    return LatticeMask(scheme.dilation, tuple(scheme.terms.items())) if hasattr(scheme, "dilation") else None
 
 
 def _drawing(scheme: Any, result: Result, settings: Settings) -> Drawing | None:

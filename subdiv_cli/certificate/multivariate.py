@@ -200,9 +200,17 @@ class _Proof:
             return self._add("box-not-smooth", statement, uses=[self._box()], work=self._breadth())
         if by == "SD602":
             return self._add("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
-        word = as_word(self.found["SD605"].witness)
-        below = self._word(word * self.s, Fraction(1, self.m ** (n * len(word))))
+        below = self._reaching(n)
         return self._add("not-smooth", statement, uses=[self._stable(), below, self._differences()])
+
+    def _reaching(self, n: int) -> int:
+        """ρ_k >= λ^-n: by the number itself where it is known and tells, else by a product."""
+        found = self.found["SD605"].witness
+        root = cast("Map | None", found.get("root"))
+        if root is not None and as_rational(root["low"]) ** self.s * self.m ** (n * as_integer(found["length"])) >= 1:
+            return self._radius()
+        word = as_word(found)
+        return self._word(word * self.s, Fraction(1, self.m ** (n * len(word))))
 
     def _lower(self, finding: Finding) -> list[int]:
         if finding.witness["by"] == "SD603":

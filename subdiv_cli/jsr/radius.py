@@ -6,9 +6,9 @@ bounds are asked that do not exceed it, where that is possible. What is found de
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
-from math import lcm
 
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.enclosing import by_columns
@@ -22,8 +22,8 @@ from subdiv_cli.model import Data, Effort
 LARGEST_ORDER = 120
 _SHORT = 4
 """Length of the products that tell which block seems largest."""
-_CLEARLY = 1 - 1e-3
-"""A block whose products stay below this times the largest radius may be bounded by it quickly."""
+_CLEARLY = math.log2(1 - 1e-3)
+"""A block whose products stay below the largest radius by this factor may be bounded by it quickly."""
 
 
 def joint_spectral_radius(family: Family, effort: Effort) -> Radius | None:
@@ -82,12 +82,12 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
 
 def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
     """The radius of every part, as far as it is known, or a bound that does not exceed the largest one."""
-    seems = [candidates(part, _SHORT)[0] * float(part.unit) for part in parts]
+    seems = [_logarithm(candidates(part, _SHORT)[0]) + _logarithm(part.unit) for part in parts]
     found: dict[int, Radius] = {}
     top: Radius | None = None
     for k in sorted(range(len(parts)), key=lambda k: (-seems[k], k)):
         radius = None
-        if top is not None and seems[k] < _CLEARLY * top.ceiling:
+        if top is not None and seems[k] < _CLEARLY + _logarithm(top.upper[1]) / top.upper[0]:
             radius = bounded(parts[k], _floor(top), effort)
         if radius is None and (radius := irreducible_radius(parts[k], effort)) is None:
             return None
@@ -97,6 +97,14 @@ def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
     return [found[k] for k in range(len(parts))]
 
 
+def _logarithm(x: Fraction | float) -> float:
+    """To the base 2, also of numbers that are no doubles."""
+    if not x:
+        return -math.inf
+    numerator, denominator = x.as_integer_ratio()
+    return math.log2(numerator) - math.log2(denominator)
+
+
 def _floor(radius: Radius) -> tuple[int, Fraction]:
     """(n, x) with ρ^n >= x, close to that, where ρ is known; its bound otherwise."""
     return radius.upper if radius.exact is None else (radius.exact[0], radius.exact[1].low)
@@ -104,5 +112,5 @@ def _floor(radius: Radius) -> tuple[int, Fraction]:
 
 def _at_most(a: tuple[int, Fraction], b: tuple[int, Fraction]) -> bool:
     """x^(1/n) <= y^(1/m) for (n, x) and (m, y)."""
-    common = lcm(a[0], b[0])
+    common = math.lcm(a[0], b[0])
     return bool(a[1] ** (common // a[0]) <= b[1] ** (common // b[0]))

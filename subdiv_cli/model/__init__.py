@@ -146,8 +146,8 @@ class LatticeMask(NamedTuple):
 
     dilation: tuple[tuple[int, ...], ...]
     """The rows of M."""
-    terms: Mapping[tuple[int, ...], Fraction]
-    """α -> a_α."""
+    terms: tuple[tuple[tuple[int, ...], Fraction], ...]
+    """Each α with its a_α."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -127,7 +127,7 @@ def _grids(mask: LatticeMask | None) -> Iterator[str]:
     if mask is None:
         return
     page = Page(Look(width=_COLUMNS))
-    put_stencils(page, mask.terms, mask.dilation)
+    put_stencils(page, dict(mask.terms), mask.dilation)
     yield f"<h3>stencils</h3><pre>{escape(paint(page.lines))}</pre>"
 
 

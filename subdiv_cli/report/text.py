@@ -212,7 +212,7 @@ class _Page(Page):
         from subdiv_cli.report.lattice import put_stencils
 
         self.blank()
-        put_stencils(self, result.mask.terms, result.mask.dilation)
+        put_stencils(self, dict(result.mask.terms), result.mask.dilation)
 
     def closing(self, result: Result, *, indent: int = 0) -> None:
         """Why the exit code is what it is."""

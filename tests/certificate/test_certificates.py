@@ -101,7 +101,7 @@ def test_a_higher_effort_still_fits_the_checker(mask):
     assert sum(claim["work"] for claim in document["claims"]) <= 50_000_000
 
 
-@pytest.mark.parametrize("file", MASKS, ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", [file for file in MASKS if "scalar" in file.parts], ids=lambda file: file.stem)
 def test_what_show_says_of_a_shipped_mask_is_certified_too(file):
     (result, document), _ = portrait(read_path(file).scheme(), Fraction(1, 1000), Effort(20_000))
     assert document is not None
