@@ -22,6 +22,10 @@ try:
 except SystemExit as end:
     code = end.code
 usage = [resource.getrusage(who).ru_maxrss / 1024 for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+try:  # ru_maxrss is no less than what the process had that started this one
+    usage[0] = next(int(line.split()[1]) / 1024 for line in open("/proc/self/status") if line.startswith("VmHWM"))
+except OSError:
+    pass
 print(json.dumps([code, time.perf_counter() - start, *usage]), file=sys.stderr)
 """
 

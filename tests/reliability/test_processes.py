@@ -14,6 +14,7 @@ from runs import SUBDIV, children, masks, report, settled, start, wait_for
 
 from subdiv_cli.catalog import pool
 from subdiv_cli.catalog.run import check_all
+from subdiv_cli.model import Verdict
 
 LINUX = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="/proc tells which processes there are")
 
@@ -152,7 +153,10 @@ def test_a_mask_that_needs_more_than_the_budget(tmp_path, monkeypatch, jobs):
     (directory / "m00002.toml").write_text(many_signs())
     results = list(check_all([str(directory)], jobs=jobs, work=20_000_000, seconds=0.2))
     stopped = results[2]
-    assert (stopped.status, stopped.stopped) == ("undecided", "budget")
+    assert stopped.stopped == "budget"
+    assert stopped.convergent in (Verdict.REFUTED, Verdict.UNDECIDED), (
+        "it diverges; how soon that is seen hangs on luck"
+    )
     assert stopped.sum_rule_order == 1
     assert len(results) == 8
 
