@@ -15,13 +15,13 @@ ABOUT = {
     "next": ("SD303", "SD613"),
     "holder": ("SD311", "SD614"),
     "above": ("SD312", "SD615"),
-    "sobolev": ("SD321",),
+    "sobolev": ("SD321", "SD617"),
     "stable": ("SD402", "SD616"),
     "independent": ("SD401",),
     "sums": ("SD101", "SD601"),
     "order": ("SD102", "SD602"),
     "generation": ("SD103", "SD602"),
-    "reproduction": ("SD104",),
+    "reproduction": ("SD104", "SD618"),
 }
 """The findings that a property is about, one for each kind of mask: `next` refutes C^(n+1), `above` bounds α."""
 _NO_WORSE = "nothing is worse than in the baseline"
