@@ -11,7 +11,7 @@ import click
 
 from subdiv_cli.cli import single
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.streams import UnwritableError, emit, look_of, why_not
+from subdiv_cli.cli.streams import emit, look_of, why_not
 from subdiv_cli.cli.values import WholeType
 
 if TYPE_CHECKING:
@@ -270,12 +270,7 @@ def _terminal(panels: Sequence[Panel]) -> ExitCode:
         )
         rows += ["", letters(panel.title, look.unicode)] if rows else [letters(panel.title, look.unicode)]
         rows += draw(shown, width=look.width, height=_HEIGHT, unicode=look.unicode)
-    try:
-        emit("\n".join(rows) + "\n", sys.stdout)
-    except UnwritableError as error:
-        error.show()
-        return ExitCode.ERROR
-    return ExitCode.PASSED
+    return single.print_rows(rows)
 
 
 def _file(panels: Sequence[Panel], output: str) -> ExitCode:

@@ -11,7 +11,7 @@ import click
 
 from subdiv_cli.cli import single
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.streams import UnwritableError, emit, look_of
+from subdiv_cli.cli.streams import look_of
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -109,12 +109,7 @@ def _letters(surfaces: Sequence[tuple[str, Surface]]) -> ExitCode:
         rows += [""] if rows else []
         rows += [letters(title, look.unicode)]
         rows += draw_heights(surface, width=look.width, height=_HEIGHT, unicode=look.unicode)
-    try:
-        emit("\n".join(rows) + "\n", sys.stdout)
-    except UnwritableError as error:
-        error.show()
-        return ExitCode.ERROR
-    return ExitCode.PASSED
+    return single.print_rows(rows)
 
 
 def _file(panels: Sequence[Relief], output: str, style: str) -> ExitCode:

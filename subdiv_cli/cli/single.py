@@ -12,7 +12,7 @@ import click
 
 from subdiv_cli.cli.completers import complete_parameter
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.streams import emit, look_of
+from subdiv_cli.cli.streams import UnwritableError, emit, look_of
 from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
 
 if TYPE_CHECKING:
@@ -150,6 +150,16 @@ def complain(problems: Sequence[Problem]) -> NoReturn:
     settings = {} if sys.stderr.isatty() else {"width": UNWRAPPED}
     emit(render(problems, look_of(sys.stderr, **settings)) + "\n", sys.stderr)
     raise click.exceptions.Exit(ExitCode.ERROR)
+
+
+def print_rows(rows: Sequence[str]) -> ExitCode:
+    """A picture in letters on stdout; on stderr why it cannot be written."""
+    try:
+        emit("\n".join(rows) + "\n", sys.stdout)
+    except UnwritableError as error:
+        error.show()
+        return ExitCode.ERROR
+    return ExitCode.PASSED
 
 
 def write_picture(output: str, draw: Callable[[], bytes]) -> ExitCode:
