@@ -223,6 +223,19 @@ def same_powers(x: AlgebraicNumber, m: int, y: AlgebraicNumber, n: int) -> bool 
     return decide(ask)
 
 
+def power(x: AlgebraicNumber, n: int) -> AlgebraicNumber | None:
+    """x^n for a real x > 0; None where the polynomial is too large."""
+    f = _of_power(x.minimal_polynomial, n)
+    if f is None:
+        return None
+
+    def ask() -> AlgebraicNumber | None:
+        near = [z for z in isolated_roots(f) if z.overlaps(acb(x.enclosure().real ** n))]
+        return AlgebraicNumber(f, near[0]) if len(near) == 1 else None
+
+    return decide(ask)
+
+
 def _of_power(f: fmpz_poly, m: int) -> fmpz_poly | None:
     """The minimal polynomial of the m-th power of a root of an irreducible f; that of a companion matrix's power is a
 

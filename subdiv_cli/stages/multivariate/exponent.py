@@ -31,9 +31,8 @@ from subdiv_cli.stages.multivariate.rule import (
     not_spanning,
     spanning,
     surface_exponent,
-    verdict_of,
 )
-from subdiv_cli.stages.stage import Rule, product_name
+from subdiv_cli.stages.stage import Rule, product_name, verdict
 
 BELOW = Rule("SD614", "surface-holder-lower", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
 ABOVE = Rule("SD615", "surface-holder-upper", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
@@ -51,8 +50,7 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if numbers.radius is None:
         none = "no bound of the decay of differences is known"
         return (_in_the_mean(numbers) or BELOW.undecided(_BELOW, none), ABOVE.undecided(_ABOVE, none))
-    stable = verdict_of(facts, "SD616")
-    stably = stable is not None and stable.verdict is Verdict.PROVED
+    stably = verdict(facts, "SD616") is Verdict.PROVED
     return (_below(numbers, stably), _above(numbers, stably))
 
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from math import gcd
 
-from flint import fmpq_mat, fmpq_poly
-
-from subdiv_cli.exact.algebraic import isolated, number_of, roots
+from subdiv_cli.exact.algebraic import isolated, number_of, power
 from subdiv_cli.exact.closed import exponent
 from subdiv_cli.model import ClosedForm, Data, Finding, Root, unpowered
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
@@ -31,27 +29,14 @@ def not_spanning(count: int) -> str:
 def surface_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm | None:
     """-log_λ(Λ)/length with λ^s = m: -log_m(Λ^s)/length, the power as small as the number m allows.
 
-    None where the minimal polynomial of the power is not found.
+    None where the minimal polynomial of the power is too large.
     """
     base, divisor = unpowered(m, length)
     common = gcd(s, divisor)
-    power = _power(root, s // common)
-    return None if power is None else exponent(base, divisor // common, power)
-
-
-def _power(root: Root, n: int) -> Root | None:
-    """Λ^n: a root of the characteristic polynomial of the n-th power of a companion matrix."""
-    if n == 1:
-        return root
-    if root.low == root.high:
-        x = root.low**n
-        return Root((-x.numerator, x.denominator), x, x)
-    f = fmpq_poly(list(root.coefficients))
-    d = f.degree()
-    companion = fmpq_mat(d, d, [int(i == j + 1) if j < d - 1 else -f[i] / f[d] for i in range(d) for j in range(d)])
-    target = number_of(root).enclosure().real ** n
-    near = [number for number, _ in roots((companion**n).charpoly()) if number.region.overlaps(target)]
-    return isolated(near[0]) if len(near) == 1 and near[0].is_real else None
+    if s == common:
+        return exponent(base, divisor // common, root)
+    raised = power(number_of(root), s // common)
+    return None if raised is None else exponent(base, divisor // common, isolated(raised))
 
 
 def growth_proof(numbers: MultivariateNumbers) -> dict[str, Data]:

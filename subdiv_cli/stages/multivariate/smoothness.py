@@ -18,8 +18,8 @@ from fractions import Fraction
 from subdiv_cli.jsr.products import Product
 from subdiv_cli.model import Finding, Verdict, exact_root
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, growth_proof, not_spanning, spanning, verdict_of
-from subdiv_cli.stages.stage import Rule, product_name
+from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, growth_proof, not_spanning, spanning
+from subdiv_cli.stages.stage import Rule, product_name, verdict
 
 RULE = Rule("SD612", "surface-smoothness", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
 NEXT = Rule("SD613", "surface-next-smoothness", "Jia 1998; de Boor, Höllig & Riemenschneider 1993, I.36")
@@ -38,8 +38,7 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if numbers.radius is None and numbers.mean_decay is None:
         return (RULE.undecided(_QUESTION, "no bound of the decay of differences is known"),)
     proved = [(n, by) for n in range(k) if (by := _below(numbers, n)) is not None]
-    stable = verdict_of(facts, "SD616")
-    stably = stable is not None and stable.verdict is Verdict.PROVED
+    stably = verdict(facts, "SD616") is Verdict.PROVED
     if not proved:
         if stably and (obstacle := _obstacle(numbers, 0)) is not None:
             return (RULE.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)

@@ -23,8 +23,8 @@ from subdiv_cli.exact.text import certain, number
 from subdiv_cli.model import Data, Finding, Interval, Root, Verdict
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
 from subdiv_cli.quantities.sobolev import Growth
-from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, growth_proof, surface_exponent, verdict_of
-from subdiv_cli.stages.stage import Rule
+from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, growth_proof, surface_exponent
+from subdiv_cli.stages.stage import Rule, verdict
 
 RULE = Rule("SD617", "surface-sobolev", "Jia 1999; Han 2003; de Boor, Höllig & Riemenschneider 1993, chapter I")
 
@@ -43,8 +43,7 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (RULE.undecided(_QUESTION, "the operator on correlations is too large for this effort"),)
     if found.growth is None:
         return (RULE.undecided(_QUESTION, "the growth of the mean squares is a multiple zero of its polynomial"),)
-    stable = verdict_of(facts, "SD616")
-    return (_found(numbers, found.growth, stable is not None and stable.verdict is Verdict.PROVED),)
+    return (_found(numbers, found.growth, verdict(facts, "SD616") is Verdict.PROVED),)
 
 
 def _of_box_spline(depth: int) -> Finding:

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.stages.multivariate.rule import Facts, verdict_of
-from subdiv_cli.stages.stage import Rule
+from subdiv_cli.stages.multivariate.rule import Facts
+from subdiv_cli.stages.stage import Rule, verdict
 
 RULE = Rule("SD616", "surface-stability", "de Boor, Höllig & Riemenschneider 1993, II.57; Dyn 1992, section 6")
 
@@ -27,7 +27,6 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
             statement = "φ is stable: the directions of the box spline are unimodular"
             return (RULE.proved(statement, {"by": "SD603"}),)
         return (RULE.refuted("φ is not stable: some directions have a determinant beyond ±1", {"by": "SD603"}),)
-    converges = verdict_of(facts, "SD611")
-    if numbers.is_interpolatory and converges is not None and converges.verdict is Verdict.PROVED:
+    if numbers.is_interpolatory and verdict(facts, "SD611") is Verdict.PROVED:
         return (RULE.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": "SD611"}),)
     return (RULE.undecided(_QUESTION, "φ is no box spline, and the scheme is not seen to interpolate"),)
