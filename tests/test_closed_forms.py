@@ -11,7 +11,7 @@ from support import answer, four_point
 from subdiv_cli.exact.closed import closed_ball, exponent
 from subdiv_cli.exact.enclosures import bounds
 from subdiv_cli.maskfile.closed import read_closed_form
-from subdiv_cli.model import Log, Root, logarithm
+from subdiv_cli.model import Log, Root, RootLog, logarithm
 from subdiv_cli.model.order import compare, enclosure
 
 GOLDEN = Root((-1, -1, 1), Fraction(1618, 1000), Fraction(1619, 1000))
@@ -64,6 +64,25 @@ def test_what_is_told_apart_and_what_is_not():
     assert compare(x, high + Fraction(1, 10**50)) == -1
     assert compare(x, (low + high) / 2) is None
     assert compare(x, x) == 0
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "low", "high", "exact"),
+    [
+        ((-2, 1), 2, 5, Fraction(-1)),
+        ((-5, 1), 2, 5, logarithm(2, Fraction(1, 5))),
+        ((-3, 2), 1, 2, logarithm(2, Fraction(2, 3))),
+        ((-1, *[0] * 29, 2), Fraction(1, 100), 3, Fraction(1, 30)),
+    ],
+    ids=["low end", "high end", "middle", "flat"],
+)
+def test_refinement_keeps_a_root_wherever_it_lies(coefficients, low, high, exact):
+    """At an end of its interval or of a part, and where the secant misses it for long."""
+    root = Root(coefficients, Fraction(low), Fraction(high))
+    low, high = enclosure(RootLog(2, root, 1, ""), refined=True)
+    lower, upper = enclosure(exact, refined=True)
+    assert max(low, lower) <= min(high, upper)
+    assert high - low < Fraction(1, 10**60)
 
 
 def test_an_exact_number_is_spelled_in_full():

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from subdiv_cli.maskfile.closed import read_closed_form
@@ -102,7 +103,7 @@ def _same(exact: ClosedForm, number: ClosedForm) -> bool:
     if spelled(exact) is None:  # then its text is shown nowhere
         return True
     try:
-        shown = read_closed_form(exact.text)
+        shown = _read(exact.text)
     except Fault:
         return False
     if not isinstance(shown, RootLog):
@@ -110,6 +111,12 @@ def _same(exact: ClosedForm, number: ClosedForm) -> bool:
     low, high = shown.root.low, shown.root.high
     said = shown._replace(text="", root=shown.root._replace(low=number.root.low, high=number.root.high))
     return said == number and low <= number.root.low <= number.root.high <= high
+
+
+@lru_cache(maxsize=64)
+def _read(text: str) -> ClosedForm:
+    """One text stands in several places of a result. Raises Fault."""
+    return read_closed_form(text)
 
 
 _DECIMALS = re.compile(r"-?\d+\.(?P<places>\d+)…(?:e(?P<power>-?\d{1,6}))?")

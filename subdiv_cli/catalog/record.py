@@ -10,6 +10,7 @@ import dataclasses
 from collections.abc import Mapping
 from enum import Enum
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from subdiv_cli import model
@@ -54,23 +55,25 @@ def decode(data: Any) -> Any:
 
 
 def _decode(data: Any) -> Any:
-    if isinstance(data, list):
+    kind = type(data)
+    if kind is list:
         return tuple(map(_decode, data))
-    if not isinstance(data, dict):
+    if kind is not dict:
         return data
-    if "map" in data:
-        return {key: _decode(item) for key, item in data["map"].items()}
+    if "is" in data:
+        known = _known(data["is"])
+        if "value" in data:
+            return known(data["value"])
+        return known(**{key: _decode(item) for key, item in data["fields"].items()})
     if "fraction" in data:
         numerator, _, denominator = data["fraction"].partition("/")
         return Fraction(int(numerator, 16), int(denominator, 16))
     if "int" in data:
         return int(data["int"], 16)
-    known = _known(data["is"])
-    if "value" in data:
-        return known(data["value"])
-    return known(**{key: _decode(item) for key, item in data["fields"].items()})
+    return {key: _decode(item) for key, item in data["map"].items()}
 
 
+@cache
 def _known(name: str) -> Any:
     """The class of `model` with this name. Raises TypeError where there is none."""
     found = getattr(model, name, None)

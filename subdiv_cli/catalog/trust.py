@@ -8,12 +8,12 @@ statements proved. The wording alone rests on the digest of the entry.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from subdiv_cli.catalog.numbers import numbers_are_proved
-from subdiv_cli.checker import check_text
+from subdiv_cli.checker import check_document
+from subdiv_cli.checker.reading import Rejected, parse
 from subdiv_cli.model import ClosedForm, Expectation, Finding, Judgement, Result, Verdict
 from subdiv_cli.model.judge import judge_by, status
 from subdiv_cli.model.order import compare
@@ -71,17 +71,15 @@ def trusted(result: Result, certificate: str, mask: Mapping[str, Any], expectati
     """
     try:
         return _trusted(result, certificate, mask, expectations)
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError, ArithmeticError):
+    except (Rejected, KeyError, TypeError, ValueError, IndexError, AttributeError, ArithmeticError):
         return False
 
 
 def _trusted(result: Result, certificate: str, mask: Mapping[str, Any], expectations: Sequence[Expectation]) -> bool:
     if result.stopped or result.problems or tuple(j.expectation for j in result.expectations) != tuple(expectations):
         return False
-    if not check_text(certificate).verified:
-        return False
-    document = json.loads(certificate)
-    if document["mask"] != mask:
+    document: Any = parse(certificate)
+    if not check_document(document).verified or document["mask"] != mask:
         return False
     statements = [claim["statement"] for claim in document["claims"]]
     if not all(_proved(finding, statements) for finding in result.findings):

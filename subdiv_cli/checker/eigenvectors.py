@@ -123,10 +123,17 @@ def enclosed(x: Vector, at: Enclosure, bits: int) -> tuple[list[int], int]:
     return [(sum(map(mul, c, values)) << bits) // below for c in coordinates], (steepest << bits) // below + 2
 
 
-def nonzero_coordinates(terms: Sequence[tuple[Sequence[Fraction], Vector]], m: Sequence[int]) -> list[int]:
+Terms = Sequence[tuple[Sequence[Fraction], Vector]]
+
+
+def common_denominator(terms: Terms) -> int:
+    """Of all products of a coefficient and a coordinate."""
+    return lcm(*(c.denominator * x.denominator for cs, x in terms for c in cs))
+
+
+def nonzero_coordinates(terms: Terms, m: Sequence[int]) -> list[int]:
     """Which coordinates of Σ c(z) x(z), over terms (c, x), m does not divide: the others are zero at Λ."""
-    unequal = []
-    common = lcm(*(c.denominator * x.denominator for cs, x in terms for c in cs))
+    unequal, common = [], common_denominator(terms)
     length = max(len(cs) for cs, _ in terms) + len(m)
     factors = [([c.numerator * (common // (c.denominator * x.denominator)) for c in cs], x) for cs, x in terms]
     for i in range(len(terms[0][1].powers[0])):

@@ -16,6 +16,11 @@ def element_bits(x: Element) -> int:
     return sum(map(fraction_bits, x))
 
 
+def longest_numerator(x: Element) -> int:
+    """In bits."""
+    return max((c.numerator.bit_length() for c in x), default=0)
+
+
 def times(x: Element, y: Element) -> Element:
     product = [Fraction(0)] * (len(x) + len(y) - 1)
     for i, a in enumerate(x):

@@ -112,7 +112,34 @@ def characteristic_polynomial(a: Matrix) -> list[int]:
 
 @lru_cache(8)
 def _characteristic_polynomial(a: tuple[tuple[int, ...], ...]) -> list[int]:
-    """Without divisions (Samuelson & Berkowitz).
+    """That of a block triangular matrix is the product of those of its diagonal blocks."""
+    f = [1]
+    for block in _blocks(a):
+        f = _product(f, _of_block([[a[i][j] for j in block] for i in block]))
+    return f[::-1]
+
+
+def _blocks(a: Sequence[Sequence[int]]) -> list[list[int]]:
+    """The strongly connected components of the graph with an edge i -> j for each a_ij ≠ 0 (Warshall)."""
+    reached = [sum(1 << j for j, x in enumerate(row) if x) | 1 << i for i, row in enumerate(a)]
+    for k in range(len(a)):
+        reached = [row | reached[k] if row >> k & 1 else row for row in reached]
+    blocks: dict[int, list[int]] = {}
+    for i, row in enumerate(reached):
+        blocks.setdefault(row, []).append(i)  # the same indices are reached iff each reaches the other
+    return list(blocks.values())
+
+
+def _product(f: list[int], g: list[int]) -> list[int]:
+    h = [0] * (len(f) + len(g) - 1)
+    for i, x in enumerate(f):
+        for j, y in enumerate(g, i):
+            h[j] += x * y
+    return h
+
+
+def _of_block(a: Matrix) -> list[int]:
+    """Highest power first, without divisions (Samuelson & Berkowitz).
 
     With A_r = [[A_(r-1), s], [t, x]] the one of A_r is that of A_(r-1) times z - x - Σ_(i>=0) t A_(r-1)^i s z^(-i-1),
     its polynomial part.
@@ -125,7 +152,7 @@ def _characteristic_polynomial(a: tuple[tuple[int, ...], ...]) -> list[int]:
             series.append(-sum(map(mul, t, s)))
             s = [sum(map(mul, row, s)) for row in block]
         f = [sum(series[i - j] * f[j] for j in range(min(i, r) + 1)) for i in range(r + 2)]
-    return f[::-1]
+    return f
 
 
 def roots_lie_inside(f: Sequence[int], radius: Fraction) -> bool:

@@ -7,8 +7,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.eigenvectors import Vector, nonzero_coordinates
-from subdiv_cli.checker.elements import Element, bounds, element_bits, is_zero, power, times
+from subdiv_cli.checker.eigenvectors import Vector, common_denominator, nonzero_coordinates
+from subdiv_cli.checker.elements import Element, bounds, element_bits, is_zero, longest_numerator, power, times
 from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.reading import MAX_VERTICES, require, require_few
 from subdiv_cli.checker.roots import Enclosure, Root
@@ -154,7 +154,8 @@ class Ties:
             k = share["vertex"]
             x = self._exact[k] if k < n else self._exact[k - n].reflected()
             terms.append((times(weight, self._power(exponent + shift)), x))
-        bits = sum(element_bits(cs) + x.bits for cs, x in terms)
+        c.spend(sum(len(cs) for cs, _ in terms), sum(element_bits(cs) + x.bits for cs, x in terms))
+        bits = common_denominator(terms).bit_length() + max(longest_numerator(cs) + x.bits for cs, x in terms)
         longest = max(len(cs) for cs, _ in terms)
         lead = longest * max(map(abs, self._m)).bit_length()
         c.spend(self._family.order * len(self._m) * (sum(len(cs) for cs, _ in terms) + longest), bits + lead)

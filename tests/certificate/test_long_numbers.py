@@ -35,6 +35,11 @@ def cofactor_mask(length, digits, rng):
     return scheme(mask)
 
 
+def test_ties_over_many_depths_are_within_the_bounds_of_the_checker():
+    """Their weights have denominators of 300,000 bits together, and 10,000 over a common one."""
+    assert check(six_point(Fraction(117, 4000)), (), Effort()).document is not None
+
+
 @pytest.mark.parametrize("digits", [30, 100, 300])
 def test_masks_with_long_numbers_keep_their_certificate(digits):
     rng = random.Random(digits)

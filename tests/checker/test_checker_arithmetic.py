@@ -7,6 +7,7 @@ from math import gcd
 
 import numpy as np
 import pytest
+from flint import fmpz_mat
 from hand_made import naive_norm, naive_product
 
 from subdiv_cli.checker import matrices
@@ -123,6 +124,15 @@ def test_characteristic_polynomials_annihilate_and_agree_with_numpy():
         assert not any(any(row) for row in total)
         if order:
             assert np.allclose(np.poly(np.array(a, dtype=float))[::-1], f, rtol=1e-8, atol=1e-6)
+
+
+def test_characteristic_polynomials_of_sparse_matrices_agree_with_flint():
+    """They fall into blocks, of one coordinate or of cycles, in any order of the coordinates."""
+    rng = random.Random(11)
+    for order in range(1, 15):
+        for density in (0.05, 0.1, 0.2, 0.4):
+            a = [[rng.randint(-9, 9) if rng.random() < density else 0 for _ in range(order)] for _ in range(order)]
+            assert matrices.characteristic_polynomial(a) == [int(c) for c in fmpz_mat(a).charpoly()]
 
 
 def schur_cohn_fujiwara(f):
