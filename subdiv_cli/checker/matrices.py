@@ -106,8 +106,9 @@ def inverse_norm(a: Matrix) -> Fraction | None:
 
 
 def characteristic_polynomial(a: Matrix) -> list[int]:
-    """det(z - A), lowest power first. The rules of one mask ask for the same matrices."""
-    return list(_characteristic_polynomial(tuple(map(tuple, a))))
+    """det(z - A), lowest power first. The rules of one mask ask for the same matrices, or for their mirror images."""
+    rows = tuple(map(tuple, a))
+    return list(_characteristic_polynomial(min(rows, tuple(row[::-1] for row in reversed(rows)))))
 
 
 @lru_cache(8)
@@ -145,13 +146,12 @@ def _of_block(a: Matrix) -> list[int]:
     its polynomial part.
     """
     f = [1]
-    for r in range(len(a)):
-        block, s, t = [row[:r] for row in a[:r]], [row[r] for row in a[:r]], a[r][:r]
-        series = [1, -a[r][r]]
-        for _ in range(r):
+    for r, last in enumerate(a):
+        block, s, t, series = [row[:r] for row in a[:r]], [row[r] for row in a[:r]], last[:r], [1, -last[r]]
+        for i in range(r):
+            s = [sum(map(mul, row, s)) for row in block] if i else s
             series.append(-sum(map(mul, t, s)))
-            s = [sum(map(mul, row, s)) for row in block]
-        f = [sum(series[i - j] * f[j] for j in range(min(i, r) + 1)) for i in range(r + 2)]
+        f = [sum(map(mul, series[i::-1], f)) for i in range(r + 2)]
     return f
 
 
