@@ -177,7 +177,23 @@ class _Proof:
         if found.witness["by"] == "SD603":
             count = len(as_tuple(self.found["SD603"].witness["directions"]))
             return self._add("box-stable", statement, uses=[self._box()], work=24 * self.s * comb(count, self.s))
+        proof = self.found["SD616"].proof
+        if proof:
+            return self._gram_sequence(statement, proof)
         return self._add("interpolatory-stable", statement, uses=[self._convergent()], work=self.terms)
+
+    def _gram_sequence(self, statement: Json, proof: Map) -> int:
+        found, g, uses = self.found["SD616"].witness, as_tuple(proof["gram"]), [self._convergent()]
+        work = self.terms**2 + as_integer(proof["correlations"]) * len(g)
+        if "tree" not in proof:
+            n = as_integer(found["order"])
+            witness: Json = {"gram": spelled(g), "point": spelled(found["zero"]), "order": n}
+            return self._add("gram-unstable", statement, witness, uses, work + len(g) + n**2)
+        tree = as_tuple(proof["tree"])
+        columns = zip(*(cast("tuple[tuple[int, ...], Fraction]", term)[0] for term in g), strict=True)
+        lengths = [2 * max(map(abs, column)) + 1 for column in columns]
+        work += (len(tree) + 2**self.s) * prod(lengths) * max(lengths)
+        return self._add("gram-stable", statement, {"gram": spelled(g), "tree": spelled(tree)}, uses, work)
 
     def _smooth(self, finding: Finding) -> int:
         if finding.verdict is Verdict.REFUTED:

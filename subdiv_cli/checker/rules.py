@@ -13,6 +13,7 @@ from subdiv_cli.checker import (
     differences,
     directional,
     exponents,
+    gram,
     mean_squares,
     multivariate,
     polytopes,
@@ -184,6 +185,7 @@ _SPACE = {
     "matrices": "family",
     "generators": "rational[][]",
 }
+_ZERO_POINT = {"gram": "terms", "point": "index", "order": "length"}
 SURFACE_RULES = {
     "coset-sums": Rule(("coset-sums",), {}, _NONE, multivariate.coset_sums),
     "total-sum-rules": Rule(("total-sum-rules",), {}, _NONE, multivariate.total_sum_rules),
@@ -196,6 +198,8 @@ SURFACE_RULES = {
     "holder-upper": Rule(("holder-upper",), {}, _NONE, surfaces.holder_upper),
     "holder-root": Rule(("holder-root",), {}, _NONE, surfaces.holder_root),
     "interpolatory-stable": Rule(("stable",), {"holds": True}, _NONE, multivariate.interpolatory_stable),
+    "gram-stable": Rule(("stable",), {"holds": True}, ({"gram": "terms", "tree": "flat"},), gram.gram_stable),
+    "gram-unstable": Rule(("stable",), {"holds": False}, (_ZERO_POINT,), gram.gram_unstable),
     "box-spline": Rule(("box-spline",), {}, ({"power": "natural", "shift": "index"},), box_splines.box_spline),
     "box-smooth": Rule(("smooth",), {}, _NONE, box_splines.smooth),
     "box-not-smooth": Rule(("not-smooth",), {}, _NONE, box_splines.not_smooth),

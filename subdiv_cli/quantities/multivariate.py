@@ -13,6 +13,7 @@ from subdiv_cli.quantities.box_spline import BoxSpline, box_spline
 from subdiv_cli.quantities.coset_sums import coset_sums, sum_rule_order
 from subdiv_cli.quantities.difference_space import DifferenceSpace, difference_space
 from subdiv_cli.quantities.directional import Contraction, contractions
+from subdiv_cli.quantities.gram import Gram, gram
 from subdiv_cli.quantities.mean_squares import MeanSquares, mean_squares
 from subdiv_cli.quantities.reproduction import Reproduction, reproduction
 from subdiv_cli.schemes.lattice import Lattice
@@ -82,6 +83,11 @@ class MultivariateNumbers:
     def mean_squares(self) -> MeanSquares | None:
         """The growth of the mean squares of differences of order k >= 1; None where the operator is too large."""
         return mean_squares(self.scheme, self.lattice, self.order, self.effort) if self.order else None
+
+    @cached_property
+    def gram(self) -> Gram | None:
+        """The Gram sequence of the translates of φ, where S converges; None where it is too long."""
+        return gram(self.scheme, self.lattice, self.effort)
 
     @property
     def mean_decay(self) -> Fraction | None:

@@ -299,6 +299,25 @@ def annihilator(name, k):
         vectors.append(mean_square_step(name, vectors[-1]))
 
 
+@functools.cache
+def gram(name):
+    """The g with G g = g and Σ g = 1, by elimination on the least set that G does not leave: terms, as JSON text."""
+    zero = (0,) * len(MASKS[name][0])
+    window, new = set(), {zero}
+    absolute = {x: abs(v) for x, v in correlation(name).items()}
+    while new - window:
+        window |= new
+        new = set(transition(MASKS[name][0], absolute, zero, dict.fromkeys(window, Fraction(1))))
+    window = sorted(window)
+    images = [mean_square_step(name, {x: Fraction(1)}) for x in window]
+    basis, _ = null_space(
+        [[v.get(x, Fraction(0)) - (x == y) for v, y in zip(images, window, strict=True)] for x in window]
+    )
+    assert len(basis) == 1
+    values = [Fraction(x, sum(basis[0])) for x in basis[0]]
+    return json.dumps([[list(x), q(v)] for x, v in zip(window, values, strict=True) if v])
+
+
 def divided(f, g):
     """f / g, the constants first."""
     f, found = list(f), []
@@ -351,6 +370,12 @@ class _Book:
             "box-spline", witness={"power": power, "shift": list(shift)}, directions=directions, scale=scale
         )
 
+    def gram(self, converges, **witness):
+        """φ is stable by a tree, unstable by a zero."""
+        rule, holds = ("gram-stable", True) if "tree" in witness else ("gram-unstable", False)
+        witness["gram"] = json.loads(gram(self.name))
+        return self.add(rule, [converges], witness, property="stable", holds=holds)
+
     def document(self):
         return document(self.name, self.claims)
 
@@ -385,6 +410,7 @@ def bilinear():
         for x in ((1, 0), (0, 1))
     ]
     book.add("directional-converges", [0, *factors], property="convergent", holds=True)
+    book.gram(converges, tree=[-1, 1, -1, -1, -1, 1, -1, -1])
     return book.document()
 
 
@@ -407,6 +433,8 @@ def zwart_powell():
     book.structure(2)
     book.add("reproduction", [1], degree=1)
     book.sobolev(2, [-1, 16], "1/16", "1/16")
+    converges = book.add("converges", [len(book.claims) - 1], property="convergent", holds=True)
+    book.gram(converges, point=[1, 1], order=2)
     spline = book.box([(1, 0), (0, 1), (1, 1), (1, -1)], 1, (0, 0))
     book.add("box-smooth", [spline], property="smooth", order=1)
     book.add("box-not-smooth", [spline], property="not-smooth", order=2)
