@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import cast
 
-from subdiv_cli.certificate.multivariate import surface_certificate
+from subdiv_cli.certificate import certificate
+from subdiv_cli.certificate.multivariate import PartCertificate, surface_certificate
+from subdiv_cli.certificate.writer import Certificate
 from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Result, Smoothness, Verdict
 from subdiv_cli.model.judge import status
 from subdiv_cli.pipeline import Checked, judged, named, sobolev_exponent, verified
 from subdiv_cli.schemes.multivariate import MultivariateScheme
+from subdiv_cli.schemes.scalar import ScalarScheme
 from subdiv_cli.stages.figures import digits
 from subdiv_cli.stages.multivariate.analysis import Analysis, analyse
 
@@ -25,7 +29,7 @@ def certified_surface(
 ) -> Checked:
     """As `pipeline.certified`. Raises DisagreementError."""
     findings = analysis.findings
-    written = surface_certificate(dict(canonical(scheme)), findings)
+    written = _certificate(scheme, analysis)
     if written is not None and not verified(written.document):
         written = None
     claims = written.claims if written is not None else [()] * len(findings)
@@ -54,6 +58,26 @@ def certified_surface(
     judgements = judged(expectations, result)
     result = replace(result, expectations=judgements, status=status(result.convergent, judgements))
     return Checked(result, None if written is None else written.document)
+
+
+def _certificate(scheme: MultivariateScheme, analysis: Analysis) -> Certificate | None:
+    """With those of its factors inside; None where one of them is too long."""
+    parts = []
+    for variables, factor, inner in analysis.parts:
+        if isinstance(factor, ScalarScheme):
+            written = certificate(factor.arity, factor.start, factor.coefficients, inner.findings)
+        else:
+            written = _certificate(factor, cast("Analysis", inner))
+        if written is None:
+            return None
+        claims = written.document["claims"]
+        said = {
+            finding.code: [claims[number]["statement"] for number in numbers]
+            for finding, numbers in zip(inner.findings, written.claims, strict=True)
+            if numbers
+        }
+        parts.append(PartCertificate(variables, written.document, said))
+    return surface_certificate(dict(canonical(scheme)), analysis.findings, parts)
 
 
 def _smoothness(found: Mapping[str, Finding]) -> Smoothness:

@@ -42,13 +42,14 @@ _PROPERTIES = {
     "SD603": {"box-spline"},
     "SD604": {"directional-norm"},
     "SD605": {"family", "radius", "bounded", "radius-upper"},
+    "SD609": {"tensor-product"},
     "SD611": {"convergent"},
     "SD612": {"smooth", "not-smooth"},
     "SD613": {"not-smooth"},
-    "SD614": {"holder-lower", "holder-root", "holder-value", "radius", "bounded", "radius-upper"},
-    "SD615": {"holder-upper", "holder-root", "holder-value"},
+    "SD614": {"holder-lower", "holder-root", "holder-value", "radius", "bounded", "radius-upper", "of-factor"},
+    "SD615": {"holder-upper", "holder-root", "holder-value", "of-factor", "at-most-factor"},
     "SD616": {"stable"},
-    "SD617": {"sobolev", "sobolev-lower", "sobolev-value"},
+    "SD617": {"sobolev", "sobolev-lower", "sobolev-value", "of-factor"},
     "SD618": {"reproduction"},
 }
 """What claims of these findings must be about; those of later codes must only be verified."""

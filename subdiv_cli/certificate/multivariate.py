@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from math import comb, prod
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from subdiv_cli.certificate.claims import Claims, Json, rational
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
@@ -17,12 +18,25 @@ _DECIDED = (Verdict.PROVED, Verdict.REFUTED)
 Map = Mapping[str, Data]
 
 
-def surface_certificate(mask: Json, findings: Sequence[Finding]) -> Certificate | None:
-    """The proof of the proved and refuted findings on a mask, given as certificates embed it.
+class PartCertificate(NamedTuple):
+    """The certificate of a factor of a tensor product."""
+
+    variables: tuple[int, ...]
+    document: Json
+    said: Mapping[str, Sequence[Json]]
+    """The statements of each finding, by its code."""
+
+
+def surface_certificate(
+    mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate] = ()
+) -> Certificate | None:
+    """The proof of the proved and refuted findings on a mask, given as certificates embed it; of a tensor product by
+
+    the certificates of its factors.
 
     None where the whole asks more of the checker than it does.
     """
-    proof = _Proof(mask, findings)
+    proof = _Proof(mask, findings, parts)
     claims = tuple(tuple(proof.claims_of(found)) if found.verdict in _DECIDED else () for found in findings)
     if sum(claim["work"] for claim in proof.claims.made) > MOST_WORK:
         return None
@@ -42,12 +56,13 @@ def surface_certificate(mask: Json, findings: Sequence[Finding]) -> Certificate 
 class _Proof:
     """A certificate under construction. Each method returns the number of a claim."""
 
-    def __init__(self, mask: Json, findings: Sequence[Finding]) -> None:
+    def __init__(self, mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate]) -> None:
         self.claims = Claims()
         self.found = {finding.code: finding for finding in findings}
         self.s = len(mask["dilation"])
         self.terms = len(mask["terms"])
         self.m = len(as_tuple(self.found["SD601"].witness["cosets"]))
+        self.parts = parts
         self._families: list[None] = []
         self._family: int | None = None
         self._radius_claim: int | None = None
@@ -60,6 +75,7 @@ class _Proof:
             "SD603": lambda _: [self._box()],
             "SD604": self._norms,
             "SD605": lambda _: [self._radius(), self._differences()],
+            "SD609": lambda _: [self._tensor()],
             "SD611": lambda _: [self._convergent()],
             "SD612": lambda found: [self._smooth(found)],
             "SD613": lambda found: [self._not_smooth(found)],
@@ -121,6 +137,27 @@ class _Proof:
             numbers.append(self._add("directional-norm", statement, {"quotient": spelled(quotient)}, work=work))
         return numbers
 
+    def _tensor(self) -> int:
+        """The claim on the factors."""
+        documents = list({json.dumps(part.document): part.document for part in self.parts}.values())
+        which = [documents.index(part.document) for part in self.parts]
+        work = sum(claim["work"] for document in documents for claim in document["claims"])
+        statement = {"parts": [list(part.variables) for part in self.parts]}
+        witness = {"which": which, "certificates": documents}
+        return self._add("tensor-product", statement, witness, work=work + self.terms * (self.s + 1))
+
+    def _of_factors(self, rule: str, statement: Json, *more: int) -> int:
+        return self._add(f"tensor-{rule}", statement, uses=[self._tensor(), *more], work=len(self.parts))
+
+    def _of_factor(self, finding: Finding, codes: Sequence[str], rule: str = "of-factor") -> list[int]:
+        """What the findings of a factor with one of these codes say of its exponent."""
+        part = next(part for part in self.parts if part.variables == finding.witness["variables"])
+        said = next(part.said[code] for code in codes if code in part.said)[0]
+        between = finding.witness.get("between")
+        witness = {} if between is None else {"between": rational(as_rational(between))}
+        statement = {"variables": list(part.variables), "statement": said}
+        return [self._add(rule, statement, witness, [self._tensor()], len(self.parts))]
+
     def _factor(self) -> int:
         """c of a dilation c I."""
         c = exact_root(self.m, self.s)
@@ -164,6 +201,8 @@ class _Proof:
         rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
         if by == "SD604":
             rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
+        elif by == "SD609":
+            return self._of_factors("converges", {"property": "convergent", "holds": holds})
         elif by == "SD617":
             uses = [self._mean_squares(found, lower=True)]
         elif by == "SD605":
@@ -177,6 +216,8 @@ class _Proof:
         if found.witness["by"] == "SD603":
             count = len(as_tuple(self.found["SD603"].witness["directions"]))
             return self._add("box-stable", statement, uses=[self._box()], work=24 * self.s * comb(count, self.s))
+        if self.found["SD616"].witness["by"] == "SD609":
+            return self._of_factors("stable", statement, self._convergent())
         proof = self.found["SD616"].proof
         if proof:
             return self._gram_sequence(statement, proof)
@@ -201,6 +242,8 @@ class _Proof:
         n = as_integer(finding.witness["order"])
         if finding.witness["by"] == "SD603":
             return self._add("box-smooth", {"property": "smooth", "order": n}, uses=[self._box()], work=self._breadth())
+        if finding.witness["by"] == "SD609":
+            return self._of_factors("smooth", {"property": "smooth", "order": n})
         return self._add("smooth", {"order": n}, uses=self._decay(finding))
 
     def _decay(self, finding: Finding) -> list[int]:
@@ -214,6 +257,8 @@ class _Proof:
         statement: Json = {"property": "not-smooth", "order": n}
         if by == "SD603":
             return self._add("box-not-smooth", statement, uses=[self._box()], work=self._breadth())
+        if by == "SD609":
+            return self._of_factors("not-smooth", statement)
         if by == "SD602":
             return self._add("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
         below = self._reaching(n)
@@ -231,6 +276,8 @@ class _Proof:
     def _lower(self, finding: Finding) -> list[int]:
         if finding.witness["by"] == "SD603":
             return [self._box_exponent(finding)]
+        if finding.witness["by"] == "SD609":
+            return self._of_factor(finding, ("SD311", "SD614"))
         root = cast("Map | None", finding.witness.get("root"))
         if root is not None and self.found["SD616"].verdict is Verdict.PROVED:
             return [self._exponent(finding, root)]
@@ -242,6 +289,8 @@ class _Proof:
     def _upper(self, finding: Finding) -> list[int]:
         if finding.witness["by"] == "SD603":
             return [self._box_exponent(finding)]
+        if finding.witness["by"] == "SD609":
+            return self._above(finding)
         root = cast("Map | None", self.found["SD614"].witness.get("root"))
         if root is not None:
             return [self._exponent(self.found["SD614"], root)]
@@ -251,6 +300,13 @@ class _Proof:
         return [
             self._add("holder-upper", statement, uses=[below, self._differences(), self._sum_rules(), self._stable()])
         ]
+
+    def _above(self, finding: Finding) -> list[int]:
+        """By the exponent itself, where that is what the finding from below says."""
+        below = self.found["SD614"]
+        if below.closed is not None and below.witness["variables"] == finding.witness["variables"]:
+            return self._lower(below)
+        return self._of_factor(finding, ("SD312", "SD615"), "at-most-factor")
 
     def _exponent(self, finding: Finding, root: Map) -> int:
         statement = {"length": finding.witness["length"], **root_fields(root)}
@@ -266,6 +322,8 @@ class _Proof:
         if found["by"] == "SD603":
             statement = {"property": "sobolev-value", "value": rational(as_rational(found["value"]))}
             return self._add("box-sobolev", statement, uses=[self._box()], work=self._breadth())
+        if found["by"] == "SD609":
+            return self._of_factor(finding, ("SD321", "SD617"))[0]
         return self._mean_squares(finding, lower=not found["holds"])
 
     def _mean_squares(self, finding: Finding, *, lower: bool) -> int:

@@ -49,10 +49,13 @@ def not_verified(place: str, why: object, claim: int | None = None) -> Outcome:
 
 
 class Proved(NamedTuple):
-    """A claim that holds, and what later ones need of it: the quotient of a sum-rules claim, a reduction's factor."""
+    """A claim that holds, and what later ones need of it: the quotient of a sum-rules claim, a reduction's factor, the
+
+    factors of a tensor product.
+    """
 
     statement: Statement
-    result: Polynomial | None
+    result: Any
 
 
 class Rule(NamedTuple):
@@ -64,7 +67,7 @@ class Rule(NamedTuple):
     """Fields of the statement whose value the rule fixes."""
     witnesses: Sequence[Fields]
     """The witnesses the rule knows; their keys tell them apart."""
-    check: Callable[[Claim], Polynomial | None]
+    check: Callable[[Claim], object]
 
 
 class Subject:
@@ -83,6 +86,8 @@ class Subject:
         self.masks = [] if mask is None else [mask]
         self.families = [] if family is None else [family]
         self.size_left = MAX_SIZE
+        self.kinds: Mapping[str, Kind] = {}
+        """Of certificates inside of the document."""
 
 
 class Kind(NamedTuple):
@@ -136,6 +141,14 @@ class Claim:
         entries = sum(len(each.matrices) * each.order**2 for each in families)
         require_few(entries <= MAX_ENTRIES, "the families have too many entries")
 
+    def check_inside(self, document: object) -> tuple[Outcome, Kind | None, Subject | None]:
+        """Another certificate, on numbers as long as this document may still have; what it is about as well."""
+        checker = _Checker(self._subject.size_left)
+        outcome = _outcome(checker, document, self._subject.kinds)
+        if checker.subject is not None:
+            self._subject.size_left = checker.subject.size_left
+        return outcome, checker.kind, checker.subject
+
     def count(self, operations: int, bits: int = 0) -> None:
         """Called before the work is done: operations as the rule counts them, on numbers of so many bits."""
         require(operations <= self._work, f"it takes more work than stated: {min(operations, 10**18)}")
@@ -176,7 +189,10 @@ def check_text(text: str, kinds: Mapping[str, Kind]) -> Outcome:
 
 def check_document(document: object, kinds: Mapping[str, Kind]) -> Outcome:
     """Never raises: whatever goes wrong is NOT VERIFIED."""
-    checker = _Checker()
+    return _outcome(_Checker(), document, kinds)
+
+
+def _outcome(checker: _Checker, document: object, kinds: Mapping[str, Kind]) -> Outcome:
     try:
         return checker.run(document, kinds)
     except Rejected as why:
@@ -188,7 +204,10 @@ def check_document(document: object, kinds: Mapping[str, Kind]) -> Outcome:
 class _Checker:
     """One run, and where it stands."""
 
-    def __init__(self) -> None:
+    def __init__(self, size: int = MAX_SIZE) -> None:
+        self.size = size
+        self.kind: Kind | None = None
+        self.subject: Subject | None = None
         self.place = "document"
         self.number: int | None = None
         self.proved: list[Proved] = []
@@ -200,7 +219,8 @@ class _Checker:
         parts = read_object(document, fields, "the document")
         require(parts["format"] == FORMAT, f"the format is not {FORMAT}")
         require(parts["version"] == VERSION, f"the version is not {VERSION}")
-        kind, subject = _read_mask(parts["mask"], kinds)
+        kind, subject = self.kind, self.subject = _read_mask(parts["mask"], kinds)
+        subject.kinds, subject.size_left = kinds, self.size
         claims = parts["claims"]
         if type(claims) is not list:
             raise Rejected("the claims are not a list")

@@ -84,6 +84,15 @@ _OBJECTS: Mapping[str, Fields] = {
     "tie": {"vertex": "vertex", "letter": "natural", "weights": "share[]"},
     "share": {"vertex": "vertex", "weight": "element"},
 }
+_EXPONENTS: tuple[Fields, ...] = (
+    {"level": "natural", "norm": "rational"},
+    {"length": "length", "radius": "rational"},
+    {"length": "length", "bound": "rational"},
+    {"length": "length", "polynomial": "root", "low": "rational", "high": "rational"},
+    {"polynomial": "polynomial", "low": "rational", "high": "rational"},
+    {"value": "rational"},
+)
+"""Fields of statements on exponents, in masks of all kinds, besides their property."""
 _LENGTHS = {"vertices[]": MAX_VERTICES, "tie[]": MAX_VERTICES, "flat[]": MAX_VERTICES * MAX_ORDER}
 """Of lists that may have more members than others."""
 
@@ -270,6 +279,17 @@ def _terms(value: object) -> tuple[tuple[tuple[int, ...], Fraction], ...]:
     return terms
 
 
+def _exponent(value: object) -> dict[str, Any]:
+    """A statement on an exponent; which ones there are, the rule knows."""
+    if type(value) is not dict or type(value.get("property")) is not str:
+        raise UnreadableError("is no statement")
+    keys = value.keys() - {"property"}
+    fields = next((fields for fields in _EXPONENTS if fields.keys() == keys), _EXPONENTS[0])
+    if value["property"] == "holder-value":
+        fields = {"value": "natural"}
+    return _object_of(value, {"property": "any", **fields})
+
+
 def _flat(value: object) -> list[int]:
     """Integers in a row whose meaning their rule knows."""
     members: list[int] = _list(value, 2 * MAX_VERTICES)
@@ -291,6 +311,7 @@ _READERS: Mapping[str, Callable[[Any], Any]] = {
     "flat": _flat,
     "index": _index,
     "terms": _terms,
+    "exponent": _exponent,
 }
 
 

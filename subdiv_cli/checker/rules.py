@@ -21,6 +21,7 @@ from subdiv_cli.checker import (
     scalar,
     sobolev,
     surfaces,
+    tensor,
     values,
 )
 from subdiv_cli.checker.core import Kind, Rule, Subject
@@ -172,6 +173,9 @@ SURFACE_PROPERTIES = {
     "sobolev-lower": _ZERO,
     "sobolev-value": {"value": "rational"},
     "stable": {"holds": "boolean"},
+    "tensor-product": {"parts": "index[]"},
+    "of-factor": {"variables": "index", "statement": "exponent"},
+    "at-most-factor": {"variables": "index", "statement": "exponent"},
     "box-spline": {"directions": "index[]", "scale": "natural"},
     "directional-norm": {"direction": "index", "level": "natural", "norm": "rational"},
     "generation": {"degree": "integer"},
@@ -186,6 +190,7 @@ _SPACE = {
     "generators": "rational[][]",
 }
 _ZERO_POINT = {"gram": "terms", "point": "index", "order": "length"}
+_PARTS = {"which": "natural[]", "certificates": "any[]"}
 SURFACE_RULES = {
     "coset-sums": Rule(("coset-sums",), {}, _NONE, multivariate.coset_sums),
     "total-sum-rules": Rule(("total-sum-rules",), {}, _NONE, multivariate.total_sum_rules),
@@ -200,6 +205,13 @@ SURFACE_RULES = {
     "interpolatory-stable": Rule(("stable",), {"holds": True}, _NONE, multivariate.interpolatory_stable),
     "gram-stable": Rule(("stable",), {"holds": True}, ({"gram": "terms", "tree": "flat"},), gram.gram_stable),
     "gram-unstable": Rule(("stable",), {"holds": False}, (_ZERO_POINT,), gram.gram_unstable),
+    "tensor-product": Rule(("tensor-product",), {}, (_PARTS,), tensor.tensor_product),
+    "tensor-converges": Rule(("convergent",), {}, _NONE, tensor.converges),
+    "tensor-stable": Rule(("stable",), {}, _NONE, tensor.stable),
+    "tensor-smooth": Rule(("smooth",), {}, _NONE, tensor.smooth),
+    "tensor-not-smooth": Rule(("not-smooth",), {}, _NONE, tensor.not_smooth),
+    "of-factor": Rule(("of-factor",), {}, ({}, {"between": "rational"}), tensor.of_factor),
+    "at-most-factor": Rule(("at-most-factor",), {}, _NONE, tensor.at_most_factor),
     "box-spline": Rule(("box-spline",), {}, ({"power": "natural", "shift": "index"},), box_splines.box_spline),
     "box-smooth": Rule(("smooth",), {}, _NONE, box_splines.smooth),
     "box-not-smooth": Rule(("not-smooth",), {}, _NONE, box_splines.not_smooth),

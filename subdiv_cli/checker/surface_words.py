@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
+from subdiv_cli.checker import matrices
 from subdiv_cli.checker.lattice import Dilation
-from subdiv_cli.checker.words import exponent, on_radii, shown, sobolev
+from subdiv_cli.checker.words import exponent, in_words, on_radii, shown, sobolev
 
 _PHRASES = {
     "coset-sums": "the coset sums are {holds}all 1",
@@ -25,6 +26,9 @@ _PHRASES = {
     "sobolev-lower": "s >= {sobolev}",
     "sobolev-value": "s = {value}",
     "stable": "φ is {holds}stable",
+    "tensor-product": "φ is a tensor product in the variables {variables}",
+    "of-factor": "{said}, as for the factor in {variables}",
+    "at-most-factor": "α is at most that of the factor in {variables}, {said}",
     "box-spline": "φ is the box spline of {directions}",
     "directional-norm": "‖S_d^{level}‖ = {norm} for the factor in direction {direction}",
     "generation": "generation degree {degree}",
@@ -40,9 +44,27 @@ def of_surfaces(statement: Mapping[str, Any], dilation: Dilation) -> str:
     words |= {"holds": "" if holds else "not ", "converges": "converges" if holds else "diverges"}
     words["exponent"] = exponent(statement, *_base(dilation))
     words["sobolev"] = sobolev(statement, *_base(dilation))
+    words["variables"] = _variables(statement)
+    if "statement" in statement:
+        words["said"] = _said(statement["statement"], statement["variables"], dilation)
     words["directions"] = _directions(statement.get("directions", ()))
     words["direction"] = f"({words.get('direction', '')})"
     return _PHRASES[statement["property"]].format(**words)
+
+
+def _variables(statement: Mapping[str, Any]) -> str:
+    """`(z1), (z2, z3)`."""
+    parts = statement.get("parts") or [statement.get("variables", ())]
+    return ", ".join(f"({', '.join(f'z{i + 1}' for i in part)})" for part in parts)
+
+
+def _said(statement: Mapping[str, Any], variables: tuple[int, ...], dilation: Dilation) -> str:
+    """What a statement on the exponent of a factor says, as of φ."""
+    rows = [[dilation.rows[i][j] for j in variables] for i in variables]
+    if len(rows) == 1:
+        return in_words(statement, rows[0][0])
+    b, scale = matrices.inverse(rows) or (rows, 1)
+    return of_surfaces(statement, Dilation(rows, b, scale))
 
 
 def _base(dilation: Dilation) -> tuple[int, Fraction]:

@@ -16,6 +16,7 @@ from subdiv_cli.quantities.directional import Contraction, contractions
 from subdiv_cli.quantities.gram import Gram, gram
 from subdiv_cli.quantities.mean_squares import MeanSquares, mean_squares
 from subdiv_cli.quantities.reproduction import Reproduction, reproduction
+from subdiv_cli.quantities.tensor import Part
 from subdiv_cli.schemes.lattice import Lattice
 from subdiv_cli.schemes.multivariate import MultivariateScheme
 
@@ -23,8 +24,10 @@ from subdiv_cli.schemes.multivariate import MultivariateScheme
 class MultivariateNumbers:
     """Of one scheme, under one effort; what no theorem asks for is not computed."""
 
-    def __init__(self, scheme: MultivariateScheme, effort: Effort) -> None:
+    def __init__(self, scheme: MultivariateScheme, effort: Effort, parts: tuple[Part, ...] = ()) -> None:
         self.scheme, self.effort = scheme, effort
+        self.parts = parts
+        """Of a tensor product that is no box spline its factors, with what was found of them."""
         self.lattice = Lattice(scheme.dilation)
 
     @property

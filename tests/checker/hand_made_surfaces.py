@@ -11,7 +11,8 @@ import json
 from fractions import Fraction
 from math import comb, factorial, lcm, prod
 
-from hand_made import claim, q
+from hand_made import chaikin, claim, poly, q, sobolev
+from hand_made import document as univariate
 
 from subdiv_cli.model import Effort
 from subdiv_cli.pipeline import joint_spectral_radius
@@ -68,6 +69,7 @@ MASKS = {
     "butterfly": (TWO, butterfly_terms()),
     "flat": (TWO, {(0, 0): Fraction(1), (0, 1): Fraction(1), (1, 0): Fraction(1), (1, 1): Fraction(1, 2)}),
     "haar": (TWO, box([(1, 0), (0, 1)], 1)),
+    "chaikin_hat": (TWO, box([(1, 0)] * 3 + [(0, 1)] * 2, "1/8", (-1, -1))),
     "trilinear": (
         [[2, 0, 0], [0, 2, 0], [0, 0, 2]],
         box([(1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 1, 0), (0, 0, 1), (0, 0, 1)], "1/8", (-1, -1, -1)),
@@ -509,6 +511,49 @@ def butterfly():
     return book.document()
 
 
+def hat():
+    """The linear B-spline in one variable. Claims: 0 residue-sums, 1 sum-rules, 2 norm ν=2, 3 product, 4 independent,
+    5 stable, 6 norm ν=1, 7 converges, 8 smooth, 9 not-smooth, 10 holder-lower, 11 holder-upper, 12 holder-exact,
+    13 sobolev.
+    """
+    return univariate(
+        2,
+        poly(-1, 1, 2, 1, over=2),
+        [
+            claim("residue-sums", mask=0, sums=["1", "1"]),
+            claim("sum-rules", mask=0, order=2, witness={"quotient": poly(-1, "1/2")}),
+            claim("norm", [1], mask=0, nu=2, level=1, norm="1"),
+            claim("product", [1], mask=0, word=[0], radius="1/2"),
+            claim("independent", mask=0, holds=True, witness={"cofactors": [poly(0, 1), poly(0)]}),
+            claim("stable", [4], mask=0, holds=True),
+            claim("norm", [1], mask=0, nu=1, level=1, norm="1/2"),
+            claim("converges", [6], property="convergent", holds=True),
+            claim("smooth", [6], order=0),
+            claim("not-smooth", [5, 3], order=1),
+            claim("holder-lower", [2, 1], level=1, norm="1/2"),
+            claim("holder-upper", [5, 3], length=1, radius="1/2"),
+            claim("holder-exact", [10, 11], property="holder", level=1, norm="1/2"),
+            sobolev([5, 1], poly(0, "-1/8", 1), "1/8"),
+        ],
+    )
+
+
+def chaikin_hat():
+    """The product of a quadratic and a linear B-spline: the linear one is rougher."""
+    book, parts = _Book("chaikin_hat"), [chaikin(), hat()]
+    book.structure(2)
+    tensor = book.add("tensor-product", witness={"which": [0, 1], "certificates": parts}, parts=[[0], [1]])
+    converges = book.add("tensor-converges", [tensor], property="convergent", holds=True)
+    book.add("tensor-stable", [tensor, converges], property="stable", holds=True)
+    book.add("tensor-smooth", [tensor], property="smooth", order=0)
+    book.add("tensor-not-smooth", [tensor], property="not-smooth", order=1)
+    holder, sobolev_exponent = (each["statement"] for each in parts[1]["claims"][-2:])
+    book.add("of-factor", [tensor], {"between": "3/2"}, variables=[1], statement=holder)
+    book.add("of-factor", [tensor], {"between": "2"}, variables=[1], statement=sobolev_exponent)
+    book.add("at-most-factor", [tensor], variables=[1], statement=holder)
+    return book.document()
+
+
 def haar():
     """The indicator function of the square: stable, α = 0, and S does not converge uniformly."""
     book = _Book("haar")
@@ -551,5 +596,16 @@ def trilinear():
 
 ALL_SURFACES = {
     make.__name__: make
-    for make in (bilinear, courant, zwart_powell, quincunx, four_eight, butterfly, haar, flat, trilinear)
+    for make in (
+        bilinear,
+        courant,
+        zwart_powell,
+        quincunx,
+        four_eight,
+        butterfly,
+        chaikin_hat,
+        haar,
+        flat,
+        trilinear,
+    )
 }

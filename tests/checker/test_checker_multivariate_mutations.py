@@ -40,12 +40,13 @@ GOLDEN = (1 + math.sqrt(5)) / 2
 FACTS = {
     "bilinear": Facts(2, True, 1, 0, True, 1.5, 1, [[0, 1], [0, 1], [1, 0], [1, 0]]),
     "courant": Facts(2, True, 1, 0, True, 1.5, 1, [[0, 1], [1, 0], [1, 1]]),
-    "zwart_powell": Facts(2, None, 2, 1, False, 2.5, 1, [[0, 1], [1, -1], [1, 0], [1, 1]]),
+    "zwart_powell": Facts(2, True, 2, 1, False, 2.5, 1, [[0, 1], [1, -1], [1, 0], [1, 1]]),
     "quincunx": Facts(2, True, 2 - 2 * math.log2(GOLDEN), 0, True, 1.5776445337925926, 1),
     "four_eight": Facts(
         4, None, 5, 4, False, 5.5, 1, [[0, 1], [0, 1], [1, -1], [1, -1], [1, 0], [1, 0], [1, 1], [1, 1]]
     ),
     "butterfly": Facts(4, True, 2, 1, True, 2.4407654450703506, 3),
+    "chaikin_hat": Facts(2, True, 1, 0, True, 1.5, 1),
     "haar": Facts(1, False, 0, -1, True, 0.5, 0, [[0, 1], [1, 0]]),
     "flat": Facts(0, False, math.nan, -1, False, math.nan, -1),
     "trilinear": Facts(
@@ -74,6 +75,15 @@ def is_true(s, name):
         (zero,) = (z.real for z in zeros if abs(z.imag) < 1e-12 and low - 1e-12 <= z.real <= high + 1e-12)
         return -math.log(zero, scale) / 2
 
+    def of_factor():
+        said = s["statement"]
+        if said["property"] == "sobolev":
+            return (
+                s["variables"] == [1]
+                and abs(-math.log2(-Fraction(said["polynomial"]["coefficients"][0])) / 2 - facts.s) < 1e-9
+            )
+        return s["variables"] == [1] and -math.log2(Fraction(said["norm"])) / said["level"] == facts.alpha
+
     def directional():
         return norm(quotient(name, *s["direction"]), 2, s["level"]) == Fraction(s["norm"])
 
@@ -94,6 +104,9 @@ def is_true(s, name):
         "sobolev-value": lambda: Fraction(s["value"]) == facts.s,
         "reproduction": lambda: s["degree"] == facts.reproduction,
         "stable": lambda: s["holds"] == facts.stable,
+        "tensor-product": lambda: s["parts"] == [[0], [1]],
+        "of-factor": of_factor,
+        "at-most-factor": of_factor,
         "box-spline": lambda: (s["directions"], s["scale"]) == (facts.directions, 2),
         "directional-norm": directional,
     }[s["property"]]()
@@ -148,9 +161,9 @@ CHANGES = {
     "a little more": lambda x: x + Fraction(1, 10**6),
     "a little less": lambda x: x - Fraction(1, 10**6),
 }
-FREE = {"work", "uses", "order", "low", "high", "bound", "cosets", "polynomial", "cofactor"}
+FREE = {"work", "uses", "order", "low", "high", "bound", "cosets", "polynomial", "cofactor", "point"}
 """What may be another in some claim: more work, another claim of the same statement, a weaker statement, another
-representative of a coset whose operator is zero, a multiple of a polynomial.
+representative of a coset whose operator is zero, a multiple of a polynomial, a point of the torus by other angles.
 """
 
 

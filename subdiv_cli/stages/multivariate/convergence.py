@@ -3,7 +3,8 @@
 Theorem (Han & Jia 1998, Theorem 4.3, for any expanding M; quantities/difference_space.py for k > 1): S converges
 uniformly iff its coset sums are 1 and ρ_k < 1, k any order of its sum rules. No stability is needed. Also proved by
 directional difference schemes that contract (SD604), or in the mean: ρ_k² is at most m Λ, Λ the growth of the mean
-squares (SD617), m = |det M|; that is s > dimension/2 for its bound of s. Hypotheses: the coset sums (SD601).
+squares (SD617), m = |det M|; that is s > dimension/2 for its bound of s. Tensor products (SD609) converge iff all their
+factors do. Hypotheses: the coset sums (SD601).
 
 Witness: `by`, the code of the finding that decides.
 """
@@ -14,6 +15,8 @@ from fractions import Fraction
 
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.quantities.tensor import Part
+from subdiv_cli.stages.multivariate import tensor_products
 from subdiv_cli.stages.multivariate.rule import Facts, growth_proof, verdict_of
 from subdiv_cli.stages.stage import ContradictionError, Rule, product_name
 
@@ -26,6 +29,8 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     sums, norms, found = (verdict_of(facts, code) for code in ("SD601", "SD604", "SD605"))
     if sums is not None and sums.verdict is Verdict.REFUTED:
         return (RULE.refuted(f"S does not converge uniformly to a non-zero limit: {sums.statement}", {"by": "SD601"}),)
+    if numbers.parts:
+        return (_of_parts(numbers.parts),)
     radius, product = (numbers.radius, numbers.product) if found and found.verdict is Verdict.PROVED else (None, None)
     diverges = product is not None and product.compare(Fraction(1)) >= 0
     k = numbers.order
@@ -45,3 +50,12 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (RULE.refuted(statement, {"by": "SD605", "word": product.word}),)
     reason = "no bound of ρ_k below 1 is proved, and no product is known that keeps it above"
     return (RULE.undecided(_QUESTION, (found.reason if found is not None else None) or reason),)
+
+
+def _of_parts(parts: tuple[Part, ...]) -> Finding:
+    found, part = tensor_products.of_all(parts, tensor_products.convergence)
+    if found is Verdict.PROVED:
+        return RULE.proved("S converges uniformly: its factors do", {"by": "SD609"})
+    if found is Verdict.REFUTED:
+        return RULE.refuted(f"S does not converge uniformly: its factor in {part.name} does not", {"by": "SD609"})
+    return RULE.undecided(_QUESTION, f"it is not decided for the factor in {part.name}")

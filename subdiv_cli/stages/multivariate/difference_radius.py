@@ -3,8 +3,8 @@
 V_k is the smallest space that holds the differences ∇^μ δ, |μ| = k, and is mapped into itself by the T_ε; its basis and
 the matrices are exact (quantities/difference_space.py, with the theorems on ρ_k). It is not the smallest invariant
 window with polynomials divided out: differences that cross windows count. The radius is found and proved as SD310 says.
-Hypothesis, k >= 1: checked. Not asked where φ is a box spline (SD603) and convergence is proved without
-it (SD604, SD617).
+Hypothesis, k >= 1: checked. Not asked of tensor products (SD609), nor where φ is a box spline (SD603) and convergence
+is proved without it (SD604, SD617).
 
 Witness: `order`, k; `dimension` of V_k; `method`; `word` of a product, as numbers of coset representatives; `length`
 and `bound`, or `length` and `root`: ρ_k^length is at most the bound, or is the root. `proof`: the space and the radius.
@@ -32,6 +32,8 @@ _QUESTION = "how fast do differences decay?"
 def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if not numbers.order:
         return (RULE.skipped(_QUESTION, "no sum rule holds"),)
+    if numbers.parts:
+        return (RULE.skipped(_QUESTION, "φ is a tensor product, and its factors decide"),)
     contracts = numbers.contractions is not None or ((mean := numbers.mean_decay) is not None and mean < 1)
     if numbers.box is not None and contracts:
         return (RULE.skipped(_QUESTION, "φ is a box spline, and S is seen to converge without it"),)

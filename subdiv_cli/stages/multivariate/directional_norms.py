@@ -4,7 +4,8 @@ Theorem (Dyn 1992, remark after Proposition 6.10, for any dilation c I): let a(z
 z^((c-1)θ_i)) for s directions with det(θ_1, …, θ_s) = ±1, and let the coset sums be 1. Then Δ_θ_i S = S_(d_i) Δ_θ_i,
 and if ‖S_(d_i)^L‖∞ < 1 for each i and some L, S converges uniformly. Hypotheses: all checked. Sufficient only.
 
-There is a finding only where the mask has such factors and they all contract within the effort.
+There is a finding only where the mask has such factors and they all contract within the effort, and where it is no
+tensor product (SD609).
 
 Witness: `directions`, `levels`, `norms`.
 """
@@ -21,7 +22,7 @@ RULE = Rule("SD604", "directional-norms", "Dyn 1992, (6.52), (6.53) and Proposit
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
-    found = numbers.contractions
+    found = None if numbers.parts else numbers.contractions
     if found is None:
         return ()
     parts = [

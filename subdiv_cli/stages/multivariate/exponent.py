@@ -6,8 +6,11 @@ for stable φ they are equal. A product of ℓ operators with an eigenvalue of m
 
 Where no bound of ρ_k is known, ρ_k² <= m Λ of the mean squares (SD617): α >= s - dimension/2.
 
-Witness: `by`, SD603, SD605 or SD617; `length` and `root`, or `length` and `bound`, as SD605 has them; from above
-`length` and `radius`, a rational lower bound of ρ_k^length.
+Tensor products (SD609): the least exponent of a factor, M isotropic or not.
+
+Witness: `by`, SD603, SD605, SD609 or SD617; of a tensor product `variables` of the factor, and from below `between`, a
+number that its exponent is not above, nor those of factors with other masks below; otherwise `length` and `root`, or
+`length` and `bound`, as SD605 has them; from above `length` and `radius`, a rational lower bound of ρ_k^length.
 """
 
 from __future__ import annotations
@@ -23,7 +26,9 @@ from subdiv_cli.jsr.products import radius_bound
 from subdiv_cli.jsr.result import root_data
 from subdiv_cli.model import Data, Finding, Interval, Verdict, logarithm, unpowered
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.quantities.tensor import Part
 from subdiv_cli.stages.joint_radius import shown
+from subdiv_cli.stages.multivariate import tensor_products
 from subdiv_cli.stages.multivariate.rule import (
     ANISOTROPIC,
     Facts,
@@ -43,6 +48,8 @@ _BELOW, _ABOVE = "how regular are the limit functions at least?", "how regular i
 def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if numbers.box is not None:
         return _of_box_spline(numbers.box.depth)
+    if numbers.parts:
+        return (_least_of(numbers.parts), _least_above(numbers.parts))
     reason = None if numbers.lattice.is_isotropic else ANISOTROPIC
     reason = reason if numbers.order else "no sum rule holds"
     if reason is not None:
@@ -62,6 +69,36 @@ def _of_box_spline(depth: int) -> tuple[Finding, ...]:
     witness: dict[str, Data] = {"by": "SD603", "value": alpha}
     below, above = f"α ≥ {alpha}: {spanning(depth - 1)}", f"α ≤ {alpha}: {not_spanning(depth)}"
     return (BELOW.proved(below, witness, interval(alpha), alpha), ABOVE.proved(above, witness, interval(alpha), alpha))
+
+
+def _least_of(parts: tuple[Part, ...]) -> Finding:
+    found = tensor_products.least(parts, tensor_products.holder_lower)
+    if found is None:
+        return BELOW.undecided(_BELOW, "the exponents of the factors are not seen to be positive, or not compared")
+    part, exact = tensor_products.holder_lower(found.part), found.is_exact
+    value = part.value or Interval()
+    text = _shown(part) if exact else rounded_down(value.lower or 0.0)
+    statement = f"α {'=' if exact else '≥'} {text}, the least exponent of a factor: {found.part.name}"
+    return BELOW.proved(
+        statement, tensor_products.least_witness(found), value if exact else Interval(lower=value.lower), part.closed
+    )
+
+
+def _least_above(parts: tuple[Part, ...]) -> Finding:
+    part = tensor_products.least_upper(parts, tensor_products.holder_upper)
+    if part is None:
+        return ABOVE.undecided(_ABOVE, "no bound is known for a factor")
+    found = tensor_products.holder_upper(part)
+    assert found.value is not None
+    exact = tensor_products.holder_lower(part)
+    text = _shown(exact) if exact.closed is not None else rounded_up(found.value.upper or 0.0)
+    witness: dict[str, Data] = {"by": "SD609", "variables": part.variables}
+    return ABOVE.proved(f"α ≤ {text}, an exponent of a factor: {part.name}", witness, Interval(upper=found.value.upper))
+
+
+def _shown(found: Finding) -> str:
+    assert found.closed is not None
+    return readable(found.closed) or f"{rounded_down((found.value or Interval()).lower or 0.0)}…"
 
 
 def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:

@@ -2,12 +2,12 @@
 
 Theorems. For isotropic M, λ = |det M|^(1/s) (Jia 1998; Han 2003): sum rules of order k > n and ρ_k < λ^-n give C^n;
 stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k > n of its sum rules. Box splines (SD603):
-C^n iff n <= d - 2, whatever their stability. Hypotheses: M isotropic, checked (others are skipped); stability (SD616),
-for refutations that are not of box splines.
+C^n iff n <= d - 2, whatever their stability. Tensor products (SD609): iff all factors are. Hypotheses: M isotropic,
+checked (others are skipped); stability (SD616), for refutations that are not of box splines.
 
 In the mean, ρ_k² is at most m Λ, Λ the growth of the mean squares of differences (SD617).
 
-Witness: `order`; `by`, SD605, SD617 or SD603; SD613: `by`, SD603, SD602 (the sum rules are too few) or
+Witness: `order`; `by`, SD605, SD617, SD609 or SD603; SD613: `by`, SD603, SD609, SD602 (the sum rules are too few) or
 SD605 with `word`.
 """
 
@@ -18,6 +18,8 @@ from fractions import Fraction
 from subdiv_cli.jsr.products import Product
 from subdiv_cli.model import Finding, Verdict, exact_root
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.quantities.tensor import Part
+from subdiv_cli.stages.multivariate import tensor_products
 from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, growth_proof, not_spanning, spanning
 from subdiv_cli.stages.stage import Rule, product_name, verdict
 
@@ -32,6 +34,8 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (RULE.skipped(_QUESTION, "the coefficients do not add up to |det M|, so there is no φ"),)
     if numbers.box is not None:
         return _of_box_spline(numbers.box.depth)
+    if numbers.parts:
+        return _of_parts(numbers.parts)
     if not numbers.lattice.is_isotropic:
         return (RULE.skipped(_QUESTION, ANISOTROPIC),)
     k = numbers.order
@@ -63,6 +67,29 @@ def _of_box_spline(depth: int) -> tuple[Finding, ...]:
         RULE.proved(f"φ is C^{depth - 2}: {enough}", _by(depth - 2, "SD603")),
         NEXT.refuted(f"φ is not C^{depth - 1}: {few}", _by(depth - 1, "SD603")),
     )
+
+
+def _of_parts(parts: tuple[Part, ...]) -> tuple[Finding, ...]:
+    found, part = tensor_products.of_all(parts, tensor_products.smoothness)
+    if found is Verdict.REFUTED:
+        return (RULE.refuted(f"φ is not continuous: its factor in {part.name} is not", _by(0, "SD609")),)
+    if found is Verdict.UNDECIDED:
+        return (RULE.undecided(_QUESTION, f"it is not decided for the factor in {part.name}"),)
+    orders = [(_order(tensor_products.smoothness(part)), part) for part in parts]
+    n = min(order for order, _ in orders)
+    first = RULE.proved(f"φ is C^{n}: its factors are", _by(n, "SD609"))
+    for order, part in orders:
+        following = part.following()
+        if order == n and following is not None and following.verdict is Verdict.REFUTED:
+            statement = f"φ is not C^{n + 1}: its factor in {part.name} is not"
+            return (first, NEXT.refuted(statement, _by(n + 1, "SD609")))
+    return (first, NEXT.undecided(f"is φ C^{n + 1}?", "it is not excluded for any factor"))
+
+
+def _order(found: Finding) -> int:
+    order = found.witness["order"]
+    assert isinstance(order, int)
+    return order
 
 
 def _by(order: int, code: str) -> dict[str, int | str]:

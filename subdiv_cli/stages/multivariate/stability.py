@@ -2,12 +2,13 @@
 
 Theorems. Box splines (SD603): iff the directions are unimodular (Dahmen & Micchelli 1983; Jia 1984; de Boor, Höllig &
 Riemenschneider 1993, II.57). Interpolatory masks, a_(Mα) = δ_α, of schemes that converge (SD611): φ(α) = δ_α, so the
-translates are stable and linearly independent. Of all other schemes that converge: iff the symbol of the Gram sequence
-g_α = ∫ φ φ(·-α) has no zero on the torus (Jia & Micchelli 1991; quantities/gram.py). Hypothesis of the last two,
-convergence: checked. Of schemes that do not converge only box splines are decided.
+translates are stable and linearly independent. Tensor products (SD609) that converge: iff all factors are. Of all other
+schemes that converge: iff the symbol of the Gram sequence g_α = ∫ φ φ(·-α) has no zero on the torus (Jia & Micchelli
+1991; quantities/gram.py). Hypothesis of the last three, convergence: checked. Of schemes that do not converge only box
+splines are decided.
 
-Witness: `by`, SD603 or SD611; of a Gram sequence `zero`, k, with `order`, n, where it is zero at 2πk/n, or `boxes`, how
-many show that it is positive. `proof`: the sequence and the tree of the boxes.
+Witness: `by`, SD603, SD609 or SD611; of a Gram sequence `zero`, k, with `order`, n, where it is zero at 2πk/n, or
+`boxes`, how many show that it is positive. `proof`: the sequence and the tree of the boxes.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ from fractions import Fraction
 from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.gram import LEAF, Gram
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
+from subdiv_cli.quantities.tensor import Part
+from subdiv_cli.stages.multivariate import tensor_products
 from subdiv_cli.stages.multivariate.rule import Facts
 from subdiv_cli.stages.stage import Rule, verdict
 
@@ -36,9 +39,20 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (RULE.refuted("φ is not stable: some directions have a determinant beyond ±1", {"by": "SD603"}),)
     if verdict(facts, "SD611") is not Verdict.PROVED:
         return (RULE.undecided(_QUESTION, "φ is no box spline, and it is not proved that the scheme converges"),)
+    if numbers.parts:
+        return (_of_parts(numbers.parts),)
     if numbers.is_interpolatory:
         return (RULE.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": "SD611"}),)
     return (_of_gram_sequence(numbers.gram),)
+
+
+def _of_parts(parts: tuple[Part, ...]) -> Finding:
+    found, part = tensor_products.of_all(parts, tensor_products.stability)
+    if found is Verdict.PROVED:
+        return RULE.proved("φ is stable: its factors are", {"by": "SD609"})
+    if found is Verdict.REFUTED:
+        return RULE.refuted(f"φ is not stable: its factor in {part.name} is not", {"by": "SD609"})
+    return RULE.undecided(_QUESTION, f"it is not decided for the factor in {part.name}")
 
 
 def _of_gram_sequence(found: Gram | None) -> Finding:
