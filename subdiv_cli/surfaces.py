@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import cast
 
 from subdiv_cli.certificate import certificate
-from subdiv_cli.certificate.multivariate import PartCertificate, surface_certificate
+from subdiv_cli.certificate.multivariate import surface_certificate
+from subdiv_cli.certificate.tensor import PartCertificate
 from subdiv_cli.certificate.writer import Certificate
 from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Result, Smoothness, Verdict

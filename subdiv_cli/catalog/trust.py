@@ -13,7 +13,8 @@ from typing import Any
 
 from subdiv_cli.catalog.numbers import numbers_are_proved
 from subdiv_cli.checker import check_document
-from subdiv_cli.checker.reading import Rejected, parse
+from subdiv_cli.checker.json_text import parse
+from subdiv_cli.checker.reading import Rejected
 from subdiv_cli.model import ClosedForm, Expectation, Finding, Judgement, Result, Verdict
 from subdiv_cli.model.judge import judge_by, status
 from subdiv_cli.model.order import compare

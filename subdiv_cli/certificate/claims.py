@@ -25,6 +25,12 @@ class Claims:
             self.made.append(claim)
         return self._numbers[key]
 
+    def prove(
+        self, rule: str, statement: Json, witness: Json | None = None, uses: Sequence[int] = (), work: int = 1
+    ) -> int:
+        """As `add`; a statement without its property is of the one that has the name of the rule."""
+        return self.add(rule, {"property": rule, **statement}, witness or {}, uses, work)
+
     def statement(self, number: int) -> Json:
         statement: Json = self.made[number]["statement"]
         return statement

@@ -2,29 +2,21 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from math import comb, prod
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
+from subdiv_cli.certificate.box_splines import BoxSplineClaims
 from subdiv_cli.certificate.claims import Claims, Json, rational
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
+from subdiv_cli.certificate.tensor import Factors, PartCertificate
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
 from subdiv_cli.certificate.writer import MOST_WORK, Certificate
 from subdiv_cli.model import Data, Finding, Verdict, exact_root
 
 _DECIDED = (Verdict.PROVED, Verdict.REFUTED)
 Map = Mapping[str, Data]
-
-
-class PartCertificate(NamedTuple):
-    """The certificate of a factor of a tensor product."""
-
-    variables: tuple[int, ...]
-    document: Json
-    said: Mapping[str, Sequence[Json]]
-    """The statements of each finding, by its code."""
 
 
 def surface_certificate(
@@ -62,7 +54,8 @@ class _Proof:
         self.s = len(mask["dilation"])
         self.terms = len(mask["terms"])
         self.m = len(as_tuple(self.found["SD601"].witness["cosets"]))
-        self.parts = parts
+        self.factors = Factors(self.claims, parts, self.terms * (self.s + 1))
+        self.box = BoxSplineClaims(self.claims, self.found.get("SD603"), self.terms)
         self._families: list[None] = []
         self._family: int | None = None
         self._radius_claim: int | None = None
@@ -72,10 +65,10 @@ class _Proof:
         rules: dict[str, Callable[[Finding], list[int]]] = {
             "SD601": lambda _: [self._coset_sums()],
             "SD602": self._sum_rules_and_generation,
-            "SD603": lambda _: [self._box()],
+            "SD603": lambda _: [self.box.spline()],
             "SD604": self._norms,
             "SD605": lambda _: [self._radius(), self._differences()],
-            "SD609": lambda _: [self._tensor()],
+            "SD609": lambda _: [self.factors.product()],
             "SD611": lambda _: [self._convergent()],
             "SD612": lambda found: [self._smooth(found)],
             "SD613": lambda found: [self._not_smooth(found)],
@@ -87,39 +80,17 @@ class _Proof:
         }
         return rules[finding.code](finding)
 
-    def _add(
-        self, rule: str, statement: Json, witness: Json | None = None, uses: Sequence[int] = (), work: int = 1
-    ) -> int:
-        name = statement.pop("property", rule)
-        return self.claims.add(rule, {"property": name, **statement}, witness or {}, uses, work)
-
     def _coset_sums(self) -> int:
         holds = self.found["SD601"].verdict is Verdict.PROVED
-        return self._add("coset-sums", {"holds": holds}, work=self.terms + self.m)
+        return self.claims.prove("coset-sums", {"holds": holds}, work=self.terms + self.m)
 
     def _sum_rules(self) -> int:
         k = as_integer(self.found["SD602"].witness["order"])
-        return self._add("total-sum-rules", {"order": k}, work=(self.terms + self.m) * comb(k + self.s, self.s))
+        return self.claims.prove("total-sum-rules", {"order": k}, work=(self.terms + self.m) * comb(k + self.s, self.s))
 
     def _sum_rules_and_generation(self, finding: Finding) -> list[int]:
         k, rules = as_integer(finding.witness["order"]), self._sum_rules()
-        return [rules, self._add("generation", {"degree": k - 1}, uses=[rules])] if k else [rules]
-
-    def _box(self) -> int:
-        found = self.found["SD603"].witness
-        pairs = zip(as_tuple(found["directions"]), as_tuple(found["multiplicities"]), strict=True)
-        directions = sorted(spelled(xi) for xi, count in pairs for _ in range(as_integer(count)))  # type: ignore[type-var]
-        c, r, n = as_integer(found["scale"]), as_integer(found["power"]), len(directions)
-        reach = [sum(abs(cast("list[int]", xi)[i]) for xi in directions) for i in range(self.s)]
-        longest = prod((c - 1) * x + 1 for x in reach)
-        work = n * c * longest + r * self.terms * longest + self._breadth()
-        witness = {"power": r, "shift": spelled(found["shift"])}
-        return self._add("box-spline", {"directions": directions, "scale": c}, witness, work=work)
-
-    def _breadth(self) -> int:
-        count = len(as_tuple(self.found["SD603"].witness["directions"]))
-        total = sum(as_integer(n) for n in as_tuple(self.found["SD603"].witness["multiplicities"]))
-        return comb(count, self.s - 1) * self.s * (24 + total)
+        return [rules, self.claims.prove("generation", {"degree": k - 1}, uses=[rules])] if k else [rules]
 
     def _norms(self, finding: Finding) -> list[int]:
         w = finding.witness
@@ -134,29 +105,8 @@ class _Proof:
             length = prod(cast(int, span) * growth + 1 for span in spans)
             statement = {"direction": spelled(theta), "level": level, "norm": rational(as_rational(norm))}
             work = len(terms) * (2 * c + length)
-            numbers.append(self._add("directional-norm", statement, {"quotient": spelled(quotient)}, work=work))
+            numbers.append(self.claims.prove("directional-norm", statement, {"quotient": spelled(quotient)}, work=work))
         return numbers
-
-    def _tensor(self) -> int:
-        """The claim on the factors."""
-        documents = list({json.dumps(part.document): part.document for part in self.parts}.values())
-        which = [documents.index(part.document) for part in self.parts]
-        work = sum(claim["work"] for document in documents for claim in document["claims"])
-        statement = {"parts": [list(part.variables) for part in self.parts]}
-        witness = {"which": which, "certificates": documents}
-        return self._add("tensor-product", statement, witness, work=work + self.terms * (self.s + 1))
-
-    def _of_factors(self, rule: str, statement: Json, *more: int) -> int:
-        return self._add(f"tensor-{rule}", statement, uses=[self._tensor(), *more], work=len(self.parts))
-
-    def _of_factor(self, finding: Finding, codes: Sequence[str], rule: str = "of-factor") -> list[int]:
-        """What the findings of a factor with one of these codes say of its exponent."""
-        part = next(part for part in self.parts if part.variables == finding.witness["variables"])
-        said = next(part.said[code] for code in codes if code in part.said)[0]
-        between = finding.witness.get("between")
-        witness = {} if between is None else {"between": rational(as_rational(between))}
-        statement = {"variables": list(part.variables), "statement": said}
-        return [self._add(rule, statement, witness, [self._tensor()], len(self.parts))]
 
     def _factor(self) -> int:
         """c of a dilation c I."""
@@ -175,7 +125,7 @@ class _Proof:
             witness = {key: spelled(space[key]) for key in ("cosets", "window", "basis")}
             witness |= {key: _rationals(space[key]) for key in ("matrices", "generators")}
             statement = {"property": "family", "family": 0, "order": k}
-            self._family = self._add("differences", statement, witness, [self._sum_rules()], work)
+            self._family = self.claims.prove("differences", statement, witness, [self._sum_rules()], work)
         return self._family
 
     def _radius(self) -> int:
@@ -193,7 +143,7 @@ class _Proof:
         self._differences()
         order = len(as_tuple(cast(Map, self.found["SD605"].proof["space"])["basis"]))
         statement = {"property": "radius-lower", "family": 0, "length": len(word), "bound": rational(bound)}
-        return self._add("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
+        return self.claims.prove("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
 
     def _convergent(self) -> int:
         found = self.found["SD611"]
@@ -202,26 +152,25 @@ class _Proof:
         if by == "SD604":
             rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
         elif by == "SD609":
-            return self._of_factors("converges", {"property": "convergent", "holds": holds})
+            return self.factors.say("converges", {"property": "convergent", "holds": holds})
         elif by == "SD617":
             uses = [self._mean_squares(found, lower=True)]
         elif by == "SD605":
             word = () if holds else as_word(found.witness)
             uses = [self._radius() if holds else self._word(word, Fraction(1)), self._differences()]
-        return self._add(rule, {"property": "convergent", "holds": holds}, uses=uses)
+        return self.claims.prove(rule, {"property": "convergent", "holds": holds}, uses=uses)
 
     def _stable(self) -> int:
         found = self.found["SD616"]
         statement = {"property": "stable", "holds": found.verdict is Verdict.PROVED}
         if found.witness["by"] == "SD603":
-            count = len(as_tuple(self.found["SD603"].witness["directions"]))
-            return self._add("box-stable", statement, uses=[self._box()], work=24 * self.s * comb(count, self.s))
+            return self.box.stable(statement)
         if self.found["SD616"].witness["by"] == "SD609":
-            return self._of_factors("stable", statement, self._convergent())
+            return self.factors.say("stable", statement, self._convergent())
         proof = self.found["SD616"].proof
         if proof:
             return self._gram_sequence(statement, proof)
-        return self._add("interpolatory-stable", statement, uses=[self._convergent()], work=self.terms)
+        return self.claims.prove("interpolatory-stable", statement, uses=[self._convergent()], work=self.terms)
 
     def _gram_sequence(self, statement: Json, proof: Map) -> int:
         found, g, uses = self.found["SD616"].witness, as_tuple(proof["gram"]), [self._convergent()]
@@ -229,22 +178,22 @@ class _Proof:
         if "tree" not in proof:
             n = as_integer(found["order"])
             witness: Json = {"gram": spelled(g), "point": spelled(found["zero"]), "order": n}
-            return self._add("gram-unstable", statement, witness, uses, work + len(g) + n**2)
+            return self.claims.prove("gram-unstable", statement, witness, uses, work + len(g) + n**2)
         tree = as_tuple(proof["tree"])
         columns = zip(*(cast("tuple[tuple[int, ...], Fraction]", term)[0] for term in g), strict=True)
         lengths = [2 * max(map(abs, column)) + 1 for column in columns]
         work += (len(tree) + 2**self.s) * prod(lengths) * max(lengths)
-        return self._add("gram-stable", statement, {"gram": spelled(g), "tree": spelled(tree)}, uses, work)
+        return self.claims.prove("gram-stable", statement, {"gram": spelled(g), "tree": spelled(tree)}, uses, work)
 
     def _smooth(self, finding: Finding) -> int:
         if finding.verdict is Verdict.REFUTED:
             return self._not_smooth(finding)
         n = as_integer(finding.witness["order"])
         if finding.witness["by"] == "SD603":
-            return self._add("box-smooth", {"property": "smooth", "order": n}, uses=[self._box()], work=self._breadth())
+            return self.box.smooth(n)
         if finding.witness["by"] == "SD609":
-            return self._of_factors("smooth", {"property": "smooth", "order": n})
-        return self._add("smooth", {"order": n}, uses=self._decay(finding))
+            return self.factors.say("smooth", {"property": "smooth", "order": n})
+        return self.claims.prove("smooth", {"order": n}, uses=self._decay(finding))
 
     def _decay(self, finding: Finding) -> list[int]:
         """What bounds the radius from above: that of a family, or mean squares."""
@@ -256,13 +205,13 @@ class _Proof:
         n, by = as_integer(finding.witness["order"]), finding.witness["by"]
         statement: Json = {"property": "not-smooth", "order": n}
         if by == "SD603":
-            return self._add("box-not-smooth", statement, uses=[self._box()], work=self._breadth())
+            return self.box.not_smooth(n)
         if by == "SD609":
-            return self._of_factors("not-smooth", statement)
+            return self.factors.say("not-smooth", statement)
         if by == "SD602":
-            return self._add("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
+            return self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
         below = self._reaching(n)
-        return self._add("not-smooth", statement, uses=[self._stable(), below, self._differences()])
+        return self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])
 
     def _reaching(self, n: int) -> int:
         """ρ_k >= λ^-n: by the number itself where it is known and tells, else by a product."""
@@ -275,22 +224,22 @@ class _Proof:
 
     def _lower(self, finding: Finding) -> list[int]:
         if finding.witness["by"] == "SD603":
-            return [self._box_exponent(finding)]
+            return [self.box.holder(as_rational(finding.witness["value"]))]
         if finding.witness["by"] == "SD609":
-            return self._of_factor(finding, ("SD311", "SD614"))
+            return [self.factors.holder_lower(finding)]
         root = cast("Map | None", finding.witness.get("root"))
         if root is not None and self.found["SD616"].verdict is Verdict.PROVED:
             return [self._exponent(finding, root)]
         bound = rational(as_rational(root["high"] if root is not None else finding.witness["bound"]))
         statement = {"length": finding.witness["length"], "bound": bound}
         uses = self._decay(finding)
-        return [self._add("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
+        return [self.claims.prove("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
 
     def _upper(self, finding: Finding) -> list[int]:
         if finding.witness["by"] == "SD603":
-            return [self._box_exponent(finding)]
+            return [self.box.holder(as_rational(finding.witness["value"]))]
         if finding.witness["by"] == "SD609":
-            return self._above(finding)
+            return [self.factors.holder_upper(finding, self.found["SD614"])]
         root = cast("Map | None", self.found["SD614"].witness.get("root"))
         if root is not None:
             return [self._exponent(self.found["SD614"], root)]
@@ -298,32 +247,22 @@ class _Proof:
         statement = {"length": finding.witness["length"], "bound": rational(bound)}
         below = self._word(as_word(finding.witness), bound)
         return [
-            self._add("holder-upper", statement, uses=[below, self._differences(), self._sum_rules(), self._stable()])
+            self.claims.prove(
+                "holder-upper", statement, uses=[below, self._differences(), self._sum_rules(), self._stable()]
+            )
         ]
-
-    def _above(self, finding: Finding) -> list[int]:
-        """By the exponent itself, where that is what the finding from below says."""
-        below = self.found["SD614"]
-        if below.closed is not None and below.witness["variables"] == finding.witness["variables"]:
-            return self._lower(below)
-        return self._of_factor(finding, ("SD312", "SD615"), "at-most-factor")
 
     def _exponent(self, finding: Finding, root: Map) -> int:
         statement = {"length": finding.witness["length"], **root_fields(root)}
         uses = [self._radius(), self._differences(), self._sum_rules(), self._stable()]
-        return self._add("holder-root", statement, uses=uses)
-
-    def _box_exponent(self, finding: Finding) -> int:
-        statement = {"property": "holder-value", "value": int(as_rational(finding.witness["value"]))}
-        return self._add("box-holder", statement, uses=[self._box()], work=self._breadth())
+        return self.claims.prove("holder-root", statement, uses=uses)
 
     def _sobolev(self, finding: Finding) -> int:
         found = finding.witness
         if found["by"] == "SD603":
-            statement = {"property": "sobolev-value", "value": rational(as_rational(found["value"]))}
-            return self._add("box-sobolev", statement, uses=[self._box()], work=self._breadth())
+            return self.box.sobolev(as_rational(found["value"]))
         if found["by"] == "SD609":
-            return self._of_factor(finding, ("SD321", "SD617"))[0]
+            return self.factors.sobolev(finding)
         return self._mean_squares(finding, lower=not found["holds"])
 
     def _mean_squares(self, finding: Finding, *, lower: bool) -> int:
@@ -338,7 +277,7 @@ class _Proof:
             "low": rational(as_rational(found["low"])),
             "high": rational(as_rational(found["high"])),
         }
-        return self._add(
+        return self.claims.prove(
             "surface-sobolev",
             of_root,
             {"cofactor": as_polynomial(0, cofactor)},
@@ -349,7 +288,7 @@ class _Proof:
     def _reproduction(self, finding: Finding) -> int:
         r, k = as_integer(finding.witness["degree"]), as_integer(self.found["SD602"].witness["order"])
         work = self.terms * comb(min(r + 1, k - 1) + self.s, self.s)
-        return self._add("reproduction", {"degree": r}, uses=[self._sum_rules()], work=work)
+        return self.claims.prove("reproduction", {"degree": r}, uses=[self._sum_rules()], work=work)
 
 
 def _rationals(data: Data) -> Any:

@@ -6,11 +6,12 @@ import marshal
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
+from subdiv_cli.checker.json_text import parse
 from subdiv_cli.checker.lattice import LatticeMask
 from subdiv_cli.checker.matrices import Family
 from subdiv_cli.checker.numerals import shown
 from subdiv_cli.checker.polynomials import Polynomial
-from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, parse, read_object, require, require_few
+from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, read_object, require, require_few
 
 FORMAT, VERSION = "subdiv-certificate", 1
 MAX_FAMILIES = 1000

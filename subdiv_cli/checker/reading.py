@@ -1,8 +1,7 @@
-"""Strict reading: JSON text to integers, rationals, polynomials. Whatever is not exactly as specified is rejected."""
+"""Strict reading: JSON values to integers, rationals, polynomials. Whatever is not exactly as specified is rejected."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache, partial
@@ -114,19 +113,6 @@ def require_few(condition: bool, why: str) -> None:
     """Of something that there may be only so much of."""
     if not condition:
         raise Exhausted(why)
-
-
-def parse(text: str) -> object:
-    """JSON without floats, constants, long integers and duplicate keys."""
-    require_few(len(text) <= MAX_BYTES, "the file is too large")
-    try:
-        return json.loads(
-            text, object_pairs_hook=_object, parse_int=_small, parse_float=_no_float, parse_constant=_no_float
-        )
-    except ValueError as error:
-        raise Rejected(f"not JSON: {error}"[:200]) from None
-    except RecursionError:
-        raise Rejected("nested too deeply") from None
 
 
 def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
@@ -313,18 +299,3 @@ _READERS: Mapping[str, Callable[[Any], Any]] = {
     "terms": _terms,
     "exponent": _exponent,
 }
-
-
-def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
-    result = dict(pairs)
-    require(len(result) == len(pairs), "an object has a key twice")
-    return result
-
-
-def _small(digits: str) -> int:
-    require(len(digits.lstrip("-")) <= 12 and digits != "-0", "an integer is too long")
-    return int(digits)
-
-
-def _no_float(digits: str) -> int:
-    raise Rejected(f"{shown(digits)} is not an exact number")

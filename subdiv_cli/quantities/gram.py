@@ -11,30 +11,25 @@ t_1 >= 0 is enough.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
-from math import comb, lcm
-from typing import TYPE_CHECKING, Any, NamedTuple
+from math import comb, cos, lcm, pi, prod
+from typing import NamedTuple
 
-from flint import fmpz_mat
+from flint import fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly
 
 from subdiv_cli.model import Effort
 from subdiv_cli.quantities.mean_squares import autocorrelation, correlation_operator
 from subdiv_cli.schemes.lattice import Lattice
 from subdiv_cli.schemes.multivariate import Index, MultivariateScheme
 
-if TYPE_CHECKING:
-    import numpy as np
-
-    Array = np.ndarray[Any, np.dtype[np.object_]]
-
 LARGEST_SYSTEM = 600
 """Unknowns g_α, those of -α left out."""
-LARGEST_TREE = 20_000
-"""Boxes, halved ones included."""
-ORDERS = range(1, 13)
-"""Of the points of finite order on the torus that are tried for zeros."""
+SMALL_TREE, LARGEST_TREE = 300, 20_000
+"""Boxes, halved ones included: before zeros are looked for, and after."""
+MOST_POINTS = 150
+"""Of one order on the torus, where zeros are looked for."""
 LEAF = -1
 
 
@@ -56,6 +51,8 @@ def gram(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> Gram |
     if sequence is None:
         return None
     terms = len(autocorrelation(scheme))
+    if (tree := positive_tree(sequence, effort, SMALL_TREE)) is not None:
+        return Gram(sequence, terms, tree)
     if (zero := torsion_zero(sequence)) is not None:
         return Gram(sequence, terms, zero=zero)
     return Gram(sequence, terms, positive_tree(sequence, effort))
@@ -89,115 +86,123 @@ def _minus(alpha: Index) -> Index:
 
 
 def torsion_zero(g: Mapping[Index, Fraction]) -> tuple[Index, int] | None:
-    """A zero (k, n) of the symbol, 2πk/n with n in ORDERS: floats tell which point it may be, then it is computed."""
-    import numpy as np
-
-    s = len(next(iter(g)))
-    indices, values = np.array(list(g), dtype=np.int64), np.array([float(x) for x in g.values()])
-    for n in ORDERS:
-        points = np.array(list(product(range(n), repeat=s)), dtype=np.int64)
-        turns = (points @ indices.T) % n
-        small = np.abs(np.cos(2 * np.pi * turns / n) @ values) < 1e-9
-        for point in points[small]:
-            k = tuple(int(x) for x in point)
-            if _vanishes(g, k, n):
+    """A zero 2πk/n of the symbol, (k, n) with a small n: floats tell which point it may be, then it is computed."""
+    s, values = len(next(iter(g))), [(alpha, float(x)) for alpha, x in g.items()]
+    for n in (n for n in range(1, MOST_POINTS) if n**s <= MOST_POINTS):
+        turns = [cos(2 * pi * i / n) for i in range(n)]
+        for k in product(range(n), repeat=s):
+            total = sum(x * turns[_dot(k, alpha) % n] for alpha, x in values)
+            if abs(total) < 1e-9 and _vanishes(g, k, n):
                 return k, n
     return None
 
 
+def _dot(x: Sequence[int], y: Sequence[int]) -> int:
+    return sum(i * j for i, j in zip(x, y, strict=True))
+
+
 def _vanishes(g: Mapping[Index, Fraction], k: Index, n: int) -> bool:
     """Whether Σ g_α ζ^(k·α) = 0, ζ a primitive n-th root of unity: its minimal polynomial divides the folded sum."""
-    from flint import fmpq, fmpq_poly, fmpz_poly
-
     folded = [Fraction(0)] * n
     for alpha, x in g.items():
-        folded[sum(i * j for i, j in zip(k, alpha, strict=True)) % n] += x
+        folded[_dot(k, alpha) % n] += x
     f = fmpq_poly([fmpq(x.numerator, x.denominator) for x in folded])
     return not f % fmpq_poly(fmpz_poly.cyclotomic(n))
 
 
-def positive_tree(g: Mapping[Index, Fraction], effort: Effort) -> tuple[int, ...] | None:
+class _Polynomial(NamedTuple):
+    """On a box, by its Bernstein coefficients in lexicographic order, up to a positive factor."""
+
+    lengths: tuple[int, ...]
+    coefficients: list[fmpz]
+
+    def along(self, axis: int, matrix: fmpz_mat) -> list[fmpz]:
+        """The matrix applied to the coefficients of one variable."""
+        d, width = self.lengths[axis], prod(self.lengths[axis + 1 :])
+        blocks = range(0, len(self.coefficients), d * width)
+        return [
+            x for i in blocks for x in (matrix * fmpz_mat(d, width, self.coefficients[i : i + d * width])).entries()
+        ]
+
+    def halves(self, axis: int) -> list[_Polynomial]:
+        """On the lower and on the upper half of the box, times a power of two (de Casteljau)."""
+        n = self.lengths[axis] - 1
+        lower = [[comb(i, j) << (n - i) for j in range(n + 1)] for i in range(n + 1)]
+        upper = [row[::-1] for row in reversed(lower)]
+        return [self._replace(coefficients=self.along(axis, fmpz_mat(rows))) for rows in (lower, upper)]
+
+    def has_corner_without_sign(self) -> bool:
+        """The coefficients at the corners are values: at one of them the polynomial is not positive."""
+        ends = product(*({0, n - 1} for n in self.lengths))
+        widths = [prod(self.lengths[i + 1 :]) for i in range(len(self.lengths))]
+        return any(self.coefficients[_dot(corner, widths)] <= 0 for corner in ends)
+
+    def steepest(self) -> int:
+        """The variable along which neighbouring coefficients differ most."""
+        return max(range(len(self.lengths)), key=self._step)
+
+    def _step(self, axis: int) -> fmpz:
+        d, width = self.lengths[axis], prod(self.lengths[axis + 1 :])
+        pairs = zip(self.coefficients, self.coefficients[width:], strict=False)
+        return max((abs(y - x) for i, (x, y) in enumerate(pairs) if i // width % d < d - 1), default=fmpz(0))
+
+
+def positive_tree(g: Mapping[Index, Fraction], effort: Effort, most: int = LARGEST_TREE) -> tuple[int, ...] | None:
     """Boxes on which the symbol is seen to be positive; None where it is not, or takes too many of them."""
     tree: list[int] = []
     for start in _arcs(g):
         waiting = [start]
         while waiting:
-            values = waiting.pop()
-            if (values > 0).all():
+            polynomial = waiting.pop()
+            if min(polynomial.coefficients) > 0:
                 tree.append(LEAF)
                 continue
-            corners = values[tuple(slice(None, None, max(1, n - 1)) for n in values.shape)]
-            spent = len(tree) * values.size // 4
-            if (corners <= 0).any() or len(tree) >= LARGEST_TREE or not effort.allows(spent):
+            spent = len(tree) * len(polynomial.coefficients) // 4
+            if polynomial.has_corner_without_sign() or len(tree) >= most or not effort.allows(spent):
                 return None
-            axis = _steepest(values)
+            axis = polynomial.steepest()
             tree.append(axis)
-            waiting += _halves(values, axis)[::-1]
+            waiting += polynomial.halves(axis)[::-1]
     return tuple(tree)
 
 
-def _arcs(g: Mapping[Index, Fraction]) -> Iterator[Array]:
-    """The Bernstein coefficients, as integers up to a factor, for each choice of the arcs."""
-    import numpy as np
-
+def _arcs(g: Mapping[Index, Fraction]) -> Iterator[_Polynomial]:
+    """For each choice of the arcs."""
     reach = [max(map(abs, column)) for column in zip(*g, strict=True)]
     common = lcm(*(x.denominator for x in g.values()))
     tables = [_table(n, first=not i) for i, n in enumerate(reach)]
-    for turned in product((0, 1), repeat=len(reach)):
-        real = np.zeros([2 * n + 1 for n in reach], dtype=object)
-        for alpha, x in g.items():
-            odd = sum(i * e for i, e in zip(alpha, turned, strict=True)) % 2
-            real[tuple(i + n for i, n in zip(alpha, reach, strict=True))] = int(x * common) * (-1) ** odd
-        imaginary = np.zeros_like(real)
-        for cos, sin in tables:  # each takes the first axis and becomes the last one
+    lengths = tuple(2 * n + 1 for n in reach)
+    indices = list(product(*(range(-n, n + 1) for n in reach)))
+    for odd in product((0, 1), repeat=len(reach)):
+        signs = ((-1) ** (_dot(alpha, odd) % 2) for alpha in indices)
+        values = [fmpz(int(sign * common * g.get(alpha, 0))) for alpha, sign in zip(indices, signs, strict=True)]
+        real, imaginary = _Polynomial(lengths, values), _Polynomial(lengths, [fmpz(0)] * len(values))
+        for axis, (c, s) in enumerate(tables):
+            parts = [(real, c, imaginary, s, -1), (real, s, imaginary, c, 1)]
             real, imaginary = (
-                np.tensordot(real, cos, (0, 0)) - np.tensordot(imaginary, sin, (0, 0)),
-                np.tensordot(real, sin, (0, 0)) + np.tensordot(imaginary, cos, (0, 0)),
+                _Polynomial(lengths, [p + sign * q for p, q in zip(x.along(axis, a), y.along(axis, b), strict=True)])
+                for x, a, y, b, sign in parts
             )
         yield real
 
 
-def _table(n: int, *, first: bool) -> tuple[Array, Array]:
-    """For α = -n, …, n the Bernstein coefficients of (1 + it)^(n+α) (1 - it)^(n-α) on [-1, 1], the first one on [0, 1].
+def _table(n: int, *, first: bool) -> tuple[fmpz_mat, fmpz_mat]:
+    """Column α: the Bernstein coefficients of (1 + it)^(n+α) (1 - it)^(n-α) on [-1, 1], for the first variable on [0, 1].
 
     Real and imaginary parts, times one integer. t = (u-v)/(u+v) or u/(u+v) for 0 <= u, v, and 1 ± it is linear in them.
     """
-    import numpy as np
-
     v, u = ((1, 0), (1, 1)) if first else ((1, -1), (1, 1))
     scale = lcm(*(comb(2 * n, j) for j in range(2 * n + 1)))
-    real, imaginary = np.zeros((2 * n + 1, 2 * n + 1), dtype=object), np.zeros((2 * n + 1, 2 * n + 1), dtype=object)
+    columns = []
     for alpha in range(-n, n + 1):
         f = [(1, 0)]
         for sign in [1] * (n + alpha) + [-1] * (n - alpha):
             by_v, by_u = [[_times(x, (a, sign * b)) for x in f] for a, b in (v, u)]
             f = [(p + r, q + s) for (p, q), (r, s) in zip([*by_v, (0, 0)], [(0, 0), *by_u], strict=True)]
-        for j, (x, y) in enumerate(f):
-            factor = scale // comb(2 * n, j)
-            real[alpha + n, j], imaginary[alpha + n, j] = factor * x, factor * y
-    return real, imaginary
+        columns.append([(scale // comb(2 * n, j) * x, scale // comb(2 * n, j) * y) for j, (x, y) in enumerate(f)])
+    rows = list(zip(*columns, strict=True))
+    return fmpz_mat([[x for x, _ in row] for row in rows]), fmpz_mat([[y for _, y in row] for row in rows])
 
 
 def _times(x: tuple[int, int], y: tuple[int, int]) -> tuple[int, int]:
     return x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]
-
-
-def _steepest(values: Array) -> int:
-    """The axis along which neighbouring coefficients differ most."""
-    import numpy as np
-
-    steps = [abs(np.diff(values, axis=axis)).max() if n > 1 else 0 for axis, n in enumerate(values.shape)]
-    return steps.index(max(steps))
-
-
-def _halves(values: Array, axis: int) -> list[Array]:
-    """The coefficients on both halves, times a power of two (de Casteljau)."""
-    import numpy as np
-
-    row, n = np.moveaxis(values, axis, 0), values.shape[axis] - 1
-    left, right = [], []
-    for step in range(n + 1):
-        left.append(row[0] << (n - step))
-        right.append(row[-1] << (n - step))
-        row = row[1:] + row[:-1]
-    return [np.moveaxis(np.stack(half), 0, axis) for half in (left, right[::-1])]
