@@ -187,7 +187,7 @@ def _arcs(g: Mapping[Index, Fraction]) -> Iterator[_Polynomial]:
 
 
 def _table(n: int, *, first: bool) -> tuple[fmpz_mat, fmpz_mat]:
-    """Column α: the Bernstein coefficients of (1 + it)^(n+α) (1 - it)^(n-α) on [-1, 1], for the first variable on [0, 1].
+    """Column α: the Bernstein coefficients of (1 + it)^(n+α) (1 - it)^(n-α) on [-1, 1], the first on [0, 1].
 
     Real and imaginary parts, times one integer. t = (u-v)/(u+v) or u/(u+v) for 0 <= u, v, and 1 ± it is linear in them.
     """
