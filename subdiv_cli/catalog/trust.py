@@ -52,6 +52,7 @@ _PROPERTIES = {
     "SD616": {"stable"},
     "SD617": {"sobolev", "sobolev-lower", "sobolev-value", "of-factor"},
     "SD618": {"reproduction"},
+    "SD619": {"quasi-interpolation"},
 }
 """What claims of these findings must be about; those of later codes must only be verified."""
 _HOLDS = {"SD201", "SD202", "SD313", "SD401", "SD402", "SD601", "SD611", "SD616"}

@@ -77,6 +77,7 @@ class _Proof:
             "SD616": lambda _: [self._stable()],
             "SD617": lambda found: [self._sobolev(found)],
             "SD618": lambda found: [self._reproduction(found)],
+            "SD619": lambda found: [self._quasi_interpolation(found)],
         }
         return rules[finding.code](finding)
 
@@ -289,6 +290,20 @@ class _Proof:
         r, k = as_integer(finding.witness["degree"]), as_integer(self.found["SD602"].witness["order"])
         work = self.terms * comb(min(r + 1, k - 1) + self.s, self.s)
         return self.claims.prove("reproduction", {"degree": r}, uses=[self._sum_rules()], work=work)
+
+    def _quasi_interpolation(self, finding: Finding) -> int:
+        found, d = finding.witness, as_integer(finding.witness["degree"])
+        n = comb(d + self.s, self.s)
+        statement: Json = {"property": "quasi-interpolation", "degree": d}
+        statement |= {key: _terms(found[key]) for key in ("operator", "stencil")}
+        work = (self.terms + 2 * len(as_tuple(found["stencil"]))) * n + n * n
+        uses = [self._convergent(), self._sum_rules()]
+        return self.claims.prove("surface-quasi-interpolation", statement, uses=uses, work=work)
+
+
+def _terms(data: Data) -> list[Any]:
+    """Pairs of an index and a number, as those of a mask."""
+    return [[spelled(as_tuple(pair)[0]), rational(as_rational(as_tuple(pair)[1]))] for pair in as_tuple(data)]
 
 
 def _rationals(data: Data) -> Any:

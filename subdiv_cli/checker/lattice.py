@@ -56,6 +56,10 @@ class Dilation(NamedTuple):
         """M^-1 x for x in M Z^s."""
         return tuple(sum(map(mul, row, x)) // self.scale for row in self.inverse)
 
+    def image(self, x: Sequence[int]) -> Index:
+        """M x."""
+        return tuple(sum(map(mul, row, x)) for row in self.rows)
+
     def is_isotropic(self) -> bool:
         """Whether M is seen to be diagonalisable over C, all its eigenvalues of the modulus m^(1/s).
 

@@ -17,6 +17,7 @@ from subdiv_cli.checker import (
     mean_squares,
     multivariate,
     polytopes,
+    quasi_interpolation,
     radius,
     scalar,
     sobolev,
@@ -180,6 +181,7 @@ SURFACE_PROPERTIES = {
     "directional-norm": {"direction": "index", "level": "natural", "norm": "rational"},
     "generation": {"degree": "integer"},
     "reproduction": {"degree": "integer"},
+    "quasi-interpolation": {"degree": "natural", "operator": "terms", "stencil": "terms"},
     **RADIUS_PROPERTIES,
 }
 _SPACE = {
@@ -222,6 +224,9 @@ SURFACE_RULES = {
     "directional-converges": Rule(("convergent",), {"holds": True}, _NONE, directional.directional_converges),
     "generation": Rule(("generation",), {}, _NONE, multivariate.generation),
     "reproduction": Rule(("reproduction",), {}, _NONE, multivariate.reproduction),
+    "surface-quasi-interpolation": Rule(
+        ("quasi-interpolation",), {}, _NONE, quasi_interpolation.surface_quasi_interpolation
+    ),
     "surface-sobolev": Rule(("sobolev", "sobolev-lower"), {}, (_COFACTOR,), mean_squares.surface_sobolev),
     **RADIUS_RULES,
 }

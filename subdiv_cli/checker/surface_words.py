@@ -33,6 +33,7 @@ _PHRASES = {
     "directional-norm": "‖S_d^{level}‖ = {norm} for the factor in direction {direction}",
     "generation": "generation degree {degree}",
     "reproduction": "reproduction degree {degree}",
+    "quasi-interpolation": "S^∞ Q = 1 on polynomials of total degree {degree}",
 }
 
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 
 from subdiv_cli.exact.text import number
+
+_VARIABLES = "xyzw"
+_HIGHEST = 4
+"""Order of a partial derivative that is written with the names of its variables."""
 
 
 def combination(terms: Iterable[tuple[Fraction, str]]) -> str:
@@ -38,6 +42,19 @@ def operator(q: Iterable[Fraction]) -> str:
 def derivative(name: str, order: int) -> str:
     """`f`, `f'`, `f''`, `f'''`, `f^(4)`."""
     return name + ("'" * order if order < 4 else f"^({order})")
+
+
+def partial(name: str, mu: Sequence[int]) -> str:
+    """`f`, `f_xy`, in at most four variables and up to order 4, otherwise `D^(3,2)f`."""
+    if sum(mu) > _HIGHEST or len(mu) > len(_VARIABLES):
+        return f"D^({','.join(map(str, mu))}){name}"
+    letters = "".join(x * n for x, n in zip(_VARIABLES, mu, strict=False))
+    return f"{name}_{letters}" if letters else name
+
+
+def partial_operator(q: Mapping[tuple[int, ...], Fraction]) -> str:
+    """Σ q_μ D^μ f by rising order: `f - 1/6 f_xx - 1/6 f_xy - 1/6 f_yy`."""
+    return combination((q[mu], partial("f", mu)) for mu in sorted(q, key=lambda mu: (sum(mu), [-n for n in mu])))
 
 
 def polynomial(coefficients: Iterable[Fraction], variable: str = "x") -> str:

@@ -14,11 +14,13 @@ from subdiv_cli.quantities.coset_sums import coset_sums, sum_rule_order
 from subdiv_cli.quantities.difference_space import DifferenceSpace, difference_space
 from subdiv_cli.quantities.directional import Contraction, contractions
 from subdiv_cli.quantities.gram import Gram, gram
+from subdiv_cli.quantities.lattice_quasi_interpolation import QuasiInterpolation, quasi_interpolation
 from subdiv_cli.quantities.mean_squares import MeanSquares, mean_squares
 from subdiv_cli.quantities.reproduction import Reproduction, reproduction
+from subdiv_cli.quantities.symmetries import symmetries
 from subdiv_cli.quantities.tensor import Part
 from subdiv_cli.schemes.lattice import Lattice
-from subdiv_cli.schemes.multivariate import MultivariateScheme
+from subdiv_cli.schemes.multivariate import IntMatrix, MultivariateScheme
 
 
 class MultivariateNumbers:
@@ -102,6 +104,16 @@ class MultivariateNumbers:
     def reproduction(self) -> Reproduction:
         """The polynomials that are reproduced, for k >= 1."""
         return reproduction(self.scheme, self.lattice, self.order - 1)
+
+    @cached_property
+    def symmetries(self) -> tuple[IntMatrix, ...]:
+        """Of the mask, as far as they are looked for."""
+        return symmetries(self.scheme)
+
+    @cached_property
+    def quasi_interpolation(self) -> QuasiInterpolation:
+        """Q on what is generated, for k >= 1 and S that converges."""
+        return quasi_interpolation(self.scheme, self.lattice, self.order - 1, self.symmetries)
 
     @cached_property
     def product(self) -> Product | None:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterable, Iterator
 from itertools import permutations, product
+from operator import mul
+from typing import TYPE_CHECKING
 
 from subdiv_cli.model import Data
-from subdiv_cli.quantities.multivariate import MultivariateNumbers
 from subdiv_cli.schemes.multivariate import IntMatrix, MultivariateScheme, characteristic_polynomial
+
+if TYPE_CHECKING:
+    from subdiv_cli.quantities.multivariate import MultivariateNumbers
 
 
 def facts(numbers: MultivariateNumbers) -> dict[str, Data]:
@@ -24,7 +28,7 @@ def facts(numbers: MultivariateNumbers) -> dict[str, Data]:
         "lowest": lowest,
         "highest": highest,
         "coefficients": len(scheme.terms),
-        "symmetries": len(symmetries(scheme)),
+        "symmetries": len(numbers.symmetries),
         "interpolatory": numbers.is_interpolatory,
         "nonnegative": all(x >= 0 for x in scheme.terms.values()),
     }
@@ -35,17 +39,50 @@ def symmetries(scheme: MultivariateScheme) -> tuple[IntMatrix, ...]:
 
     In the plane those of entries -1, 0, 1; in more variables signed permutations.
     """
-    kept = sorted(scheme.terms.items())
-    found = []
-    for g in _candidates(scheme.dimension):
-        turned = sorted(
-            (tuple(sum(x * y for x, y in zip(row, alpha, strict=True)) for row in g), x) for alpha, x in kept
-        )
-        first, to = turned[0][0], kept[0][0]
-        shift = [b - a for a, b in zip(first, to, strict=True)]
-        if [(tuple(x + t for x, t in zip(alpha, shift, strict=True)), x) for alpha, x in turned] == kept:
-            found.append(g)
-    return tuple(found)
+    candidates = tuple(_candidates(scheme.dimension))
+    known, found = set(candidates), {_identity(scheme.dimension)}
+    for g in candidates:
+        if g not in found and _keeps(scheme, g):
+            found = generated([*found, g], known)
+    return tuple(g for g in candidates if g in found)
+
+
+def generated(matrices: Iterable[IntMatrix], within: Container[IntMatrix]) -> set[IntMatrix]:
+    """Products of the matrices, as long as they are among some; the group where these are finitely many and closed."""
+    generators: list[IntMatrix] = []
+    found: set[IntMatrix] = set()
+    for g in matrices:
+        if g in found:
+            continue
+        generators.append(g)
+        last = found | {g}
+        while last:
+            found |= last
+            last = {h for f in last for x in generators if (h := times(f, x)) in within} - found
+    return found
+
+
+def times(g: IntMatrix, f: IntMatrix) -> IntMatrix:
+    """g f."""
+    columns = list(zip(*f, strict=True))
+    return tuple([tuple([sum(map(mul, row, column)) for column in columns]) for row in g])
+
+
+def _keeps(scheme: MultivariateScheme, g: IntMatrix) -> bool:
+    """Whether a_(g α + t) = a_α for the t that keeps the centre of the support."""
+    count, total = len(scheme.terms), [sum(column) for column in zip(*scheme.terms, strict=True)]
+    shift = [x - sum(map(mul, row, total)) for x, row in zip(total, g, strict=True)]
+    if any(x % count for x in shift):
+        return False
+    rows = [(row, x // count) for row, x in zip(g, shift, strict=True)]
+    return all(
+        scheme.terms.get(tuple([sum(map(mul, row, alpha)) + t for row, t in rows])) == value
+        for alpha, value in scheme.terms.items()
+    )
+
+
+def _identity(s: int) -> IntMatrix:
+    return tuple(tuple(int(i == j) for j in range(s)) for i in range(s))
 
 
 def _candidates(s: int) -> Iterator[IntMatrix]:

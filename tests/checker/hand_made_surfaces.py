@@ -67,6 +67,7 @@ MASKS = {
     ),
     "four_eight": (QUINCUNX, box([(1, 0), (1, 0), (0, 1), (0, 1)], "1/8")),
     "butterfly": (TWO, butterfly_terms()),
+    "loop": (TWO, box([(1, 0), (1, 0), (0, 1), (0, 1), (1, 1), (1, 1)], "1/16", (-2, -2))),
     "flat": (TWO, {(0, 0): Fraction(1), (0, 1): Fraction(1), (1, 0): Fraction(1), (1, 1): Fraction(1, 2)}),
     "haar": (TWO, box([(1, 0), (0, 1)], 1)),
     "chaikin_hat": (TWO, box([(1, 0)] * 3 + [(0, 1)] * 2, "1/8", (-1, -1))),
@@ -334,6 +335,13 @@ def polynomial(coefficients):
     return {"start": 0, "coefficients": [q(Fraction(c)) for c in coefficients]}
 
 
+def terms_of(values):
+    return [[list(index), q(value)] for index, value in sorted(values.items())]
+
+
+NEIGHBOURS = [(1, 0), (-1, 0), (0, 1), (0, -1)]
+
+
 class _Book:
     """Claims in the order they are made; `add` returns the number of a claim."""
 
@@ -366,6 +374,20 @@ class _Book:
         name = "sobolev-lower" if stable is None else "sobolev"
         self.add("surface-sobolev", uses, {"cofactor": cofactor}, property=name, **fields)
 
+    def quasi_interpolation(self, converges, degree, centre, *around):
+        """The stencil has a weight at the centre, and others at indices about it: pairs of both."""
+        weight, *others = around
+        t = {centre: Fraction(weight)}
+        for x, indices in others:
+            t |= {tuple(i + j for i, j in zip(centre, index, strict=True)): Fraction(x) for index in indices}
+        operator = {}
+        for mu in (mu for j in range(degree + 1) for mu in monomials(len(centre), j)):
+            if moment := sum(x * power(j, mu) for j, x in t.items()):
+                operator[mu] = moment / prod(map(factorial, mu))
+        fields = {"operator": terms_of(operator), "stencil": terms_of(t)}
+        rule = "surface-quasi-interpolation"
+        return self.add(rule, [converges, 1], property="quasi-interpolation", degree=degree, **fields)
+
     def box(self, directions, power, shift, scale=2):
         directions = [list(x) for x in sorted(directions)]
         return self.add(
@@ -397,6 +419,7 @@ def bilinear():
     exact = {"length": 1, "polynomial": ["-1", "2"], "low": "1/2", "high": "1/2"}
     book.add("holder-root", [root, family, 1, stable], **exact)
     book.add("reproduction", [1], degree=1)
+    book.quasi_interpolation(converges, 1, (0, 0), 1)
     book.sobolev(2, [-1, 8], "1/8", "1/8", stable)
     book.sobolev(2, [-1, 8], "1/8", "1/8")
     spline = book.box([(1, 0), (1, 0), (0, 1), (0, 1)], 1, (-1, -1))
@@ -473,6 +496,8 @@ def four_eight():
     family, root = book.radius(4)
     book.add("smooth", [root, family], order=3)
     book.add("holder-lower", [root, family], length=1, bound="1/4")
+    converges = book.add("converges", [root, family], property="convergent", holds=True)
+    book.quasi_interpolation(converges, 3, (3, 1), 2, ("-1/4", NEIGHBOURS))
     spline = book.box([(1, 0), (1, 0), (0, 1), (0, 1), (1, 1), (1, 1), (1, -1), (1, -1)], 2, (0, 0))
     book.add("box-smooth", [spline], property="smooth", order=4)
     book.add("box-not-smooth", [spline], property="not-smooth", order=5)
@@ -502,6 +527,7 @@ def butterfly():
     stable = book.add("interpolatory-stable", [converges], property="stable", holds=True)
     book.add("not-smooth", [stable, 1], order=4)
     book.add("reproduction", [1], degree=3)
+    book.quasi_interpolation(converges, 3, (0, 0), 1)
     book.sobolev(4, [-1, -40, 2048], "339/10000", "17/500", stable)
     book.sobolev(4, [-1, -40, 2048], "339/10000", "17/500")
     mean = len(book.claims) - 1
@@ -551,6 +577,20 @@ def chaikin_hat():
     book.add("of-factor", [tensor], {"between": "3/2"}, variables=[1], statement=holder)
     book.add("of-factor", [tensor], {"between": "2"}, variables=[1], statement=sobolev_exponent)
     book.add("at-most-factor", [tensor], variables=[1], statement=holder)
+    return book.document()
+
+
+def loop():
+    """The worked example of MULTIVARIATE.md: cubics by a stencil on the hexagon."""
+    book = _Book("loop")
+    book.structure(4)
+    factors = [
+        book.add("directional-norm", witness={"quotient": quotient("loop", *x)}, direction=list(x), level=1, norm="1/2")
+        for x in ((1, 0), (0, 1))
+    ]
+    converges = book.add("directional-converges", [0, *factors], property="convergent", holds=True)
+    book.quasi_interpolation(converges, 3, (0, 0), "3/2", ("-1/12", [*NEIGHBOURS, (1, 1), (-1, -1)]))
+    book.quasi_interpolation(converges, 1, (0, 0), 1)
     return book.document()
 
 
@@ -604,6 +644,7 @@ ALL_SURFACES = {
         four_eight,
         butterfly,
         chaikin_hat,
+        loop,
         haar,
         flat,
         trilinear,

@@ -77,6 +77,30 @@ def line(*coefficients):
     return {"start": 0, "coefficients": list(coefficients)}
 
 
+Q = "surface-quasi-interpolation"
+
+
+def term(key, index, value):
+    """Another value at an index of the operator or the stencil."""
+
+    def change(c):
+        next(pair for pair in c["statement"][key] if pair[0] == index)[1] = value
+
+    return change
+
+
+def identity(c):
+    """Q f = f."""
+    c["statement"] |= {"operator": [[[0, 0], "1"]], "stencil": [[[0, 0], "1"]]}
+
+
+def another_operator(c):
+    """That of the bicubic B-spline, with its stencil."""
+    far = [[[i, j], "-1/6"] for i, j in ((-1, 0), (0, -1), (0, 1), (1, 0))]
+    stencil = [*far[:2], [[0, 0], "5/3"], *far[2:]]
+    c["statement"] |= {"operator": [[[0, 0], "1"], [[0, 2], "-1/6"], [[2, 0], "-1/6"]], "stencil": stencil}
+
+
 FORGED = [
     ("flat", "coset-sums", said("holds", True), "not all 1"),
     ("haar", "coset-sums", said("holds", False), "all 1"),
@@ -94,6 +118,32 @@ FORGED = [
     ("four_eight", "reproduction", said("degree", 0), "a higher degree"),
     ("four_eight", "reproduction", set_in("work", 9), "more work"),
     ("butterfly", "reproduction", said("degree", 2), "a higher degree"),
+    ("loop", Q, said("degree", 1), "a derivative is not one of order 0, …, 1"),
+    ("loop", Q, said("degree", 4), "the sum rules are of order 4"),
+    ("loop", Q, term("operator", [0, 2], "-1/3"), "the stencil is not the operator at (0, 2)"),
+    ("loop", Q, term("operator", [0, 0], "2"), "does not begin with f"),
+    ("loop", Q, lambda c: c["statement"]["operator"].pop(0), "does not begin with f"),
+    (
+        "loop",
+        Q,
+        lambda c: c["statement"]["operator"].append([[3, 0], "1"]),
+        "the stencil is not the operator at (3, 0)",
+    ),
+    ("loop", Q, lambda c: c["statement"]["operator"].append([[2, 2], "1"]), "a derivative is not one of order"),
+    ("loop", Q, lambda c: c["statement"]["operator"].insert(0, [[-1, 1], "1"]), "a derivative is not one of order"),
+    ("loop", Q, lambda c: c["statement"]["operator"].append([[2, 2, 0], "1"]), "an index is not one of Z^2"),
+    ("loop", Q, term("stencil", [0, 0], "4/3"), "the stencil is not the operator at (0, 0)"),
+    ("loop", Q, term("stencil", [0, 1], "1/12"), "the stencil is not the operator at (0, 0)"),
+    ("loop", Q, lambda c: c["statement"]["stencil"].append([[2, 2, 2], "1"]), "an index is not one of Z^2"),
+    ("loop", Q, said("stencil", []), "is empty"),
+    ("loop", Q, said("operator", []), "is empty"),
+    ("loop", Q, another_operator, "S Q is not Q after the dilation at (1, 1)"),
+    ("loop", Q, identity, "S Q is not Q after the dilation at (0, 2)"),
+    ("loop", Q, lambda c: c["uses"].reverse(), "it uses total-sum-rules, not convergent"),
+    ("loop", Q, lambda c: c["uses"].pop(), "does not use"),
+    ("loop", Q, set_in("work", 50), "more work"),
+    ("four_eight", Q, identity, "S Q is not Q after the dilation at (0, 1)"),
+    ("bilinear", Q, said("degree", 2), "the sum rules are of order 2"),
     ("bilinear", "surface-sobolev", said("high", "1/9"), "not one of positive numbers"),
     ("bilinear", "surface-sobolev", said("low", "0"), "not one of positive numbers"),
     ("bilinear", "surface-sobolev", said("low", "1/7"), "not one of positive numbers"),
@@ -239,6 +289,15 @@ def test_a_forged_claim_is_named(name, rule, change, words):
     change(made["claims"][number])
     made["goal"] = [made["claims"][number]["statement"]]
     rejected(made, number, f"claim {number}", words)
+
+
+def test_less_may_be_said_of_q():
+    """That of cubics is that of quadratics."""
+    made = copy.deepcopy(MADE["loop"])
+    number = next(i for i, c in enumerate(made["claims"]) if c["rule"] == Q)
+    made["claims"][number]["statement"]["degree"] = 2
+    made["goal"] = [made["claims"][number]["statement"]]
+    assert check_document(made).line == "VERIFIED S^∞ Q = 1 on polynomials of total degree 2"
 
 
 def test_every_rule_is_forged():

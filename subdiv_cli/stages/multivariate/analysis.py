@@ -20,6 +20,7 @@ from subdiv_cli.stages.multivariate import (
     difference_radius,
     directional_norms,
     exponent,
+    quasi_interpolation,
     reproduction,
     smoothness,
     sobolev,
@@ -44,6 +45,7 @@ MULTIVARIATE: tuple[Stage, ...] = (
     exponent.run,
     sobolev.run,
     reproduction.run,
+    quasi_interpolation.run,
 )
 
 
