@@ -8,6 +8,7 @@ from math import comb, prod
 from typing import Any, cast
 
 from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.norms import matrix_norm, pairs
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
 from subdiv_cli.certificate.writer import MOST_WORK, Certificate
@@ -60,6 +61,9 @@ class _Proof:
             "SD603": lambda _: [self._box()],
             "SD604": self._norms,
             "SD605": lambda _: [self._radius(), self._differences()],
+            "SD606": lambda _: [self._matrix_norm()],
+            "SD607": lambda _: [self._pairs()],
+            "SD608": lambda _: [self._positive()],
             "SD611": lambda _: [self._convergent()],
             "SD612": lambda found: [self._smooth(found)],
             "SD613": lambda found: [self._not_smooth(found)],
@@ -121,6 +125,16 @@ class _Proof:
             numbers.append(self._add("directional-norm", statement, {"quotient": spelled(quotient)}, work=work))
         return numbers
 
+    def _matrix_norm(self) -> int:
+        return matrix_norm(self.claims, self.found["SD606"], self._sum_rules())
+
+    def _pairs(self, order: int = 1) -> int:
+        return pairs(self.claims, self.found["SD607"], order, self._coset_sums(), self.s, self._factor())
+
+    def _positive(self) -> int:
+        uses, work = [self._coset_sums()], self.terms * self.s
+        return self._add("positive-converges", {"property": "convergent", "holds": True}, uses=uses, work=work)
+
     def _factor(self) -> int:
         """c of a dilation c I."""
         c = exact_root(self.m, self.s)
@@ -161,9 +175,13 @@ class _Proof:
     def _convergent(self) -> int:
         found = self.found["SD611"]
         holds, by = found.verdict is Verdict.PROVED, found.witness["by"]
+        if by == "SD608":
+            return self._positive()
         rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
         if by == "SD604":
             rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
+        elif by == "SD606":
+            uses = [self._matrix_norm()]
         elif by == "SD617":
             uses = [self._mean_squares(found, lower=True)]
         elif by == "SD605":
@@ -185,12 +203,16 @@ class _Proof:
         n = as_integer(finding.witness["order"])
         if finding.witness["by"] == "SD603":
             return self._add("box-smooth", {"property": "smooth", "order": n}, uses=[self._box()], work=self._breadth())
+        if finding.witness["by"] == "SD607":
+            return self._pairs(n)
         return self._add("smooth", {"order": n}, uses=self._decay(finding))
 
     def _decay(self, finding: Finding) -> list[int]:
         """What bounds the radius from above: that of a family, or mean squares."""
         if finding.witness["by"] == "SD617":
             return [self._mean_squares(finding, lower=True)]
+        if finding.witness["by"] == "SD606":
+            return [self._matrix_norm()]
         return [self._radius(), self._differences()]
 
     def _not_smooth(self, finding: Finding) -> int:

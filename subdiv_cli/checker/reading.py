@@ -290,6 +290,7 @@ _READERS: Mapping[str, Callable[[Any], Any]] = {
     "vertices": _coordinates,
     "flat": _flat,
     "index": _index,
+    "term": _term,
     "terms": _terms,
 }
 

@@ -27,6 +27,8 @@ _PHRASES = {
     "stable": "φ is {holds}stable",
     "box-spline": "φ is the box spline of {directions}",
     "directional-norm": "‖S_d^{level}‖ = {norm} for the factor in direction {direction}",
+    "pair-norm": "‖S_cd^{level}‖ = {norm} for the factors in directions {directions}",
+    "matrix-norm": "‖S_Q^{level}‖ = {norm} for differences of order {order}",
     "generation": "generation degree {degree}",
     "reproduction": "reproduction degree {degree}",
 }
