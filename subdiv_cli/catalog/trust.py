@@ -43,6 +43,9 @@ _PROPERTIES = {
     "SD603": {"box-spline"},
     "SD604": {"directional-norm"},
     "SD605": {"family", "radius", "bounded", "radius-upper"},
+    "SD606": {"matrix-norm"},
+    "SD607": {"smooth"},
+    "SD608": {"convergent"},
     "SD609": {"tensor-product"},
     "SD611": {"convergent"},
     "SD612": {"smooth", "not-smooth"},
@@ -55,7 +58,7 @@ _PROPERTIES = {
     "SD619": {"quasi-interpolation"},
 }
 """What claims of these findings must be about; those of later codes must only be verified."""
-_HOLDS = {"SD201", "SD202", "SD313", "SD401", "SD402", "SD601", "SD611", "SD616"}
+_HOLDS = {"SD201", "SD202", "SD313", "SD401", "SD402", "SD601", "SD608", "SD611", "SD616"}
 """Findings whose claims say whether something holds, proved or refuted."""
 
 _ANSWERS = {"scalar": ("SD201", "SD402", "SD401"), "multivariate": ("SD611", "SD616")}

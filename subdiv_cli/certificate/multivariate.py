@@ -9,6 +9,7 @@ from typing import Any, cast
 
 from subdiv_cli.certificate.box_splines import BoxSplineClaims
 from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.norms import matrix_norm, pairs
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
 from subdiv_cli.certificate.tensor import Factors, PartCertificate
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
@@ -68,6 +69,9 @@ class _Proof:
             "SD603": lambda _: [self.box.spline()],
             "SD604": self._norms,
             "SD605": lambda _: [self._radius(), self._differences()],
+            "SD606": lambda _: [self._matrix_norm()],
+            "SD607": lambda _: [self._pairs()],
+            "SD608": lambda _: [self._positive()],
             "SD609": lambda _: [self.factors.product()],
             "SD611": lambda _: [self._convergent()],
             "SD612": lambda found: [self._smooth(found)],
@@ -109,6 +113,16 @@ class _Proof:
             numbers.append(self.claims.prove("directional-norm", statement, {"quotient": spelled(quotient)}, work=work))
         return numbers
 
+    def _matrix_norm(self) -> int:
+        return matrix_norm(self.claims, self.found["SD606"], self._sum_rules())
+
+    def _pairs(self, order: int = 1) -> int:
+        return pairs(self.claims, self.found["SD607"], order, self._coset_sums(), self.s, self._factor())
+
+    def _positive(self) -> int:
+        uses, work = [self._coset_sums()], self.terms * self.s
+        return self.claims.prove("positive-converges", {"property": "convergent", "holds": True}, uses=uses, work=work)
+
     def _factor(self) -> int:
         """c of a dilation c I."""
         c = exact_root(self.m, self.s)
@@ -149,11 +163,15 @@ class _Proof:
     def _convergent(self) -> int:
         found = self.found["SD611"]
         holds, by = found.verdict is Verdict.PROVED, found.witness["by"]
+        if by == "SD608":
+            return self._positive()
         rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
         if by == "SD604":
             rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
         elif by == "SD609":
             return self.factors.say("converges", {"property": "convergent", "holds": holds})
+        elif by == "SD606":
+            uses = [self._matrix_norm()]
         elif by == "SD617":
             uses = [self._mean_squares(found, lower=True)]
         elif by == "SD605":
@@ -194,12 +212,16 @@ class _Proof:
             return self.box.smooth(n)
         if finding.witness["by"] == "SD609":
             return self.factors.say("smooth", {"property": "smooth", "order": n})
+        if finding.witness["by"] == "SD607":
+            return self._pairs(n)
         return self.claims.prove("smooth", {"order": n}, uses=self._decay(finding))
 
     def _decay(self, finding: Finding) -> list[int]:
         """What bounds the radius from above: that of a family, or mean squares."""
         if finding.witness["by"] == "SD617":
             return [self._mean_squares(finding, lower=True)]
+        if finding.witness["by"] == "SD606":
+            return [self._matrix_norm()]
         return [self._radius(), self._differences()]
 
     def _not_smooth(self, finding: Finding) -> int:

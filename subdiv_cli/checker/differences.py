@@ -94,7 +94,7 @@ def _generate(basis: Rows, positions: dict[Index, int], generators: Sequence[Seq
     for mu, coordinates in zip(asked, generators, strict=True):
         require(len(coordinates) == len(basis), "a generator has not as many coordinates as the basis has rows")
         values = [0] * len(positions)
-        for index, value in _difference(mu).items():
+        for index, value in difference(mu).items():
             require(index in positions, f"the window does not contain the support of the difference {mu}")
             values[positions[index]] = value
         common = lcm(*(x.denominator for x in coordinates))
@@ -103,7 +103,7 @@ def _generate(basis: Rows, positions: dict[Index, int], generators: Sequence[Seq
         require(same, f"the coordinates of the difference {mu} are others")
 
 
-def _difference(mu: Index) -> Sparse:
+def difference(mu: Index) -> Sparse:
     """∇^μ δ = Π_j (1 - τ_j)^μ_j δ: Π_j (-1)^α_j C(μ_j, α_j) at 0 <= α <= μ."""
     corner = product(*(range(n + 1) for n in mu))
     return {index: (-1) ** sum(index) * prod(map(comb, mu, index)) for index in corner}

@@ -30,12 +30,12 @@ def directional_norm(c: Claim) -> None:
     same = product.keys() == a.terms.keys()
     same = same and all(a.denominator * value == denominator * a.terms[x] for x, value in product.items())
     require(same, "the quotient times the directional factor is not the mask")
-    largest = _largest_class_sum(c, d, factor, level)
+    largest = largest_class_sum(c, d, factor, level)
     x = c.statement["norm"]
     require(x.numerator * denominator**level == largest * x.denominator, "the norm is another")
 
 
-def _largest_class_sum(c: Claim, d: Sparse, p: int, level: int) -> int:
+def largest_class_sum(c: Claim, d: Sparse, p: int, level: int) -> int:
     """max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(i<L) d(z^(p^i)), numerators only.
 
     An index becomes one integer, its coordinates the digits: the last one counts for 1, those before for the products

@@ -296,6 +296,7 @@ _READERS: Mapping[str, Callable[[Any], Any]] = {
     "vertices": _coordinates,
     "flat": _flat,
     "index": _index,
+    "term": _term,
     "terms": _terms,
     "exponent": _exponent,
 }

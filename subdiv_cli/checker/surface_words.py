@@ -31,6 +31,8 @@ _PHRASES = {
     "at-most-factor": "α is at most that of the factor in {variables}, {said}",
     "box-spline": "φ is the box spline of {directions}",
     "directional-norm": "‖S_d^{level}‖ = {norm} for the factor in direction {direction}",
+    "pair-norm": "‖S_cd^{level}‖ = {norm} for the factors in directions {directions}",
+    "matrix-norm": "‖S_Q^{level}‖ = {norm} for differences of order {order}",
     "generation": "generation degree {degree}",
     "reproduction": "reproduction degree {degree}",
     "quasi-interpolation": "S^∞ Q = 1 on polynomials of total degree {degree}",

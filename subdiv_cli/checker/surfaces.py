@@ -92,17 +92,18 @@ def _highest_differences(c: Claim, used: Statement) -> None:
 
 
 def _decay(c: Claim, n: int = 0) -> tuple[int, Fraction]:
-    """ℓ and x with ρ^ℓ <= x, for differences of an order above n: of a family, or ρ² <= m Λ of mean squares.
+    """ℓ and x with ρ^ℓ <= x, for differences of an order above n: of a family or a norm, or ρ² <= m Λ of mean squares.
 
     In the mean ‖T_w v‖² is at most the sum over all words w of one length, so ρ² <= m Λ; their order is that of the sum
     rules, and it is above n where m Λ < λ^-2n, as Λ >= λ^-2k.
     """
-    used = c.use(*UPPER, "sobolev-lower").statement
+    used = c.use(*UPPER, "sobolev-lower", "matrix-norm").statement
     if used["property"] == "sobolev-lower":
         return 2, c.lattice().dilation.cosets * used["high"]
-    order = c.use("family", family=used["family"]).statement["order"]
+    by_norm = used["property"] == "matrix-norm"
+    order = used["order"] if by_norm else c.use("family", family=used["family"]).statement["order"]
     require(order > n, f"the differences are of order {order}")
-    return used["length"], bound_of(used)
+    return (used["level"], used["norm"]) if by_norm else (used["length"], bound_of(used))
 
 
 def _same(c: Claim, length: int, bound: Fraction) -> None:

@@ -10,6 +10,8 @@ from flint import fmpq_mat, fmpq_poly, fmpz_mat
 from subdiv_cli.exact.rationals import to_fmpq, to_fraction
 
 Vector = tuple[Fraction, ...]
+Combination = dict[int, Fraction]
+"""Number of a column -> its weight, not zero."""
 
 
 def matrix(rows: Sequence[Sequence[Fraction | int]]) -> fmpq_mat:
@@ -38,6 +40,18 @@ def nullspace(a: fmpq_mat) -> tuple[Vector, ...]:
             x[pivot] = -to_fraction(echelon[i, free])
         basis.append(tuple(x))
     return tuple(basis)
+
+
+def combinations(
+    columns: Sequence[Sequence[int]], targets: Sequence[Sequence[Fraction]], basis: Sequence[int]
+) -> tuple[Combination, ...] | None:
+    """Each target as a combination of those columns, as many as there are coordinates; None if they are dependent."""
+    square = matrix([columns[i] for i in basis]).transpose()
+    try:
+        weights = square.solve(matrix(targets).transpose()).transpose()
+    except ZeroDivisionError:
+        return None
+    return tuple({i: to_fraction(x) for i, x in zip(basis, row, strict=True) if x} for row in weights.tolist())
 
 
 def reduced(rows: fmpq_mat) -> fmpq_mat:

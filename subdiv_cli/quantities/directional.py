@@ -93,13 +93,14 @@ def contractions(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -
     factors = directional_factors(scheme, c)
     for some in combinations(sorted(factors, key=lambda theta: (sum(map(abs, theta)), theta)), lattice.dimension):
         if abs(int(fmpq_mat([list(theta) for theta in some]).det().p)) == 1:
-            found = [_contraction(theta, factors[theta], c, effort) for theta in some]
+            found = [contraction(theta, factors[theta], c, effort) for theta in some]
             known = tuple(contraction for contraction in found if contraction is not None)
             return known if len(known) == len(some) else None
     return None
 
 
-def _contraction(theta: Index, quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Contraction | None:
+def contraction(theta: Index, quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Contraction | None:
+    """The first level at which the scheme of the quotient contracts; None where none is found."""
     for level, norm in enumerate(norms(quotient, c, effort), 1):
         if norm < 1:
             return Contraction(theta, quotient, level, norm)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cached_property
+from math import prod
 
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import Product
@@ -13,8 +14,10 @@ from subdiv_cli.quantities.box_spline import BoxSpline, box_spline
 from subdiv_cli.quantities.coset_sums import coset_sums, sum_rule_order
 from subdiv_cli.quantities.difference_space import DifferenceSpace, difference_space
 from subdiv_cli.quantities.directional import Contraction, contractions
+from subdiv_cli.quantities.directional_pairs import PairContraction, pair_contractions
 from subdiv_cli.quantities.gram import Gram, gram
 from subdiv_cli.quantities.lattice_quasi_interpolation import QuasiInterpolation, quasi_interpolation
+from subdiv_cli.quantities.matrix_norms import MatrixNorm, matrix_norm
 from subdiv_cli.quantities.mean_squares import MeanSquares, mean_squares
 from subdiv_cli.quantities.reproduction import Reproduction, reproduction
 from subdiv_cli.quantities.symmetries import symmetries
@@ -69,6 +72,26 @@ class MultivariateNumbers:
         if set(self.sums) != {Fraction(1)}:
             return None
         return contractions(self.scheme, self.lattice, self.effort)
+
+    @cached_property
+    def pair_contractions(self) -> tuple[PairContraction, ...] | None:
+        """Quotients by pairs of directional factors that contract and prove C^1; None without them."""
+        if set(self.sums) != {Fraction(1)}:
+            return None
+        return pair_contractions(self.scheme, self.lattice, self.effort)
+
+    def matrix_norm(self, k: int, n: int) -> MatrixNorm | None:
+        """A norm of a matrix scheme of differences of order k, at most that of the sum rules, that proves ρ_k < λ^-n."""
+        return matrix_norm(self.scheme, self.lattice, k, n, self.effort)
+
+    @cached_property
+    def is_positive_on_a_box(self) -> bool:
+        """Whether the support is all of a box, the coefficients there are positive, M = cI and each side is >= c."""
+        power, c = self.lattice.scalar_power or (0, 0)
+        sides = [high - low for low, high in zip(*self.scheme.bounds(), strict=True)]
+        terms = self.scheme.terms
+        full = len(terms) == prod(side + 1 for side in sides) and min(terms.values()) > 0
+        return power == 1 and c >= 2 and full and min(sides) >= c
 
     @cached_property
     def space(self) -> DifferenceSpace | None:

@@ -2,9 +2,10 @@
 
 Theorem (Han & Jia 1998, Theorem 4.3, for any expanding M; quantities/difference_space.py for k > 1): S converges
 uniformly iff its coset sums are 1 and ρ_k < 1, k any order of its sum rules. No stability is needed. Also proved by
-directional difference schemes that contract (SD604), or in the mean: ρ_k² is at most m Λ, Λ the growth of the mean
-squares (SD617), m = |det M|; that is s > dimension/2 for its bound of s. Tensor products (SD609) converge iff all their
-factors do. Hypotheses: the coset sums (SD601).
+directional difference schemes that contract (SD604), by a positive mask on a box (SD608), by a matrix scheme of
+differences that contracts (SD606), or in the mean: ρ_k² is at most m Λ, Λ the growth of the mean squares (SD617),
+m = |det M|; that is s > dimension/2 for its bound of s. Tensor products (SD609) converge iff all their factors do.
+Hypotheses: the coset sums (SD601).
 
 Witness: `by`, the code of the finding that decides.
 """
@@ -23,10 +24,17 @@ from subdiv_cli.stages.stage import ContradictionError, Rule, product_name
 RULE = Rule("SD611", "surface-convergence", "Han & Jia 1998, Theorem 4.3; Dyn 1992, section 6")
 
 _QUESTION = "does S converge uniformly?"
+_NORMS = {
+    "SD604": "the directional differences contract",
+    "SD608": "the mask is positive on a box",
+    "SD606": "a matrix scheme of differences contracts",
+}
+"""What proves it with a few numbers."""
 
 
 def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    sums, norms, found = (verdict_of(facts, code) for code in ("SD601", "SD604", "SD605"))
+    sums, found = (verdict_of(facts, code) for code in ("SD601", "SD605"))
+    norms = next((code for code in _NORMS if code in facts), None)
     if sums is not None and sums.verdict is Verdict.REFUTED:
         return (RULE.refuted(f"S does not converge uniformly to a non-zero limit: {sums.statement}", {"by": "SD601"}),)
     if numbers.parts:
@@ -38,7 +46,7 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         if diverges:
             raise ContradictionError(f"S converges and ρ_{k} is at least 1")
         if norms is not None:
-            return (RULE.proved("S converges uniformly: the directional differences contract", {"by": "SD604"}),)
+            return (RULE.proved(f"S converges uniformly: {_NORMS[norms]}", {"by": norms}),)
         return (RULE.proved(f"S converges uniformly: the coset sums are 1 and ρ_{k} < 1", {"by": "SD605"}),)
     if (mean := numbers.mean_decay) is not None and mean < 1:
         statement = (

@@ -5,9 +5,11 @@ stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k 
 C^n iff n <= d - 2, whatever their stability. Tensor products (SD609): iff all factors are. Hypotheses: M isotropic,
 checked (others are skipped); stability (SD616), for refutations that are not of box splines.
 
-In the mean, ρ_k² is at most m Λ, Λ the growth of the mean squares of differences (SD617).
+In the mean, ρ_k² is at most m Λ, Λ the growth of the mean squares of differences (SD617). Where neither tells, a matrix
+scheme of differences (SD606) or quotients by pairs of directional factors (SD607) may.
 
-Witness: `order`; `by`, SD605, SD617, SD609 or SD603; SD613: `by`, SD603, SD609, SD602 (the sum rules are too few) or
+Witness: `order`; `by`, SD605, SD617, SD606, SD607, SD609 or SD603; SD613: `by`, SD603, SD609, SD602 (the sum rules are
+too few) or
 SD605 with `word`.
 """
 
@@ -21,7 +23,7 @@ from subdiv_cli.quantities.multivariate import MultivariateNumbers
 from subdiv_cli.quantities.tensor import Part
 from subdiv_cli.stages.multivariate import tensor_products
 from subdiv_cli.stages.multivariate.rule import ANISOTROPIC, Facts, growth_proof, not_spanning, spanning
-from subdiv_cli.stages.stage import Rule, product_name, verdict
+from subdiv_cli.stages.stage import Rule, integer, product_name, verdict
 
 RULE = Rule("SD612", "surface-smoothness", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
 NEXT = Rule("SD613", "surface-next-smoothness", "Jia 1998; de Boor, Höllig & Riemenschneider 1993, I.36")
@@ -39,18 +41,17 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if not numbers.lattice.is_isotropic:
         return (RULE.skipped(_QUESTION, ANISOTROPIC),)
     k = numbers.order
-    if numbers.radius is None and numbers.mean_decay is None:
+    if numbers.radius is None and numbers.mean_decay is None and not {"SD606", "SD607"} & facts.keys():
         return (RULE.undecided(_QUESTION, "no bound of the decay of differences is known"),)
-    proved = [(n, by) for n in range(k) if (by := _below(numbers, n)) is not None]
+    proved = [(n, by) for n in range(k) if (by := proved_by(numbers, facts, n)) is not None]
     stably = verdict(facts, "SD616") is Verdict.PROVED
     if not proved:
         if stably and (obstacle := _obstacle(numbers, 0)) is not None:
             return (RULE.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)
         return (RULE.undecided(_QUESTION, "it is not proved that φ is continuous"),)
     n, by = proved[-1]
-    mean = "" if by == "SD605" else ", by the mean squares of differences"
-    proof = growth_proof(numbers) if mean else None
-    first = RULE.proved(f"φ is C^{n}: ρ_{k} < {_threshold(numbers, n)}{mean}", _by(n, by), proof=proof)
+    proof = growth_proof(numbers) if by == "SD617" else None
+    first = RULE.proved(f"φ is C^{n}: {_reason(numbers, n, by)}", _by(n, by), proof=proof)
     obstacle = _obstacle(numbers, n + 1)
     if obstacle is None or not stably:
         why = "it is not proved that φ is stable" if obstacle else "no product is known that excludes it"
@@ -96,7 +97,16 @@ def _by(order: int, code: str) -> dict[str, int | str]:
     return {"order": order, "by": code}
 
 
-def _threshold(numbers: MultivariateNumbers, n: int) -> str:
+def _reason(numbers: MultivariateNumbers, n: int, by: str) -> str:
+    if by == "SD607":
+        return "the quotients by two directional factors contract"
+    if by == "SD606":
+        return "a matrix scheme of differences contracts"
+    mean = ", by the mean squares of differences" if by == "SD617" else ""
+    return f"ρ_{numbers.order} < {threshold(numbers, n)}{mean}"
+
+
+def threshold(numbers: MultivariateNumbers, n: int) -> str:
     """λ^-n in words: `1`, `λ^-2, λ = 3`, `λ^-1, λ = √2`."""
     if n == 0:
         return "1"
@@ -105,15 +115,17 @@ def _threshold(numbers: MultivariateNumbers, n: int) -> str:
     return f"λ^-{n}, " + (f"λ = {root}" if root is not None else f"λ = √{m}" if s == 2 else f"λ^{s} = {m}")
 
 
-def _below(numbers: MultivariateNumbers, n: int) -> str | None:
-    """The code of what proves ρ_k < λ^-n: x^s m^(n length) < 1 for ρ_k^length <= x."""
+def proved_by(numbers: MultivariateNumbers, facts: Facts, n: int) -> str | None:
+    """The code of what proves C^n: ρ_k < λ^-n, by x^s m^(n length) < 1 for ρ_k^length <= x; or norms."""
     bounds = {"SD605": numbers.radius and numbers.radius.upper, "SD617": (2, numbers.mean_decay)}
     for code, pair in bounds.items():
         if pair is not None and (bound := pair[1]) is not None:
             length = pair[0]
             if bound**numbers.dimension * numbers.lattice.index ** (n * length) < 1:
                 return code
-    return None
+    if "SD607" in facts and n <= 1:
+        return "SD607"
+    return "SD606" if "SD606" in facts and n <= integer(facts["SD606"][0], "smooth") else None
 
 
 def reaches(numbers: MultivariateNumbers, product: Product, n: int) -> bool:
@@ -128,7 +140,7 @@ def _obstacle(numbers: MultivariateNumbers, n: int) -> str | None:
     if n >= k:
         return f"C^{n} needs sum rules of order {n + 1}, but the mask has order {k}"
     if product is not None and reaches(numbers, product, n):
-        return f"{product_name(product.word)} keeps ρ_{k} ≥ {_threshold(numbers, n)}"
+        return f"{product_name(product.word)} keeps ρ_{k} ≥ {threshold(numbers, n)}"
     return None
 
 
