@@ -90,6 +90,7 @@ MASKS = {
         [[2, 0], [0, 3]],
         scaled(product(ray(1, 0), ray(1, 0), ray(0, 1, count=3), ray(0, 1, count=3)), Fraction(1, 6), (-1, -2)),
     ),
+    "half_haar": (TWO, box([(1, 0), (0, 1), (0, 1)], "1/2")),  # 1, 1 times a hat: it does not converge
     "sheared": ([[2, 1], [0, 2]], box([(1, 0), (0, 1)], 1)),
 }
 
@@ -266,6 +267,34 @@ def norm(quotient, p, level):
     return max(classes.values())
 
 
+PAIRS = [((0, 1), (1, 0)), ((0, 1), (1, 1)), ((1, 0), (1, 1))]
+
+
+def pair_quotient(name, first, second):
+    """a(z) / ((1 + z^θ) (1 + z^η)) as terms."""
+    d = {tuple(x): Fraction(value) for x, value in quotient(name, *first)}
+    MASKS["quotient"] = (TWO, d)
+    found = quotient("quotient", *second)
+    del MASKS["quotient"]
+    return found
+
+
+def pair_norm(found, level):
+    """‖S_(2d)^level‖∞ of the dilation 2I."""
+    return 2**level * norm(found, 2, level)
+
+
+def quincunx_reduction():
+    """MULTIVARIATE.md: Q of the interpolatory mask on the quincunx lattice, by rows."""
+    entries = [
+        {(-1, 0): -1, (-1, 1): -2, (0, 1): -1},
+        {(-1, 0): 2, (-1, 1): 1, (0, 0): 1},
+        {(-1, 0): 1, (0, 0): 2, (0, 1): 1},
+        {(0, -1): 2, (0, 0): 1, (1, -1): 1},
+    ]
+    return [[[list(x), q(Fraction(value, 4))] for x, value in sorted(f.items())] for f in entries]
+
+
 def correlation(name):
     """b(z) = a(z) a(1/z)."""
     terms = MASKS[name][1]
@@ -436,6 +465,7 @@ def bilinear():
     ]
     book.add("directional-converges", [0, *factors], property="convergent", holds=True)
     book.gram(converges, tree=[-1, 1, -1, -1, -1, 1, -1, -1])
+    book.add("positive-converges", [0], property="convergent", holds=True)
     return book.document()
 
 
@@ -485,6 +515,11 @@ def quincunx():
     book.sobolev(2, annihilator("quincunx", 2), *QUINCUNX_GROWTH, stable)
     exact = {key: said[key] for key in ("length", "polynomial", "low", "high")}
     book.add("holder-root", [root, family, 1, stable], **exact)
+    found = {"power": 1, "entries": quincunx_reduction()}
+    matrix = book.add("matrix-norm", [1], found, order=1, level=3, norm="27/32")
+    book.add("converges", [matrix], property="convergent", holds=True)
+    book.add("smooth", [matrix], order=0)
+    book.add("holder-lower", [matrix], length=3, bound="27/32")
     return book.document()
 
 
@@ -534,6 +569,12 @@ def butterfly():
     book.add("converges", [mean], property="convergent", holds=True)
     book.add("smooth", [mean], order=1)
     book.add("holder-lower", [mean], length=2, bound="17/125")
+    pairs = []
+    for pair in PAIRS:
+        found = pair_quotient("butterfly", *pair)
+        fields = {"directions": [list(x) for x in pair], "level": 2, "norm": q(pair_norm(found, 2))}
+        pairs.append(book.add("pair-norm", witness={"quotient": found}, **fields))
+    book.add("directional-smooth", [0, *pairs], property="smooth", order=1)
     return book.document()
 
 

@@ -1,6 +1,7 @@
 """Certificates of masks on Z^s: true ones are verified, and each rule rejects its forgeries by name."""
 
 import copy
+import itertools
 import json
 from fractions import Fraction
 from pathlib import Path
@@ -8,7 +9,21 @@ from pathlib import Path
 import jsonschema
 import pytest
 from hand_made import claim, q
-from hand_made_surfaces import ALL_SURFACES, MASKS, WORK, annihilator, differences, divided, document, norm, quotient
+from hand_made_surfaces import (
+    ALL_SURFACES,
+    MASKS,
+    PAIRS,
+    WORK,
+    annihilator,
+    differences,
+    divided,
+    document,
+    norm,
+    pair_norm,
+    pair_quotient,
+    quincunx_reduction,
+    quotient,
+)
 
 import subdiv_cli
 from subdiv_cli.checker import check_document, check_text
@@ -62,11 +77,20 @@ def test_the_line_reads_well():
     made["goal"] = made["goal"][2:5]
     assert check_document(made).line == "VERIFIED generation degree 1; reproduction degree 1; s >= 2"
     made = copy.deepcopy(MADE["butterfly"])
-    made["goal"] = made["goal"][-5:-3]
+    made["goal"] = made["goal"][-9:-7]
     assert check_document(made).line.startswith("VERIFIED s = -log_2(λ)/2, λ the zero of a polynomial; s >= -log_2(λ)")
     made = copy.deepcopy(MADE["quincunx"])
-    made["goal"] = made["goal"][-1:]
+    made["goal"] = made["goal"][-5:-4]
     assert check_document(made).line.startswith("VERIFIED α = -log_2(the root of 16x^2 - 12x + 1 in [")
+    made["goal"] = MADE["quincunx"]["goal"][-4:]
+    assert check_document(made).line == (
+        "VERIFIED ‖S_Q^3‖ = 27/32 for differences of order 1; S converges; φ is C^0; α >= 2 log_2(32/27)/3"
+    )
+    made = copy.deepcopy(MADE["butterfly"])
+    made["goal"] = made["goal"][-2:]
+    assert check_document(made).line == (
+        "VERIFIED ‖S_cd^2‖ = 7/8 for the factors in directions (1, 0), (1, 1); φ is C^1"
+    )
 
 
 witness = lambda *path: set_in("witness", *path)  # noqa: E731
@@ -278,6 +302,40 @@ FORGED = [
     ("bilinear", "directional-norm", witness("quotient", [[[0, 0, 0], "1"]]), "the quotient"),
     ("bilinear", "directional-converges", lambda c: c["uses"].pop(), "does not use"),
     ("bilinear", "directional-converges", lambda c: c["uses"].__setitem__(2, c["uses"][1]), "not a basis"),
+    ("bilinear", "positive-converges", lambda c: c["uses"].pop(), "does not use"),
+    ("bilinear", "positive-converges", said("holds", False), "does not prove such statements"),
+    ("butterfly", "pair-norm", said("norm", "3/4"), "the norm is another"),
+    ("butterfly", "pair-norm", said("level", 1), "the norm is another"),
+    ("butterfly", "pair-norm", said("level", 65), "the level"),
+    ("butterfly", "pair-norm", said("level", 40), "more work"),
+    ("butterfly", "pair-norm", said("directions", [[0, 1], [1, 1]]), "not the mask"),
+    ("butterfly", "pair-norm", said("directions", [[0, 1]]), "not two directions"),
+    ("butterfly", "pair-norm", said("directions", [[0, 1], [0, 0]]), "is zero"),
+    ("butterfly", "pair-norm", said("directions", [[0, 1], [1, 0, 0]]), "is zero or not one"),
+    ("butterfly", "pair-norm", witness("quotient", quotient("butterfly", 0, 1)), "not the mask"),
+    ("butterfly", "pair-norm", witness("quotient", [[[0, 0, 0], "1"]]), "the quotient"),
+    ("butterfly", "directional-smooth", said("order", 2), "second derivatives"),
+    ("butterfly", "directional-smooth", lambda c: c["uses"].pop(), "does not use"),
+    ("butterfly", "directional-smooth", lambda c: c["uses"].pop(0), "not coset-sums"),
+    ("butterfly", "directional-smooth", lambda c: c["uses"].__setitem__(2, c["uses"][1]), "not all pairs"),
+    ("quincunx", "matrix-norm", said("norm", "13/16"), "the norm is another"),
+    ("quincunx", "matrix-norm", said("level", 4), "the norm is another"),
+    ("quincunx", "matrix-norm", said("level", 0), "the level"),
+    ("quincunx", "matrix-norm", said("level", 64), "too high"),
+    ("quincunx", "matrix-norm", said("order", 2), "not 3^2 entries"),
+    ("quincunx", "matrix-norm", said("order", 3), "of order 2"),
+    ("quincunx", "matrix-norm", said("order", 0), "of order 2"),
+    ("quincunx", "matrix-norm", witness("power", 2), "does not divide"),
+    ("quincunx", "matrix-norm", witness("power", 3), "no reduction: row (0, 1)"),
+    ("quincunx", "matrix-norm", witness("power", 0), "does not divide"),
+    ("quincunx", "matrix-norm", lambda c: c["witness"]["entries"].pop(), "not 2^2 entries"),
+    ("quincunx", "matrix-norm", lambda c: c["witness"]["entries"].reverse(), "no reduction: row (0, 1)"),
+    ("quincunx", "matrix-norm", lambda c: c["witness"]["entries"][3].clear(), "no reduction: row (1, 0)"),
+    ("quincunx", "matrix-norm", lambda c: c["witness"]["entries"][2].reverse(), "do not increase"),
+    ("quincunx", "matrix-norm", lambda c: c["witness"]["entries"][2][0].__setitem__(1, "0"), "is zero"),
+    ("quincunx", "matrix-norm", lambda c: c["witness"]["entries"][2][0].__setitem__(0, [0, 0, 0]), "not one of Z^2"),
+    ("quincunx", "matrix-norm", lambda c: c["uses"].pop(), "does not use"),
+    ("quincunx", "matrix-norm", set_in("work", 100), "more work"),
     ("trilinear", "directional-converges", lambda c: c["uses"].__setitem__(2, c["uses"][1]), "not a basis"),
 ]
 
@@ -539,6 +597,87 @@ def test_mean_squares_that_decay_too_slowly_prove_no_convergence():
     assert check_document(of("haar", *structure(1), mean)).verified
     converges = claim("converges", [2], property="convergent", holds=True)
     rejected(of("haar", *structure(1), mean, converges), 3, "radius is not small enough")
+
+
+def matrix_norm(entries, level, norm, order=1, power=1):
+    found = {"power": power, "entries": entries}
+    return claim("matrix-norm", [1], found, WORK, order=order, level=level, norm=norm)
+
+
+def test_the_worked_example_of_matrix_norms():
+    """MULTIVARIATE.md: the norms are 1, 1 and 27/32, and only the last proves convergence; none of them C^1."""
+    for level, norm_ in ((1, "1"), (2, "1"), (3, "27/32")):
+        claims = [*structure(2), matrix_norm(quincunx_reduction(), level, norm_)]
+        assert check_document(of("quincunx", *claims)).verified
+        converges = of("quincunx", *claims, claim("converges", [2], property="convergent", holds=True))
+        assert check_document(converges).verified is (level == 3)
+        rejected(of("quincunx", *claims, claim("smooth", [2], order=1)), 3, "differences are of order 1")
+
+
+def test_a_matrix_scheme_of_another_mask_or_order_reduces_nothing():
+    """That of Courant's hat is diagonal; without sum rules there is none, whatever stands there."""
+    half = [[[0, 0], "1/2"]]
+    rejected(of("haar", *structure(1), matrix_norm([half, [], [], half], 1, "1/2")), 2, "no reduction: row (0, 1)")
+    rejected(of("flat", *structure(0), matrix_norm([half, [], [], half], 1, "1/2")), 2, "of order 0")
+
+
+def test_haar_has_no_contracting_matrix_scheme():
+    """Its diagonal one has norm 1, which is no convergence."""
+    rows = [[[[0, 0], "1"], [[1, 0], "1"]], [], [], [[[0, 0], "1"], [[0, 1], "1"]]]
+    claims = [*structure(1), matrix_norm(rows, 5, "1")]
+    assert check_document(of("haar", *claims)).verified
+    rejected(of("haar", *claims, claim("converges", [2], property="convergent", holds=True)), 3, "not small enough")
+
+
+def test_smoothness_by_matrix_norms_needs_an_isotropic_dilation():
+    """The anisotropic hat: Q is diagonal with the norms 1/2 and 1/3."""
+    second, first = quotient_of_anisotropic()
+    claims = [*structure(2), matrix_norm([second, [], [], first], 1, "1/2")]
+    assert check_document(of("anisotropic", *claims, claim("converges", [2], property="convergent", holds=True))).verified
+    rejected(of("anisotropic", *claims, claim("smooth", [2], order=0)), 3, "not seen to be isotropic")
+
+
+def quotient_of_anisotropic():
+    """a/(1 + z_2 + z_2²) and a/(1 + z_1)."""
+    return quotient("anisotropic", 0, 1, count=3), quotient("anisotropic", 1, 0)
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("haar", "a side of the box is shorter than 2"),
+        ("courant", "not a whole box"),
+        ("quincunx", "not a multiple of the identity"),
+        ("four_eight", "not a multiple of the identity"),
+        ("perturbed", "a coefficient is negative"),
+        ("half_haar", "a side of the box is shorter than 2"),
+    ],
+)
+def test_what_is_no_positive_mask_on_a_box(name, words):
+    made = of(name, claim("coset-sums", holds=True), claim("positive-converges", [0], property="convergent", holds=True))
+    rejected(made, 1, words)
+
+
+def test_norms_of_pairs_that_are_not_below_one():
+    """At level 1 the butterfly scheme has the norm 1."""
+    claims = [claim("coset-sums", holds=True)]
+    for pair in PAIRS:
+        fields = {"directions": [list(x) for x in pair], "level": 1, "norm": "1"}
+        claims.append(claim("pair-norm", witness={"quotient": pair_quotient("butterfly", *pair)}, work=WORK, **fields))
+    claims.append(claim("directional-smooth", [0, 1, 2, 3], property="smooth", order=1))
+    rejected(of("butterfly", *claims), 4, "a norm is not below 1")
+
+
+def test_directions_that_are_no_bases():
+    """The quotients of Zwart and Powell's mask contract, but det((1, 1), (1, -1)) = -2."""
+    claims = [claim("coset-sums", holds=True)]
+    for pair in itertools.combinations([(0, 1), (1, -1), (1, 1)], 2):
+        found = pair_quotient("zwart_powell", *pair)
+        level = next(n for n in range(1, 9) if pair_norm(found, n) < 1)
+        fields = {"directions": [list(x) for x in pair], "level": level, "norm": q(pair_norm(found, level))}
+        claims.append(claim("pair-norm", witness={"quotient": found}, work=WORK, **fields))
+    claims.append(claim("directional-smooth", [0, 1, 2, 3], property="smooth", order=1))
+    rejected(of("zwart_powell", *claims), 4, "not a basis of Z^s")
 
 
 def spline(directions, power=1, shift=(0, 0), scale=2):

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from hand_made import numbers, q
-from hand_made_surfaces import ALL_SURFACES, MASKS, norm, quotient
+from hand_made_surfaces import ALL_SURFACES, MASKS, norm, pair_norm, pair_quotient, quotient
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -89,6 +89,13 @@ def is_true(s, name):
     def directional():
         return norm(quotient(name, *s["direction"]), 2, s["level"]) == Fraction(s["norm"])
 
+    def pair():
+        return pair_norm(pair_quotient(name, *map(tuple, s["directions"])), s["level"]) == Fraction(s["norm"])
+
+    def decay():
+        """ρ_k = λ^-α for α < k, and larger for smaller orders only by powers of 1/λ."""
+        return scale ** (-min(facts.alpha, s["order"]) * s["level"]) <= Fraction(s["norm"]) + Fraction(1, 10**9)
+
     return {
         "coset-sums": lambda: s["holds"] == (facts.order > 0),
         "total-sum-rules": lambda: s["order"] == facts.order,
@@ -112,6 +119,8 @@ def is_true(s, name):
         "at-most-factor": of_factor,
         "box-spline": lambda: (s["directions"], s["scale"]) == (facts.directions, 2),
         "directional-norm": directional,
+        "pair-norm": pair,
+        "matrix-norm": decay,
     }[s["property"]]()
 
 
