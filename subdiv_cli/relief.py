@@ -36,7 +36,9 @@ def surface_portrait(scheme: MultivariateScheme, effort: Effort) -> tuple[Checke
     """What `check` finds, and the mask taken apart. Raises DisagreementError."""
     analysis = analyse(scheme, effort)
     checked = certified_surface(scheme, analysis, (), effort)
-    return checked, surfaces.anatomy(analysis.numbers, continuous=_is_continuous(checked.result))
+    inverted = any(found.code == "SD619" and found.verdict is Verdict.PROVED for found in checked.result.findings)
+    continuous = _is_continuous(checked.result)
+    return checked, surfaces.anatomy(analysis.numbers, continuous=continuous, inverted=inverted)
 
 
 def _is_continuous(result: Result) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cache
@@ -86,3 +87,29 @@ def deslauriers_dubuc(points: int) -> ScalarScheme:
     coefficients[::2] = weights
     coefficients[points - 1] = Fraction(1)
     return scheme(coefficients, start=1 - points)
+
+
+def looks_like_latex(text: str) -> None:
+    """ASCII, braces and dollars in pairs, environments closed in order: no compiler here, but what breaks one."""
+    assert text.isascii()
+    bare = text.replace("\\\\", "").replace("\\{", "").replace("\\}", "").replace("\\$", "")
+    assert bare.count("$") % 2 == 0
+    assert "$$" not in bare
+    depth = 0
+    for c in bare:
+        depth += (c == "{") - (c == "}")
+        assert depth >= 0
+    assert depth == 0
+    opened: list[str] = []
+    for kind, name in re.findall(r"\\(begin|end)\{(\w+)\}", bare):
+        if kind == "begin":
+            opened.append(name)
+        else:
+            assert opened.pop() == name
+    assert not opened
+    outside = re.sub(r"\$[^$]*\$|\\\[.*?\\\]|\\begin\{tikzpicture\}.*?\\end\{tikzpicture\}", "", bare, flags=re.DOTALL)
+    for special in "_^#~":
+        assert f"{special}" not in outside.replace(f"\\{special}", ""), special
+    for line in re.findall(r"\\begin\{tabular\}\{(\w+)\}(.*?)\\end\{tabular\}", text, flags=re.DOTALL):
+        columns, rows = line
+        assert {row.count("&") for row in rows.split("\\\\")[:-1]} == {len(columns) - 1}

@@ -14,7 +14,7 @@ from subdiv_cli.cli.options import Asked
 from subdiv_cli.cli.printing import complain, put
 from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import emit
-from subdiv_cli.model import Result
+from subdiv_cli.model import Data, Finding, Result
 from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
 
@@ -114,7 +114,13 @@ class Run:
             return result
         if self.asked.form == "jsonl" and not written:
             return replace(result, findings=(), facts={}, drawing=None, mask=None)
-        return replace(result, findings=tuple(replace(f, witness={}) for f in result.findings))
+        return replace(result, findings=tuple(replace(f, witness=_drawn(f)) for f in result.findings))
+
+
+def _drawn(found: Finding) -> Mapping[str, Data]:
+    """What is drawn of a witness: the stencil of Q in several variables."""
+    stencil = found.witness.get("stencil") if found.code == "SD619" else None
+    return {} if stencil is None else {"stencil": stencil}
 
 
 def _tell_skipped(count: int) -> None:

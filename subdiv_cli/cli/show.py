@@ -77,8 +77,8 @@ def command(
     """Take one mask apart.
 
     The symbol factored, polyphase components, derived schemes, refinement matrices and their spectra, the refinable
-    function and its values, limit stencils, polynomials and Q, error bounds. Of a mask in several variables, as text or
-    json, the directional factors of its symbol, a stencil for each coset, the refinable function. Every verdict is
+    function and its values, limit stencils, polynomials and Q, error bounds. Of a mask in several variables the
+    directional factors of its symbol, a stencil for each coset, the refinable function and Q. Every verdict is
     certified and checked, as `check` does it.
     """
     if output is not None and (reason := why_not(output)) is not None:
@@ -89,7 +89,7 @@ def command(
     look = look_of(sys.stdout) if output is None else Look()
     several = one.mask.kind == "multivariate"
     if several:
-        _check_surface_options(form)
+        _check_surface_options()
     page = (_surface_page if several else _page)(one, form, tolerance, effort, certificate, look)
     if output is not None:
         return _write(output, page)
@@ -101,9 +101,7 @@ def command(
     return ExitCode.PASSED
 
 
-def _check_surface_options(form: str) -> None:
-    if form not in ("text", "json"):
-        raise click.UsageError("masks in several variables are shown as text or json")
+def _check_surface_options() -> None:
     if click.get_current_context().get_parameter_source("tolerance") is ParameterSource.COMMANDLINE:
         raise click.UsageError("--tolerance belongs to curves, those of masks in one variable")
 

@@ -108,5 +108,13 @@ class SurfaceAnatomy:
     """∫ x φ(x) dx."""
     values: Mapping[tuple[int, ...], Fraction]
     """φ at the integers."""
+    moments: Mapping[tuple[int, ...], Fraction]
+    """m_μ = Σ φ(-β) β^μ."""
+    operator: Mapping[tuple[int, ...], Fraction]
+    """q_μ of Q = Σ q_μ D^μ."""
+    centred: Mapping[tuple[int, ...], Fraction]
+    """The same of f -> Q f(· - centre)."""
+    quasi_stencil: Mapping[tuple[int, ...], Fraction]
+    """t with Q f(α) = Σ t_j f(α + j) on polynomials."""
     surface: Surface | None
     """φ, for a picture."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
 from subdiv_cli.model import Drawing, Finding, LatticeMask, Result, Stencil, Verdict
 from subdiv_cli.report import svg, words
-from subdiv_cli.report.lattice import put_stencils
+from subdiv_cli.report.lattice import put_quasi_interpolation, put_stencils
 from subdiv_cli.report.layout import paint
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
@@ -41,7 +41,7 @@ def card(number: int, result: Result, look: Look) -> str:
     if result.status != "invalid":
         parts.append('<div class="two"><div>')
         parts += [_properties(result), _expectations(result), "</div><div>"]
-        parts += [*_pictures(result.drawing), *_grids(result.mask), "</div></div>"]
+        parts += [*_pictures(result.drawing), *_grids(result.mask, result.findings), "</div></div>"]
         parts.append(_findings(look.shown(result.findings), look))
         if result.certificate is not None:
             parts.append(f"<p>proof: <code>{text(result.certificate)}</code></p>")
@@ -122,12 +122,13 @@ def _pictures(drawing: Drawing | None) -> Iterator[str]:
     yield f"<h3>stencils</h3>{_table(shown)}"
 
 
-def _grids(mask: LatticeMask | None) -> Iterator[str]:
+def _grids(mask: LatticeMask | None, findings: Sequence[Finding]) -> Iterator[str]:
     """The stencils of a mask in several variables, as the text report has them."""
     if mask is None:
         return
     page = Page(Look(width=_COLUMNS))
     put_stencils(page, dict(mask.terms), mask.dilation)
+    put_quasi_interpolation(page, findings)
     yield f"<h3>stencils</h3><pre>{escape(paint(page.lines))}</pre>"
 
 

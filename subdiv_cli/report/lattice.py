@@ -16,8 +16,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby, product
 from math import lcm
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
+from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.report.layout import wrap
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.numbers import exact
@@ -27,6 +28,8 @@ Index = tuple[int, ...]
 
 MOST_COSETS = 16
 """Of a mask that are drawn."""
+QUASI = "SD619"
+QUASI_TITLE = "Q f(α) = Σ t_j f(α+j)"
 _LARGEST_DENOMINATOR = 10**6
 """Up to here weights are shown as multiples of 1/denominator, which keeps them short."""
 _GAP = 4
@@ -71,10 +74,10 @@ def put_stencils(page: Page, terms: Mapping[Index, Fraction], dilation: Sequence
         else:
             more += 1
     if len(dilation) == 2:
-        _put_beside(page, [(_title(stencil), _cells(stencil.weights)) for stencil in shown])
+        _put_beside(page, [(titled(stencil), _cells(stencil.weights)) for stencil in shown])
     else:
         for stencil in shown:
-            page.put(_title(stencil), "quiet", indent=INDENT, hanging=2)
+            page.put(titled(stencil), "quiet", indent=INDENT, hanging=2)
             _put_beside(page, _slices(stencil.weights))
     if more:
         page.put(f"and {more} more coset{'' if more == 1 else 's'}", "quiet", indent=INDENT)
@@ -82,12 +85,22 @@ def put_stencils(page: Page, terms: Mapping[Index, Fraction], dilation: Sequence
 
 def put_values(page: Page, title: str, values: Mapping[Index, Fraction]) -> None:
     """A function on Z^s, where it is not zero, as the weights of a stencil are put."""
-    scaled = title + _scale(values)
+    scaled = title + scaled_by(values)
     if len(next(iter(values))) == 2:
         _put_beside(page, [(scaled, _cells(values))])
     else:
         page.put(scaled, "quiet", indent=INDENT, hanging=2)
         _put_beside(page, _slices(values))
+
+
+def put_quasi_interpolation(page: Page, findings: Sequence[Finding]) -> None:
+    """The stencil of Q, where it is found to be more than one weight."""
+    found = next((found for found in findings if found.code == QUASI and found.verdict is Verdict.PROVED), None)
+    stencil = cast(
+        "tuple[tuple[Index, Fraction | str], ...]", () if found is None else found.witness.get("stencil", ())
+    )
+    if len(stencil) > 1:
+        put_values(page, QUASI_TITLE, {tuple(j): Fraction(x) for j, x in stencil})
 
 
 def _inverse(rows: Sequence[Sequence[int]]) -> list[list[Fraction]]:
@@ -136,15 +149,17 @@ def _representatives(inverse: Sequence[Sequence[Fraction]]) -> Iterator[Index]:
     yield from sorted(product(*map(range, sides)), key=lambda coset: (sum(coset), [-k for k in coset]))
 
 
-def _title(stencil: Stencil) -> str:
+def titled(stencil: Stencil) -> str:
+    """`coset (1, 0) at (1/2, 0), in 1/8`."""
     coset = f"coset {_tuple(stencil.coset)}"
     where = f" at {_tuple(stencil.at)}" if any(stencil.at) else " at the old points"
     if not stencil.weights:
         return f"{coset}{where}: no weights"
-    return f"{coset}{where}{_scale(stencil.weights)}"
+    return f"{coset}{where}{scaled_by(stencil.weights)}"
 
 
-def _scale(weights: Mapping[Index, Fraction]) -> str:
+def scaled_by(weights: Mapping[Index, Fraction]) -> str:
+    """`, in 1/8` where the cells have eight times the weights."""
     denominator = _denominator(weights)
     return f", in 1/{denominator}" if denominator > 1 else ""
 
@@ -162,6 +177,11 @@ def _denominator(weights: Mapping[Index, Fraction]) -> int:
 def _cells(weights: Mapping[Index, Fraction]) -> dict[Index, str]:
     scale = _denominator(weights)
     return {index: exact(weight * scale) for index, weight in weights.items()}
+
+
+def planes(weights: Mapping[Index, Fraction]) -> list[tuple[str, dict[Index, str]]]:
+    """Cells of two coordinates: all of them, or slices with their titles."""
+    return [("", _cells(weights))] if len(next(iter(weights), (0, 0))) == 2 else _slices(weights)
 
 
 def _slices(weights: Mapping[Index, Fraction]) -> list[tuple[str, dict[Index, str]]]:

@@ -209,10 +209,11 @@ class _Page(Page):
         """Of a mask in several variables, where more is asked for: the rule of each coset as a small grid."""
         if result.mask is None or self.look.verbosity < 1:
             return
-        from subdiv_cli.report.lattice import put_stencils
+        from subdiv_cli.report.lattice import put_quasi_interpolation, put_stencils
 
         self.blank()
         put_stencils(self, dict(result.mask.terms), result.mask.dilation)
+        put_quasi_interpolation(self, result.findings)
 
     def closing(self, result: Result, *, indent: int = 0) -> None:
         """Why the exit code is what it is."""

@@ -73,8 +73,11 @@ def centre(numbers: MultivariateNumbers) -> tuple[Fraction, ...]:
     return found
 
 
-def anatomy(numbers: MultivariateNumbers, *, continuous: bool) -> SurfaceAnatomy:
-    """The mask taken apart, with φ where it is proved continuous and has not too many values."""
+def anatomy(numbers: MultivariateNumbers, *, continuous: bool, inverted: bool) -> SurfaceAnatomy:
+    """The mask taken apart, with φ where it is proved continuous and has not too many values, and Q where S^∞ is
+
+    proved to be inverted by it.
+    """
     scheme = numbers.scheme
     values: Mapping[Index, Fraction] = {}
     picture = None
@@ -82,6 +85,7 @@ def anatomy(numbers: MultivariateNumbers, *, continuous: bool) -> SurfaceAnatomy
         with suppress(NoValuesError):
             values = at_integers(scheme, numbers.lattice)
             picture = surface(numbers, _FEWER)
+    quasi = numbers.quasi_interpolation if inverted else None
     factors, quotient = factored(scheme, numbers.lattice)
     return SurfaceAnatomy(
         dilation=scheme.dilation,
@@ -91,6 +95,10 @@ def anatomy(numbers: MultivariateNumbers, *, continuous: bool) -> SurfaceAnatomy
         differences=None if numbers.space is None else numbers.space.basis.nrows(),
         centre=centre(numbers) if numbers.is_normalised else None,
         values=values,
+        moments={} if quasi is None else quasi.moments,
+        operator={} if quasi is None else quasi.operator,
+        centred={} if quasi is None else quasi.centred,
+        quasi_stencil={} if quasi is None else quasi.stencil,
         surface=picture,
     )
 

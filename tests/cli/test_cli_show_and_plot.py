@@ -9,6 +9,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 from click.testing import CliRunner
+from support import looks_like_latex
 
 from subdiv_cli.checker import check_text
 from subdiv_cli.cli import main
@@ -58,7 +59,7 @@ def test_every_shipped_mask_is_shown_in_every_format(run, file, form):
         assert set(page) == KEYS
         assert page["report"]["status"] in ("passed", "failed", "undecided")
     elif form == "latex":
-        latex(text)
+        looks_like_latex(text)
     elif form == "text":
         assert max(map(len, text.splitlines())) <= 100 or "⎢" in text
 
@@ -67,19 +68,6 @@ KEYS = {
     "format", "version", "tool", "report", "mask", "symbol", "polyphase", "derived", "refinement_matrices", "support",
     "values", "stencils", "quasi_interpolation", "approximation_order", "error_bound", "hermite_bound", "curve",
 }  # fmt: skip
-
-
-def latex(text):
-    """ASCII, braces and dollars in pairs, environments closed: no compiler here, but what breaks one is looked for."""
-    assert text.isascii()
-    bare = text.replace("\\\\", "").replace("\\{", "").replace("\\}", "").replace("\\$", "")
-    assert bare.count("{") == bare.count("}")
-    assert bare.count("$") % 2 == 0
-    assert "$$" not in bare
-    for kind in ("begin", "end"):
-        assert bare.count(f"\\{kind}{{tabular}}") == bare.count("\\begin{tabular}")
-        assert bare.count(f"\\{kind}{{pmatrix}}") == bare.count("\\begin{pmatrix}")
-        assert bare.count(f"\\{kind}{{document}}") == 1
 
 
 def test_the_numbers_of_the_json_page(run):
@@ -100,6 +88,13 @@ def test_the_numbers_of_the_json_page(run):
     assert page["report"]["sobolev"]["lower"] == pytest.approx(2.4407654)
     codes = {finding["code"] for finding in page["report"]["findings"]}
     assert {"SD501", "SD502", "SD503", "SD504", "SD505", "SD511", "SD512"} <= codes
+
+
+def test_names_of_files_and_scripts_in_latex(run):
+    text = run("show", FOUR, "--format", "latex").stdout
+    assert "four\\_point.toml" in text
+    assert "S${}^{\\infty }$ f" in text
+    assert "S\\textasciicircum" not in text
 
 
 def test_the_same_page_twice(run):

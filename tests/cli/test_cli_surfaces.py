@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from fractions import Fraction
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from support import looks_like_latex
 
 from subdiv_cli.checker import check_text
 from subdiv_cli.cli import main
@@ -172,8 +174,6 @@ def test_a_coordinate_beyond_doubles(run, tmp_path):
         (["plot", LOOP, "--levels", "8", "-o", "a.obj"], "too many values at level 8"),
         (["plot", LOOP, "--levels", "9", "-o", "a.obj"], "9"),
         (["plot", LOOP, "-o", "no/such/net.obj"], "cannot be written"),
-        (["show", LOOP, "--format", "latex"], "text or json"),
-        (["show", LOOP, "-o", "a.md"], "text or json"),
         (["show", LOOP, "--tolerance", "1e-3"], "--tolerance belongs to curves"),
     ],
 )
@@ -218,6 +218,8 @@ def test_show(run):
         "φ at the integers, in 1/12",
         "centre of mass (2, 2)",
         "φ is the box spline of 6 directions",
+        "  Q f(α) = g(α + (2, 2))\n  g = f - 1/6 f_xx - 1/6 f_xy - 1/6 f_yy\n    Q f(α) = Σ t_j f(α+j), in 1/12\n",
+        "    2 │  -1  18  -1\n",
     ):
         assert text in shown.stdout
 
@@ -236,6 +238,60 @@ def test_show_in_both_formats(run, name):
     assert sum(len(coset["stencil"]) for coset in page["cosets"]) == len(page["mask"]["terms"])
     if page["values"] is not None:
         assert sum(Fraction(x) for _, x in page["values"]) == 1
+
+
+SHOWN = sorted(file for file in MASKS.rglob("*.toml") if "seven" not in file.stem)[::3]
+
+
+@pytest.mark.parametrize("file", [Path(LOOP), *SHOWN], ids=lambda file: file.stem)
+def test_show_as_markdown_and_latex(run, file):
+    """The same in both: sections, numbers of stencils, findings."""
+    markdown, latex = (run("show", str(file), "--format", form) for form in ("markdown", "latex"))
+    for shown in (markdown, latex):
+        assert (shown.exit_code, shown.stderr) == (0, "")
+    looks_like_latex(latex.stdout)
+    sections = [line[3:] for line in markdown.stdout.splitlines() if line.startswith("## ")]
+    assert sections == re.findall(r"\\subsection\*\{(.*)\}", latex.stdout)
+    assert {"Mask", "Stencils", "Findings"} <= set(sections)
+    assert markdown.stdout.count("\n| ---:") == latex.stdout.count("\\begin{tabular}")
+    codes = re.findall(r"\(\w+, (SD\d+)\)", markdown.stdout)
+    assert codes == re.findall(r"\(\w+, (SD\d+)\)", latex.stdout)
+    assert "SD619" in codes
+
+
+def test_loop_as_markdown_and_latex(run, tmp_path):
+    markdown = run("show", LOOP, "--format", "markdown").stdout
+    assert "`g = f - 1/6 f_xx - 1/6 f_xy - 1/6 f_yy`" in markdown
+    assert "| 2 | -1 | 18 | -1 |" in markdown
+    assert "| 1 | 1 | 1 | · |" in markdown
+    latex = tmp_path / "loop.tex"
+    assert run("show", LOOP, "-o", str(latex)).exit_code == 0
+    text = latex.read_text(encoding="ascii")
+    assert "g = f - \\tfrac{1}{6} f_{xx} - \\tfrac{1}{6} f_{xy} - \\tfrac{1}{6} f_{yy}" in text
+    assert "a(z) = \\tfrac{1}{16} (1 + z_{2})^{2} (1 + z_{1})^{2} (1 + z_{1} z_{2})^{2}" in text
+    assert "$2$ & $-1$ & $18$ & $-1$ \\\\" in text
+    assert text.count("\\fill[black!") > 500
+
+
+def test_q_as_data(run):
+    page = json.loads(run("show", LOOP, "--format", "json").stdout)["quasi_interpolation"]
+    assert page["degree"] == 3
+    assert [[1, 1], "-1/12"] in page["stencil"]
+    assert [[2, 0], "11/6"] in page["operator"]
+    assert [[1, 1], "25/6"] in page["moments"]
+    haar = str(MASKS / "counterexamples" / "haar.toml")
+    assert json.loads(run("show", haar, "--format", "json").stdout)["quasi_interpolation"] is None
+
+
+def test_the_stencil_of_q_in_reports(run):
+    grid = "Q f(α) = Σ t_j f(α+j), in 1/12"
+    assert grid not in run("check", LOOP).stdout
+    for arguments in (["-v"], ["-vv"], ["--format", "html"], ["-v", "--no-cache"]):
+        text = run("check", LOOP, *arguments).stdout
+        assert grid in text
+        assert "2 │  -1  18  -1" in text
+    assert "a stencil with the weights 3/2 at (2, 2); -1/12 at" in run("check", LOOP, "--format", "concise").stdout
+    assert "Σ t_j" not in run("check", str(MASKS / "butterfly.toml"), "-v").stdout
 
 
 def multiplied_out(page):

@@ -74,6 +74,14 @@ def derivative(name: str, order: int) -> str:
     return name + ("'" * order if order < 4 else f"^({order})")
 
 
+def partial(name: str, mu: Sequence[int]) -> str:
+    """`f`, `f_xy`, in at most four variables and up to order 4, otherwise `D^(3,2)f`."""
+    if sum(mu) > 4 or len(mu) > 4:
+        return f"D^({','.join(map(str, mu))}){name}"
+    letters = "".join(x * n for x, n in zip("xyzw", mu, strict=False))
+    return f"{name}_{letters}" if letters else name
+
+
 def operator(q: Sequence[Fraction]) -> str:
     """`f - 1/6 f''`."""
     return combination((c, derivative("f", i)) for i, c in enumerate(q))

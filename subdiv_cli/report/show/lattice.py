@@ -1,4 +1,4 @@
-"""`subdiv show` of a mask in several variables: as text, and as JSON in the envelope of `json.py`."""
+"""`subdiv show` of a mask in several variables: as text, as JSON in the envelope of `json.py`, and by its sections."""
 
 from __future__ import annotations
 
@@ -11,22 +11,28 @@ from subdiv_cli.model import Result
 from subdiv_cli.model.anatomy import SurfaceAnatomy
 from subdiv_cli.report import findings, words
 from subdiv_cli.report.json import as_data, plain, valid
-from subdiv_cli.report.lattice import put_stencils, put_values, stencils
+from subdiv_cli.report.lattice import QUASI_TITLE, put_stencils, put_values, stencils
 from subdiv_cli.report.layout import joined, paint
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import exact
 from subdiv_cli.report.page import INDENT, Page
-from subdiv_cli.report.show.formulas import combination, power
+from subdiv_cli.report.show import latex, markdown
+from subdiv_cli.report.show.content import Text
+from subdiv_cli.report.show.surface import differences, inversion, sections, symbol
+from subdiv_cli.report.show.tikz import relief
 
 Index = tuple[int, ...]
 
-_LONGEST = 40
-"""Terms of a quotient that are written out."""
-
 
 def render(form: str, result: Result, anatomy: SurfaceAnatomy, picture: Sequence[str], look: Look) -> str:
-    """`form` is text or json."""
-    return _json(result, anatomy, look) if form == "json" else _text(result, anatomy, picture, look)
+    """`form` is one of the formats of `subdiv show`."""
+    if form == "json":
+        return _json(result, anatomy, look)
+    if form == "markdown":
+        return markdown.page(result, sections(result, anatomy), picture)
+    if form == "latex":
+        return latex.page(result, sections(result, anatomy), tuple(relief(anatomy.surface)) if anatomy.surface else ())
+    return _text(result, anatomy, picture, look)
 
 
 def _text(result: Result, anatomy: SurfaceAnatomy, picture: Sequence[str], look: Look) -> str:
@@ -39,7 +45,7 @@ def _text(result: Result, anatomy: SurfaceAnatomy, picture: Sequence[str], look:
     page.put(", ".join(words.facts(result)), indent=INDENT, hanging=2)
     page.put(f"a(z) = {symbol(anatomy)}", indent=INDENT, hanging=4)
     if anatomy.differences is not None:
-        page.put(_differences(result, anatomy), indent=INDENT, hanging=2)
+        page.put(differences(result, anatomy), indent=INDENT, hanging=2)
     _head(page, "Stencils")
     put_stencils(page, anatomy.terms, anatomy.dilation)
     if anatomy.values:
@@ -48,6 +54,9 @@ def _text(result: Result, anatomy: SurfaceAnatomy, picture: Sequence[str], look:
         if anatomy.centre is not None:
             page.put(f"centre of mass {_tuple(anatomy.centre)}", indent=INDENT)
         put_values(page, "φ at the integers", anatomy.values)
+    if anatomy.operator:
+        _head(page, "Polynomials")
+        _put_polynomials(page, anatomy)
     _head(page, "Findings")
     findings.show(page, look.shown(result.findings))
     return paint(page.lines, colour=look.colour)
@@ -58,32 +67,12 @@ def _head(page: Page, title: str) -> None:
     page.put(title, "head")
 
 
-def _differences(result: Result, anatomy: SurfaceAnatomy) -> str:
-    k = result.sum_rule_order
-    return f"V_{k}, the space of the differences of order {k}, has dimension {anatomy.differences}"
-
-
-def symbol(anatomy: SurfaceAnatomy) -> str:
-    """`1/16 (1 + z1)^2 (1 + z2)^2 (1 + z1 z2)^2`; a quotient of several terms in brackets, a long one by its length."""
-    c = anatomy.dilation[0][0]
-    product = " ".join(_factor(theta, c) + (f"^{n}" if n > 1 else "") for theta, n in anatomy.factors.items())
-    if len(anatomy.quotient) == 1:
-        ((index, value),) = anatomy.quotient.items()
-        return combination([(value, " ".join(filter(None, (_monomial(index), product))))])
-    if len(anatomy.quotient) > _LONGEST:
-        rest = f"{len(anatomy.quotient)} terms"
-    else:
-        rest = combination((value, _monomial(index)) for index, value in anatomy.quotient.items())
-    return f"{product} ({rest})" if product else rest
-
-
-def _factor(theta: Index, c: int) -> str:
-    terms = [_monomial(tuple(i * x for x in theta)) for i in range(1, c)]
-    return f"(1 + {' + '.join(terms if c < 5 else [terms[0], '…', terms[-1]])})"
-
-
-def _monomial(index: Index) -> str:
-    return " ".join(filter(None, (power(f"z{i}", x) for i, x in enumerate(index, 1))))
+def _put_polynomials(page: Page, anatomy: SurfaceAnatomy) -> None:
+    for block in inversion(anatomy):
+        text = block.text if isinstance(block, Text) else f"{block.left} = {block.right}"
+        page.put(text, indent=INDENT, hanging=4)
+    if len(anatomy.quasi_stencil) > 1:
+        put_values(page, QUASI_TITLE, anatomy.quasi_stencil)
 
 
 def _tuple(entries: Sequence[Any]) -> str:
@@ -108,8 +97,18 @@ def _json(result: Result, anatomy: SurfaceAnatomy, look: Look) -> str:
         else {"order": result.sum_rule_order, "dimension": anatomy.differences},
         "centre": plain(anatomy.centre),
         "values": _terms(anatomy.values) if anatomy.values else None,
+        "quasi_interpolation": None if not anatomy.operator else _quasi(result, anatomy),
     }
     return valid(json.dumps(page, ensure_ascii=False, indent=2, allow_nan=False) + "\n")
+
+
+def _quasi(result: Result, anatomy: SurfaceAnatomy) -> dict[str, Any]:
+    return {
+        "degree": result.generation,
+        "moments": _terms(anatomy.moments),
+        "operator": _terms(anatomy.operator),
+        "stencil": _terms(anatomy.quasi_stencil),
+    }
 
 
 def _terms(values: Mapping[Index, Any]) -> list[Any]:

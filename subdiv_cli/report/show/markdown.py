@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from subdiv_cli.model import Result
 from subdiv_cli.model.anatomy import Anatomy
@@ -10,14 +10,19 @@ from subdiv_cli.report import words
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import exact
-from subdiv_cli.report.show.content import Block, Drawing, Formula, Grid, Matrix, Text, sections
+from subdiv_cli.report.show.content import Block, Drawing, Formula, Grid, Matrix, Section, Text, sections
 
 
 def render(result: Result, anatomy: Anatomy, picture: Sequence[str], look: Look) -> str:
+    return page(result, sections(result, anatomy), picture)
+
+
+def page(result: Result, contents: Iterable[Section], picture: Sequence[str]) -> str:
+    """The document; `picture` is in letters."""
     parameters = [f"{name} = {exact(x)}" for name, x in result.parameters.items()]
     about = " · ".join(_escaped(item) for item in (result.file, *parameters, result.reference or "") if item)
     lines = [f"# {_escaped(words.name(result))}", "", _escaped(words.headline(result)), "", about]
-    for section in sections(result, anatomy):
+    for section in contents:
         lines += ["", f"## {section.title}"]
         for block in section.blocks:
             lines += ["", *_lines(block, picture)]

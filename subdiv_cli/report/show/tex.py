@@ -9,7 +9,8 @@ from subdiv_cli.report.letters import clean, transliterate
 _COMMANDS = {
     "α": "\\alpha", "β": "\\beta", "γ": "\\gamma", "δ": "\\delta", "ε": "\\varepsilon", "θ": "\\theta",
     "λ": "\\lambda", "μ": "\\mu", "ν": "\\nu", "π": "\\pi", "ρ": "\\rho", "σ": "\\sigma", "τ": "\\tau",
-    "φ": "\\varphi", "ω": "\\omega", "Δ": "\\Delta", "Π": "\\prod", "Σ": "\\sum", "Φ": "\\Phi", "∞": "\\infty",
+    "φ": "\\varphi", "ω": "\\omega", "Δ": "\\Delta", "Λ": "\\Lambda", "Π": "\\prod", "Σ": "\\sum", "Φ": "\\Phi",
+    "∞": "\\infty",
     "‖": "\\|", "≤": "\\le", "≥": "\\ge", "≠": "\\ne", "±": "\\pm", "·": "\\cdot", "…": "\\dots", "⌊": "\\lfloor",
     "⌋": "\\rfloor", "∈": "\\in", "½": "\\tfrac12", "⅓": "\\tfrac13", "¼": "\\tfrac14", "⅕": "\\tfrac15",
     "−": "-", "√": "\\surd", "ℓ": "\\ell",
@@ -20,19 +21,23 @@ _ESCAPES = {
     "—": "---", "–": "--", "ö": '\\"o', "ä": '\\"a', "ü": '\\"u', "Ö": '\\"O', "Ä": '\\"A', "Ü": '\\"U', "ß": "\\ss{}",
 }  # fmt: skip
 _RATIONAL = re.compile(r"(?<![\w/.^)])(\d+)/(\d+)(?![\w/.])")
-_SCRIPT = re.compile(r"([\^_])(\(([^()]*)\)|(-?\w))")
+_VARIABLE = re.compile(r"\bz(\d)\b")
+"""Of a symbol in several variables."""
+_PARTIAL = re.compile(r"_([xyzw]{2,})(?!\w)")
+"""Of a partial derivative."""
+_SCRIPT = re.compile(r"([\^_])(\(([^()]*)\)|(-?\w|∞))")
 
 
 def formula(text: str) -> str:
     """For math mode: fractions, exponents and indices set as such."""
-    text = _RATIONAL.sub(r"\\tfrac{\1}{\2}", clean(text).replace("_(i)", "_i"))
+    text = _RATIONAL.sub(r"\\tfrac{\1}{\2}", _VARIABLE.sub(r"z_\1", clean(text).replace("_(i)", "_i")))
     text = _SCRIPT.sub(lambda found: _script(found), _numbers(text))
     return "".join(f"{_COMMANDS[c]} " if c in _COMMANDS else c for c in _other(text))
 
 
 def _numbers(text: str) -> str:
-    """z^-12 -> z^(-12)."""
-    return re.sub(r"([\^_])(-?\d{2,}|-\d)(?!\d)", r"\1(\2)", text)
+    """z^-12 -> z^(-12), f_xy -> f_(xy)."""
+    return re.sub(r"([\^_])(-?\d{2,}|-\d)(?!\d)", r"\1(\2)", _PARTIAL.sub(r"_(\1)", text))
 
 
 def _script(found: re.Match[str]) -> str:
@@ -48,7 +53,7 @@ def sentence(text: str) -> str:
     out, at, text = "", 0, clean(text)
     while at < len(text):
         if (found := _SCRIPT.match(_numbers(text[at:]))) is not None and at:
-            source = re.match(r"[\^_](\([^()]*\)|-?\d+|-?\w)", text[at:])
+            source = re.match(r"[\^_](\([^()]*\)|-?\d+|[xyzw]{2,}(?!\w)|-?\w|∞)", text[at:])
             inside = found[3] if found[3] is not None else found[4]
             out += f"${{}}{found[1]}{{{formula(inside)}}}$"
             at += len(source[0]) if source else 1
@@ -57,6 +62,11 @@ def sentence(text: str) -> str:
         out += f"${_COMMANDS[c]}$" if c in _COMMANDS else _ESCAPES.get(c, c if c.isascii() else plain(c))
         at += 1
     return out.replace("$$", "")
+
+
+def label(text: str) -> str:
+    """For text mode, where no letter is mathematics: a name of a file."""
+    return "".join(_ESCAPES.get(c, c if c.isascii() else plain(c)) for c in clean(text))
 
 
 def plain(text: str) -> str:
