@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from math import comb, prod
+from math import comb
 from typing import Any, cast
 
 from subdiv_cli.certificate.box_splines import BoxSplineClaims
 from subdiv_cli.certificate.claims import Claims, Json, rational
-from subdiv_cli.certificate.norms import matrix_norm, pairs
+from subdiv_cli.certificate.gram import gram_sequence
+from subdiv_cli.certificate.norms import directional_norms, matrix_norm, pairs
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
 from subdiv_cli.certificate.tensor import Factors, PartCertificate
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
@@ -98,20 +99,7 @@ class _Proof:
         return [rules, self.claims.prove("generation", {"degree": k - 1}, uses=[rules])] if k else [rules]
 
     def _norms(self, finding: Finding) -> list[int]:
-        w = finding.witness
-        c = self._factor()
-        numbers = []
-        each = zip(*(as_tuple(w[key]) for key in ("directions", "levels", "norms")), strict=True)
-        for (theta, level, norm), quotient in zip(each, as_tuple(finding.proof["quotients"]), strict=True):
-            terms = as_tuple(quotient)
-            indices = [as_tuple(as_tuple(term)[0]) for term in terms]
-            spans = [max(column) - min(column) for column in zip(*indices, strict=True)]
-            growth = (c ** as_integer(level) - 1) // (c - 1)
-            length = prod(cast(int, span) * growth + 1 for span in spans)
-            statement = {"direction": spelled(theta), "level": level, "norm": rational(as_rational(norm))}
-            work = len(terms) * (2 * c + length)
-            numbers.append(self.claims.prove("directional-norm", statement, {"quotient": spelled(quotient)}, work=work))
-        return numbers
+        return directional_norms(self.claims, finding, self._factor())
 
     def _matrix_norm(self) -> int:
         return matrix_norm(self.claims, self.found["SD606"], self._sum_rules())
@@ -184,25 +172,11 @@ class _Proof:
         statement = {"property": "stable", "holds": found.verdict is Verdict.PROVED}
         if found.witness["by"] == "SD603":
             return self.box.stable(statement)
-        if self.found["SD616"].witness["by"] == "SD609":
+        if found.witness["by"] == "SD609":
             return self.factors.say("stable", statement, self._convergent())
-        proof = self.found["SD616"].proof
-        if proof:
-            return self._gram_sequence(statement, proof)
+        if found.proof:
+            return gram_sequence(self.claims, found, statement, self._convergent(), self.terms)
         return self.claims.prove("interpolatory-stable", statement, uses=[self._convergent()], work=self.terms)
-
-    def _gram_sequence(self, statement: Json, proof: Map) -> int:
-        found, g, uses = self.found["SD616"].witness, as_tuple(proof["gram"]), [self._convergent()]
-        work = self.terms**2 + as_integer(proof["correlations"]) * len(g)
-        if "tree" not in proof:
-            n = as_integer(found["order"])
-            witness: Json = {"gram": spelled(g), "point": spelled(found["zero"]), "order": n}
-            return self.claims.prove("gram-unstable", statement, witness, uses, work + len(g) + n**2)
-        tree = as_tuple(proof["tree"])
-        columns = zip(*(cast("tuple[tuple[int, ...], Fraction]", term)[0] for term in g), strict=True)
-        lengths = [2 * max(map(abs, column)) + 1 for column in columns]
-        work += (len(tree) + 2**self.s) * prod(lengths) * max(lengths)
-        return self.claims.prove("gram-stable", statement, {"gram": spelled(g), "tree": spelled(tree)}, uses, work)
 
     def _smooth(self, finding: Finding) -> int:
         if finding.verdict is Verdict.REFUTED:

@@ -1,4 +1,4 @@
-"""Findings on norms of masks on Z^s as claims: matrix schemes of differences, quotients by two directional factors."""
+"""Findings on norms of masks on Z^s as claims: matrix schemes of differences, quotients by directional factors."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import cast
 from subdiv_cli.certificate.claims import Claims, rational
 from subdiv_cli.certificate.radius import spelled
 from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple
-from subdiv_cli.model import Finding
+from subdiv_cli.model import Data, Finding
 
 
 def matrix_norm(claims: Claims, finding: Finding, sum_rules: int) -> int:
@@ -24,21 +24,36 @@ def matrix_norm(claims: Claims, finding: Finding, sum_rules: int) -> int:
     return claims.add("matrix-norm", statement, witness, [sum_rules], as_integer(finding.proof["work"]))
 
 
+def directional_norms(claims: Claims, finding: Finding, c: int) -> list[int]:
+    """The numbers of the claims on the quotients by one directional factor, with the dilation cI."""
+    numbers = []
+    each = zip(*(as_tuple(finding.witness[key]) for key in ("directions", "levels", "norms")), strict=True)
+    for (theta, level, norm), quotient in zip(each, as_tuple(finding.proof["quotients"]), strict=True):
+        statement = {"direction": spelled(theta), "level": level, "norm": rational(as_rational(norm))}
+        work = len(as_tuple(quotient)) * (2 * c + _length(quotient, c, as_integer(level)))
+        numbers.append(claims.prove("directional-norm", statement, {"quotient": spelled(quotient)}, work=work))
+    return numbers
+
+
 def pairs(claims: Claims, finding: Finding, order: int, coset_sums: int, s: int, c: int) -> int:
     """The number of the claim that φ is C^order, order <= 1, in s variables with the dilation cI."""
-    found, uses = finding.witness, [coset_sums]
-    each = zip(*(as_tuple(found[key]) for key in ("directions", "levels", "norms")), strict=True)
+    uses = [coset_sums]
+    each = zip(*(as_tuple(finding.witness[key]) for key in ("directions", "levels", "norms")), strict=True)
     for (directions, level, norm), quotient in zip(each, as_tuple(finding.proof["quotients"]), strict=True):
-        terms = as_tuple(quotient)
-        indices = [as_tuple(as_tuple(term)[0]) for term in terms]
-        spans = [cast(int, max(column)) - cast(int, min(column)) for column in zip(*indices, strict=True)]
-        growth = (c ** as_integer(level) - 1) // (c - 1)
-        work = len(terms) * (c + c**2 + c + prod(span * growth + 1 for span in spans))
         statement = {
             "property": "pair-norm",
             "directions": spelled(directions),
             "level": level,
             "norm": rational(as_rational(norm)),
         }
+        work = len(as_tuple(quotient)) * (c + c**2 + c + _length(quotient, c, as_integer(level)))
         uses.append(claims.add("pair-norm", statement, {"quotient": spelled(quotient)}, uses=[], work=work))
     return claims.add("directional-smooth", {"property": "smooth", "order": order}, {}, uses, 24 * (s + 1))
+
+
+def _length(quotient: Data, c: int, level: int) -> int:
+    """Indices in the box of the iterated mask Π_(i<level) q(z^(c^i)), q a tuple of terms."""
+    indices = [as_tuple(as_tuple(term)[0]) for term in as_tuple(quotient)]
+    growth = (c**level - 1) // (c - 1)
+    spans = [cast(int, max(column)) - cast(int, min(column)) for column in zip(*indices, strict=True)]
+    return prod(span * growth + 1 for span in spans)

@@ -26,7 +26,7 @@ Entries = list[list[Sparse]]
 
 
 def matrix_norm(c: Claim) -> None:
-    """ρ_k^L <= x = ‖S_Q^t‖∞, L = rt: (1-z)^μ a^[r](z) = Σ_ν q_μν(z) (1-z^M^r)^ν, |μ| = |ν| = k, sum rules of order >= k.
+    """ρ_k^L <= x = ‖S_Q^t‖∞, L = rt: (1-z)^μ a^[r](z) = Σ_ν q_μν(z) (1-z^M^r)^ν, |μ| = |ν| = k <= order of sum rules.
 
     x is the largest Σ_ν Σ_β |coefficients| of Q(z) Q(z^M^r) … Q(z^M^(r(t-1))) in a row, over a coset of M^L Z^s.
     """

@@ -36,7 +36,7 @@ def pair_norm(c: Claim) -> None:
 def directional_smooth(c: Claim) -> None:
     """φ is C^1: all pairs of s+1 directions, any s of determinant ±1, all factors of the mask; norms below 1."""
     a = c.lattice()
-    s, factor = a.dilation.dimension, a.dilation.factor
+    s = a.dilation.dimension
     require(c.statement["order"] <= 1, "nothing is said of second derivatives")
     c.use("coset-sums", holds=True)
     pairs = []

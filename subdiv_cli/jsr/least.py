@@ -29,5 +29,8 @@ def least_combinations(
     result: list[Combination] = []
     for target, best in zip(targets, found.bases.numbers.tolist(), strict=True):
         solved = combinations(columns, [target], best)
-        result += combinations(columns, [target], basis) if solved is None else solved
+        if solved is None:
+            solved = combinations(columns, [target], basis)
+            assert solved is not None, "the basis is dependent"
+        result += solved
     return tuple(result)

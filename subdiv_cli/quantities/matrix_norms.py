@@ -127,7 +127,7 @@ def _cells(asked: Question) -> int:
 
 def _is_small(norm: Fraction, lattice: Lattice, exponent: int) -> bool:
     """norm < λ^-exponent, by s-th powers."""
-    return norm**lattice.dimension * lattice.index**exponent < 1
+    return bool(norm**lattice.dimension * lattice.index**exponent < 1)
 
 
 def _multiplied(a: Numerators, b: Numerators) -> Numerators:

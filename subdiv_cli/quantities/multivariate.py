@@ -81,7 +81,7 @@ class MultivariateNumbers:
         return pair_contractions(self.scheme, self.lattice, self.effort)
 
     def matrix_norm(self, k: int, n: int) -> MatrixNorm | None:
-        """A norm of a matrix scheme of differences of order k, at most that of the sum rules, that proves ρ_k < λ^-n."""
+        """A norm of a matrix scheme of differences of order k, at most that of the sum rules: ρ_k < λ^-n by it."""
         return matrix_norm(self.scheme, self.lattice, k, n, self.effort)
 
     @cached_property

@@ -633,7 +633,9 @@ def test_smoothness_by_matrix_norms_needs_an_isotropic_dilation():
     """The anisotropic hat: Q is diagonal with the norms 1/2 and 1/3."""
     second, first = quotient_of_anisotropic()
     claims = [*structure(2), matrix_norm([second, [], [], first], 1, "1/2")]
-    assert check_document(of("anisotropic", *claims, claim("converges", [2], property="convergent", holds=True))).verified
+    assert check_document(
+        of("anisotropic", *claims, claim("converges", [2], property="convergent", holds=True))
+    ).verified
     rejected(of("anisotropic", *claims, claim("smooth", [2], order=0)), 3, "not seen to be isotropic")
 
 
@@ -654,7 +656,9 @@ def quotient_of_anisotropic():
     ],
 )
 def test_what_is_no_positive_mask_on_a_box(name, words):
-    made = of(name, claim("coset-sums", holds=True), claim("positive-converges", [0], property="convergent", holds=True))
+    made = of(
+        name, claim("coset-sums", holds=True), claim("positive-converges", [0], property="convergent", holds=True)
+    )
     rejected(made, 1, words)
 
 

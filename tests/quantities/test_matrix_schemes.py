@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from fractions import Fraction as F
+from fractions import Fraction
 from itertools import product
 
 import pytest
@@ -73,7 +73,7 @@ def test_differences_of_refined_data_come_from_differences(reduce, name, k, powe
     asked = question(numbers.scheme, numbers.lattice, k, power)
     entries, rng = reduce(asked).entries(), random.Random(7)
     places = product(range(3), repeat=numbers.dimension)
-    data = {at: F(rng.randint(-9, 9)) for at in places}
+    data = {at: Fraction(rng.randint(-9, 9)) for at in places}
     finer = data
     for _ in range(power):
         finer = refined(numbers.scheme.terms, numbers.scheme.dilation, finer)
@@ -93,33 +93,33 @@ def first_norms(name, k, reduce, count):
 
 def test_the_quincunx_by_hand():
     """MULTIVARIATE.md: 1, 1, 27/32."""
-    assert first_norms("quincunx_interpolatory", 1, least, 3) == [1, 1, F(27, 32)]
-    assert first_norms("quincunx_interpolatory", 1, by_lemma, 2) == [F(3, 2), F(17, 8)]
+    assert first_norms("quincunx_interpolatory", 1, least, 3) == [1, 1, Fraction(27, 32)]
+    assert first_norms("quincunx_interpolatory", 1, by_lemma, 2) == [Fraction(3, 2), Fraction(17, 8)]
 
 
 def test_directional_factors_give_a_diagonal_scheme():
     """Dyn 1992, (6.50), (6.51): for Courant's hat both reductions are diagonal, ‖S_Δ^L‖∞ = 2^-L."""
     for reduce in (by_lemma, least):
-        assert first_norms("courant", 1, reduce, 4) == [F(1, 2**n) for n in range(1, 5)]
+        assert first_norms("courant", 1, reduce, 4) == [Fraction(1, 2**n) for n in range(1, 5)]
 
 
 def test_the_butterfly_has_norm_seven_eighths_on_differences():
-    assert first_norms("butterfly", 1, least, 1) == [F(7, 8)]
-    assert first_norms("butterfly", 1, by_lemma, 1) == [F(21, 8)]
+    assert first_norms("butterfly", 1, least, 1) == [Fraction(7, 8)]
+    assert first_norms("butterfly", 1, by_lemma, 1) == [Fraction(21, 8)]
 
 
 def test_the_butterfly_is_smooth_by_third_differences():
-    """‖S_(Δ^3)^3‖∞ < 2^-3, and no level below: C^1. By second differences, (½S_2)^L, more than four levels are needed."""
+    """‖S_(Δ^3)^3‖∞ < 2^-3, and no level below: C^1. By second differences, (½S_2)^L, more than four are needed."""
     numbers = numbers_of("butterfly")
     found = matrix_norm(numbers.scheme, numbers.lattice, 3, 1, Effort())
     assert (found.power, found.steps, found.by) == (1, 3, "least")
-    assert found.norm < F(1, 8)
+    assert found.norm < Fraction(1, 8)
     second = first_norms("butterfly", 2, least, 3)
     assert all(norm * 2**level > 1 for level, norm in enumerate(second, 1))
 
 
 def test_least_is_least_on_a_line_of_data():
-    """By duality a norm is at least Σ p_β f_β with |f_β - f_(β+e_i)| <= 1; here f = ±β_1 ± β_2, cut off at 0 and 1, …"""
+    """By duality a norm is at least Σ p_β f_β, |f_β - f_(β+e_i)| <= 1; here f = ±β_1 ± β_2, cut off at 0 and 1, …"""
     for name in ("butterfly", "bear", "quincunx_interpolatory", "loop", "zwart_powell", "kobbelt_sqrt3"):
         numbers = numbers_of(name)
         asked = question(numbers.scheme, numbers.lattice, 1, 1)
@@ -131,21 +131,21 @@ def test_least_is_least_on_a_line_of_data():
 
 
 def random_mask(rng):
-    """Directional factors times a random cofactor with value 1 at (1, 1), and sometimes g(z^M)/g(z) to make φ unstable."""
+    """Directional factors, a random cofactor with value 1 at (1, 1), and sometimes g(z^M)/g(z) to make φ unstable."""
     dilation, factors = rng.choice(
         [(TWO, [(1, 0), (0, 1)]), (TWO, [(1, 0), (0, 1), (1, 1)]), (QUINCUNX, [(1, 0)]), (QUINCUNX, [(1, 0), (1, 0)])]
     )
-    terms = {(0, 0): F(1)}
+    terms = {(0, 0): Fraction(1)}
     for x in factors:
-        terms = multiplied(terms, {(0, 0): F(1, 2), x: F(1, 2)})
-    cofactor = {(0, 0): F(1)}
+        terms = multiplied(terms, {(0, 0): Fraction(1, 2), x: Fraction(1, 2)})
+    cofactor = {(0, 0): Fraction(1)}
     for _ in range(rng.randint(0, 3)):
-        at, x = (rng.randint(-1, 1), rng.randint(-1, 1)), F(rng.randint(-3, 3), rng.choice([2, 4, 8]))
+        at, x = (rng.randint(-1, 1), rng.randint(-1, 1)), Fraction(rng.randint(-3, 3), rng.choice([2, 4, 8]))
         for place, sign in ((at, 1), ((0, 0), -1)):
-            cofactor[place] = cofactor.get(place, F(0)) + sign * x
+            cofactor[place] = cofactor.get(place, Fraction(0)) + sign * x
     if rng.random() < 0.25:  # (1 + z^2) in place of (1 + z): a gap
-        cofactor = multiplied(cofactor, {(0, 0): F(1, 2), (2, 0): F(1, 2)})
-        terms = multiplied(terms, {(0, 0): F(1)})
+        cofactor = multiplied(cofactor, {(0, 0): Fraction(1, 2), (2, 0): Fraction(1, 2)})
+        terms = multiplied(terms, {(0, 0): Fraction(1)})
     scale = 4 if dilation == TWO else 2
     return surface({at: scale * x for at, x in multiplied(terms, cofactor).items()}, dilation)
 
@@ -165,7 +165,7 @@ def test_norms_never_contradict_the_radius():
                 power = numbers.product.of_word(numbers.space.matrices, numbers.product.word * found.level)
                 threshold = found.norm ** len(numbers.product.word)
                 assert power.eigenvalue.compare_modulus(threshold) <= 0
-        if radius.compare_modulus(F(1)) >= 0:
+        if radius.compare_modulus(Fraction(1)) >= 0:
             mix["diverges"] += 1
             assert numbers.matrix_norm(1, 0) is None
     assert min(mix[0, True], mix[0, False], mix["diverges"]) >= 10
@@ -187,6 +187,6 @@ def test_the_norm_proves_what_the_radius_does_not():
         result = answer(shipped_surface("kobbelt_sqrt3"), work)
         assert result.convergent is Verdict.PROVED
     (found,) = findings(answer(shipped_surface("bear")), "SD606")
-    assert found.witness["norm"] == F(15, 16)
+    assert found.witness["norm"] == Fraction(15, 16)
     assert (found.witness["by"], found.witness["level"]) == ("lemma", 4)
     assert "by Lemma 6.6, 3/2 (by least norm: 3/2)" in found.statement

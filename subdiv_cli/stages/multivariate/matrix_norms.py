@@ -6,7 +6,8 @@ S converges uniformly if x < 1, and for isotropic M, λ = |det M|^(1/s), φ is C
 For M = 2I and k = n + 1 that is ‖(½S_(n+1))^t‖∞ < 1, S_(n+1) = 2^(n+1) S_Q. Hypotheses: the sum rules (SD602), M
 isotropic for n >= 1; checked. Q is constructed (quantities/matrix_schemes.py). Sufficient only, for one Q and level.
 
-There is a finding only where some Q contracts within the effort, and φ is no box spline (SD603). Convergence is asked
+There is a finding only where some Q contracts within the effort, and φ is neither a box spline (SD603) nor
+a tensor product (SD609). Convergence is asked
 where directional norms (SD604) do not prove it; C^n where ρ_k (SD605) and mean squares (SD617) do not tell.
 
 Witness: `order` k, `smooth` n, `power` r, `steps` t, `level` rt, `norm` x; `by`: `lemma` (6.6) or `least`, the
@@ -31,7 +32,7 @@ _MORE_ORDERS = 2
 
 
 def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if not numbers.order or numbers.box is not None:
+    if not numbers.order or numbers.box is not None or numbers.parts:
         return ()
     best = None
     if numbers.contractions is None and not _excluded(numbers, 0):
