@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import reduce
 
 import numpy as np
 
@@ -26,18 +27,24 @@ _SMALLEST = 1e-3
 def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Effort) -> list[Fraction]:
     """A factor for every leader, 1 for the first one."""
     grown = [grow(body_of(start), effort.limited(_WORK)).body for start in starts]
-    reach = np.array([[_reach(start, own, body) for body in grown] for start, own in zip(starts, grown, strict=True)])
+    functionals = [_functional(start, body) for start, body in zip(starts, grown, strict=True)]
+    reach = np.array(
+        [
+            [_reach(start, functional, body) for body in grown]
+            for start, functional in zip(starts, functionals, strict=True)
+        ]
+    )
     balanced = _balanced(np.log(np.maximum(reach, _SMALLEST)))
     return [Fraction(max(1, round(64 * x)), 64) for x in np.exp(balanced - balanced[0]).tolist()]
 
 
-def _reach(start: Start, own: Body, body: Body) -> float:
+def _reach(start: Start, functional: Array | None, body: Body) -> float:
     """How far a body reaches in the direction of a leader.
 
     With f the functional of its product, f(v) = 1, Π^n x / μ^n tends to f(x) v where the eigenvalue is simple: it is
     |f(x)|. Otherwise, what multiple of the leader is in the body.
     """
-    if (functional := _functional(start, own)) is not None:
+    if functional is not None:
         return float(np.abs(functional @ body.columns).max())
     value = gauge(body, start.vector)
     return 1 / value if value else 0.0
@@ -47,7 +54,7 @@ def _functional(start: Start, body: Body) -> Array | None:
     """The left eigenvector of the leader's product; None where the eigenvalue is not simple, or not real."""
     if body.complex or not start.word:
         return None
-    product = np.linalg.multi_dot([np.eye(body.order), *(body.scaled[letter] for letter in reversed(start.word))])
+    product = reduce(np.matmul, (body.scaled[letter] for letter in reversed(start.word)))
     values, vectors = np.linalg.eig(product.T)
     near = np.flatnonzero(np.abs(np.abs(values) - 1) < _SMALLEST)
     if len(near) != 1:

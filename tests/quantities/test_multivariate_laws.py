@@ -27,7 +27,7 @@ def said(result):
         "stable": result.stable,
         "order": result.sum_rule_order,
         "generation": result.generation,
-        "holder": None if holder is None else (holder.exact, holder.exact is None and round(holder.lower, 6)),
+        "holder": None if holder is None else (holder.exact is None, holder.lower and round(holder.lower, 9)),
     }
 
 
@@ -78,16 +78,14 @@ def test_shifts_and_reflections_change_nothing(name):
     assert said(answer(shifted)) == said(answer(reflected)) == said(shipped_answer(name))
 
 
-def test_a_shift_of_an_interpolatory_mask_contradicts_nothing():
-    """Only the mask as it stands is seen to interpolate; what needs that is undecided after a shift, not refuted."""
+def test_a_shift_of_an_interpolatory_mask_changes_no_verdict():
+    """Only the mask as it stands is seen to interpolate; the Gram sequence tells after a shift."""
     before = shipped_surface("sqrt3_linear")
     result, shifted = (
         shipped_answer("sqrt3_linear"),
         answer(surface({(i + 1, j): x for (i, j), x in before.terms.items()}, before.dilation)),
     )
-    assert (shifted.convergent, shifted.smoothness.order) == (result.convergent, result.smoothness.order)
-    assert shifted.stable is Verdict.UNDECIDED
-    assert shifted.holder.lower == result.holder.lower
+    assert said(shifted) == said(result)
 
 
 @pytest.mark.parametrize(
@@ -180,9 +178,9 @@ def test_an_interpolatory_mask_in_two_steps():
     assert said(answer(twice)) == said(shipped_answer("sqrt3_linear"))
 
 
-@pytest.mark.parametrize("dilation", [((2, 0), (0, 3)), ((2, 1), (0, 2)), ((3, 1), (1, 2))])
+@pytest.mark.parametrize("dilation", [((2, 1), (0, 3)), ((2, 1), (0, 2)), ((3, 1), (1, 2))])
 def test_anisotropic_dilations_have_no_smoothness(dilation):
-    """Neither 2 by 3, nor a Jordan block, nor two real eigenvalues of different size."""
+    """Neither eigenvalues 2 and 3, nor a Jordan block, nor two irrational eigenvalues of different size."""
     lattice = Lattice(dilation)
     assert not lattice.is_isotropic
     constant = {alpha: F(1) for alpha in lattice.representatives}
