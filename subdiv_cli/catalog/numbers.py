@@ -12,10 +12,9 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
-from subdiv_cli.maskfile.closed import read_closed_form
-from subdiv_cli.maskfile.problems import Fault
+from subdiv_cli.maskfile.roots import roots_between
 from subdiv_cli.model import ClosedForm, Exponent, Finding, Interval, Result, Root, RootLog, logarithm, unpowered
-from subdiv_cli.model.closed import spelled
+from subdiv_cli.model.closed import root_log_text, spelled, spelled_terms
 from subdiv_cli.model.order import enclosure
 
 Statement = Mapping[str, Any]
@@ -102,21 +101,26 @@ def _same(exact: ClosedForm, number: ClosedForm) -> bool:
         return False
     if spelled(exact) is None:  # then its text is shown nowhere
         return True
-    try:
-        shown = _read(exact.text)
-    except Fault:
-        return False
-    if not isinstance(shown, RootLog):
-        return False
-    low, high = shown.root.low, shown.root.high
-    said = shown._replace(text="", root=shown.root._replace(low=number.root.low, high=number.root.high))
-    return said == number and low <= number.root.low <= number.root.high <= high
+    return _is_text(exact.text, number)
+
+
+_BOUNDS = re.compile(r", (?P<low>[0-9.]{1,2000}), (?P<high>[0-9.]{1,2000})\)\)(?:/[0-9]+)?")
 
 
 @lru_cache(maxsize=64)
-def _read(text: str) -> ClosedForm:
-    """One text stands in several places of a result. Raises Fault."""
-    return read_closed_form(text)
+def _is_text(text: str, number: RootLog) -> bool:
+    """Whether this is how the number is spelled, with bounds that enclose its root and no other one.
+
+    One text stands in several places of a result.
+    """
+    if (found := _BOUNDS.search(text)) is None:
+        return False
+    f = number.root.coefficients
+    polynomial = spelled_terms(reversed(list(enumerate(f))), "x", "*", str)
+    if text != root_log_text(number.base, polynomial, found["low"], found["high"], number.divisor):
+        return False
+    low, high = Fraction(found["low"]), Fraction(found["high"])
+    return 0 < low <= number.root.low <= number.root.high <= high and roots_between(f, low, high) == 1
 
 
 _DECIMALS = re.compile(r"-?\d+\.(?P<places>\d+)…(?:e(?P<power>-?\d{1,6}))?")
@@ -129,9 +133,14 @@ def _is_cut(digits: str, exact: ClosedForm) -> bool:
         return False
     unit = Fraction(10) ** (int(found["power"] or 0) - len(found["places"]))
     size = abs(Fraction(digits.replace("…", "")))
-    low, high = enclosure(exact, refined=True)
-    low, high = (-high, -low) if digits.startswith("-") else (low, high)
-    return size <= low <= high < size + unit
+    for refined in (False, True):
+        low, high = enclosure(exact, refined=refined)
+        low, high = (-high, -low) if digits.startswith("-") else (low, high)
+        if size <= low <= high < size + unit:
+            return True
+        if high < size or size + unit <= low:
+            return False
+    return False
 
 
 def radius_is_proved(finding: Finding, statements: Sequence[Statement], p: int) -> bool:

@@ -14,6 +14,9 @@ from subdiv_cli.checker.monotone import MonotoneBody, monotone_body, require_non
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import fraction_bits
 
+_FIRST_PLACES = 64
+"""Of long coordinates: with fewer digits a matrix is inverted faster, and κ is known as well as anybody needs."""
+
 
 class Body(NamedTuple):
     """P, the convex hull of all ±v, where every |vertices[k][i] - v_k[i]| <= errors[k], in some unit of length.
@@ -49,19 +52,23 @@ def body(
 ) -> Body:
     """From the numbers of N vertices that span, known as well as they are.
 
-    With V the matrix of these columns, κ = ‖V^-1‖₁, and V + Δ the true one, |Δ_ij| <= ε, the column sums of V^-1 Δ are
-    at most η = κ N ε. If η < 1, V + Δ = V (1 + V^-1 Δ) is invertible and ‖(V + Δ)^-1‖₁ <= κ/(1 - η). Here η <= 1/2.
+    With V the matrix of these columns, cut to their first binary places if that is enough, κ = ‖V^-1‖₁, and V + Δ the
+    true one, |Δ_ij| <= ε, the column sums of V^-1 Δ are at most η = κ N ε. If η < 1, V + Δ = V (1 + V^-1 Δ) is
+    invertible and ‖(V + Δ)^-1‖₁ <= κ/(1 - η). Here η <= 1/2.
     """
     order = len(vertices[0])
     require(len(basis) == order, "the basis has not as many vertices as coordinates")
     require(max(basis) < len(vertices), "the basis has a vertex that is not there")
     c.spend(order**3, order * bits)
-    norm = matrices.inverse_norm([list(row) for row in zip(*(vertices[k] for k in basis), strict=True)])
-    if norm is None:
-        raise Rejected("the basis does not span")
-    eta = norm * order * max(errors[k] for k in basis)
-    require(2 * eta <= 1, "the basis is not known well enough")
-    return Body(vertices, errors, norm / (1 - eta), weight_bits)
+    rows, error = list(zip(*(vertices[k] for k in basis), strict=True)), max(errors[k] for k in basis)
+    longest = max(abs(x) for row in rows for x in row).bit_length()
+    for cut in sorted({max(0, longest - _FIRST_PLACES), 0}, reverse=True):
+        norm = matrices.inverse_norm([[x >> cut for x in row] for row in rows])
+        if norm is not None:
+            eta = norm * order * ((error >> cut) + 2 if cut else error)
+            if 2 * eta <= 1:
+                return Body(vertices, errors, norm / (1 - eta) / (1 << cut), weight_bits)
+    raise Rejected("the basis does not span" if norm is None else "the basis is not known well enough")
 
 
 def reflected(c: Claim, family: Family, vertices: list[list[int]]) -> list[list[int]]:

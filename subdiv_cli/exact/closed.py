@@ -11,7 +11,7 @@ from subdiv_cli.exact.algebraic import isolated, isolating_interval, number_of, 
 from subdiv_cli.exact.enclosures import ball, decide, interval
 from subdiv_cli.exact.text import decimal, polynomial
 from subdiv_cli.model import ClosedForm, Interval, Root, RootLog, logarithm, unpowered
-from subdiv_cli.model.closed import spelled
+from subdiv_cli.model.closed import root_log_text, spelled
 
 _LONGEST = 160
 """Characters of a closed form that is still read with profit."""
@@ -29,16 +29,18 @@ def exponent(p: int, length: int, root: Root) -> ClosedForm:
     if not any(between):
         return logarithm(p, Fraction(abs(last), abs(first)), length * (len(between) + 1))
     base, divisor = unpowered(p, length)
-    text = f"-log{base}({root_text(root)})" + (f"/{divisor}" if divisor > 1 else "")
-    return RootLog(base, root, divisor, text)
+    return RootLog(base, root, divisor, root_log_text(base, *_parts_of_text(root), divisor))
 
 
 def root_text(root: Root) -> str:
     """`root(32*x^3+4*x-1, 0.19273, 0.19274)`: decimals that isolate it among the real roots."""
+    return f"root({', '.join(_parts_of_text(root))})"
+
+
+def _parts_of_text(root: Root) -> tuple[str, str, str]:
     low, high = isolating_interval(number_of(root), _SIGNIFICANT)
     places = max(1, *(_places(x) for x in (low, high)))
-    f = polynomial(fmpz_poly(list(root.coefficients)))
-    return f"root({f}, {decimal(low, places)}, {decimal(high, places)})"
+    return polynomial(fmpz_poly(list(root.coefficients))), decimal(low, places), decimal(high, places)
 
 
 def _places(x: Fraction) -> int:

@@ -11,6 +11,7 @@ from subdiv_cli.exact.algebraic import AlgebraicNumber, is_reciprocal
 from subdiv_cli.exact.enclosures import bounds
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.rationals import whole
+from subdiv_cli.model.closed import spelled_terms
 
 _LONGEST_EXACT = 24
 _DIGITS = 10
@@ -87,30 +88,12 @@ def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
 
 def polynomial(f: fmpz_poly, variable: str = "x") -> str:
     """`81*x^2-27*x+1`, every coefficient in full."""
-    return _terms([(i, Fraction(int(c))) for i, c in enumerate(f)][::-1], variable, "*", show=whole) or "0"
+    return spelled_terms([(i, int(c)) for i, c in enumerate(f)][::-1], variable, "*", whole) or "0"
 
 
 def laurent(a: Laurent) -> str:
     """`-1/16 z^-3 + 9/16 z^-1 + 1`, by rising exponent."""
-    return _terms([(a.low + i, c) for i, c in enumerate(a.coefficients())], "z", " ", " ") or "0"
-
-
-def _terms(
-    terms: list[tuple[int, Fraction]],
-    variable: str,
-    times: str,
-    space: str = "",
-    show: Callable[[Fraction], str] = number,
-) -> str:
-    text = ""
-    for exponent, c in terms:
-        if not c:
-            continue
-        power = "" if exponent == 0 else variable if exponent == 1 else f"{variable}^{exponent}"
-        size = "" if power and abs(c) == 1 else show(abs(c))
-        sign = ("-" if c < 0 else "") if not text else f"{space}{'-' if c < 0 else '+'}{space}"
-        text += sign + size + (times if size and power else "") + power
-    return text
+    return spelled_terms([(a.low + i, c) for i, c in enumerate(a.coefficients())], "z", " ", number, " ") or "0"
 
 
 def decimal(x: Fraction, places: int) -> str:

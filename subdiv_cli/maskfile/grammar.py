@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from subdiv_cli.maskfile.bounds import MAX_EXPONENT, MAX_NESTING
-from subdiv_cli.maskfile.nodes import Factor, Logarithm, Name, Node, Number, Power, Product, RootOf, Sum
+from subdiv_cli.maskfile.nodes import Factor, Logarithm, Name, Node, Number, Power, RootOf, Sum, product_of
 from subdiv_cli.maskfile.problems import Fault, shown
 from subdiv_cli.maskfile.tokens import Token, number, tokens
 
@@ -107,7 +107,7 @@ class Parser:
                 )
             else:
                 break
-        return factors[0].node if len(factors) == 1 else Product(tuple(factors), at)
+        return factors[0].node if len(factors) == 1 else product_of(factors, at)
 
     def factor(self) -> Node:
         """factor = { "-" | "+" } power"""
@@ -117,7 +117,9 @@ class Parser:
             negative ^= self.advance().kind == "-"
         node = self.power()
         self._divisor_at = at
-        return Sum(((-1, node),), at) if negative else node
+        if negative:
+            return Number(-node.value, at) if isinstance(node, Number) else Sum(((-1, node),), at)
+        return node
 
     def power(self) -> Node:
         """power = atom [ "^" exponent ]"""

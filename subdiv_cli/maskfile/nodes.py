@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 
@@ -91,3 +92,21 @@ class RootOf(_Node):
 
 
 Node = Number | Name | Sum | Product | Power | Logarithm | RootOf
+
+_SHORT = 128
+"""Bits of numbers that are multiplied as they are read."""
+
+
+def product_of(factors: Sequence[Factor], at: int) -> Node:
+    """Their product; a quotient of short numbers, as most coefficients are, is a number at once."""
+    numerator = denominator = 1
+    for factor in factors:
+        if not isinstance(factor.node, Number):
+            return Product(tuple(factors), at)
+        n, d = factor.node.value.as_integer_ratio()
+        if factor.divides:
+            n, d = d, n
+        numerator, denominator = numerator * n, denominator * d
+        if not d or max(numerator.bit_length(), denominator.bit_length()) > _SHORT:
+            return Product(tuple(factors), at)
+    return Number(Fraction(numerator, denominator), at)

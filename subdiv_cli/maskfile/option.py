@@ -15,7 +15,7 @@ from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.grammar import Parser, parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import MaskFile
-from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum
+from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum, product_of
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
 from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
@@ -162,7 +162,7 @@ def _scaled(node: Node, said: str, tail: list[Factor], scale: str) -> Expression
     if isinstance(node, Sum) and len(node.terms) > 1:
         said = f"({said})"
     factors = node.factors if isinstance(node, Product) else (Factor(node),)
-    return Expression(text=said + scale, node=Product((*factors, *tail)))
+    return Expression(text=said + scale, node=product_of((*factors, *tail), node.at))
 
 
 def parse_override(text: str) -> tuple[str, Fraction]:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from fractions import Fraction
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
+
+_Number = TypeVar("_Number", int, Fraction)
 
 
 class Log(NamedTuple):
@@ -66,6 +69,26 @@ def spelled(x: ClosedForm) -> str | None:
         bits = max(abs(part).bit_length() for part in parts)
         long = bits > MAX_LOG_BITS or (isinstance(x, Log) and x.divisor > MAX_LOG_DIVISOR)
     return None if long else str(x)
+
+
+def root_log_text(base: int, polynomial: str, low: str, high: str, divisor: int) -> str:
+    """`-log2(root(32*x^3+4*x-1, 0.1927, 0.1928))/2`."""
+    return f"-log{base}(root({polynomial}, {low}, {high}))" + (f"/{divisor}" if divisor > 1 else "")
+
+
+def spelled_terms(
+    terms: Iterable[tuple[int, _Number]], variable: str, times: str, show: Callable[[_Number], str], space: str = ""
+) -> str:
+    """Coefficients with their exponents as a sum, without those that are 0: `81*x^2-27*x+1`."""
+    text = ""
+    for exponent, c in terms:
+        if not c:
+            continue
+        power = "" if exponent == 0 else variable if exponent == 1 else f"{variable}^{exponent}"
+        size = "" if power and abs(c) == 1 else show(abs(c))
+        sign = ("-" if c < 0 else "") if not text else f"{space}{'-' if c < 0 else '+'}{space}"
+        text += sign + size + (times if size and power else "") + power
+    return text
 
 
 def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
