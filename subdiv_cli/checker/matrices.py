@@ -147,10 +147,14 @@ def _of_block(a: Matrix) -> list[int]:
     """
     f = [1]
     for r, last in enumerate(a):
-        block, s, t, series = [row[:r] for row in a[:r]], [row[r] for row in a[:r]], last[:r], [1, -last[r]]
-        for i in range(r):
-            s = [sum(map(mul, row, s)) for row in block] if i else s
+        block, t, series = a[:r], last[:r], [1, -last[r]]
+        s = [row[r] for row in block]
+        while len(series) < r + 2:
+            if not any(s) or not any(t):
+                series += [0] * (r + 2 - len(series))
+                break
             series.append(-sum(map(mul, t, s)))
+            s = [sum(map(mul, row, s)) for row in block]
         f = [sum(map(mul, series[i::-1], f)) for i in range(r + 2)]
     return f
 
