@@ -689,6 +689,14 @@ def spline(directions, power=1, shift=(0, 0), scale=2):
     return claim("box-spline", witness=found, work=WORK, directions=sorted(map(list, directions)), scale=scale)
 
 
+def test_a_factor_that_asks_too_much_is_not_said_to_be_wrong():
+    made = copy.deepcopy(MADE["chaikin_hat"])
+    number = next(i for i, c in enumerate(made["claims"]) if c["rule"] == "tensor-product")
+    inside = made["claims"][number]["witness"]["certificates"][1]["claims"]
+    inside += [{**inside[0], "work": 0}] * 10_001
+    assert rejected(made, number, "certificate 1", "too many claims").exhausted
+
+
 def test_parallel_directions_are_counted_whatever_their_length_and_sign():
     """(-1, 0), (1, 0), (2, 0) are one line: without (0, 1) nothing is spanned, d = 1."""
     shown = spline([(-1, 0), (1, 0), (2, 0), (0, 1)])

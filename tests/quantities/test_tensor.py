@@ -158,3 +158,16 @@ def test_factors_of_factors_and_what_the_cache_believes():
         {"sobolev": checked.result.sobolev._replace(upper=1.2)},
     ):
         assert not trusted(replace(checked.result, **change), text, spelled, ())
+
+
+def test_a_factor_with_findings_that_its_certificate_leaves_out():
+    """Of weights with 1000 digits no Bezout cofactors are computed: what rests on stability has no claims."""
+    w = Fraction(10**999 + 7, 10**1000 + 9)
+    checked = check(tensor(((0,), four_point(w)), ((1,), HAT)), (), Effort(300))
+    assert checked.document is not None
+    assert check_document(checked.document).verified
+    found = {finding.code: finding for finding in checked.result.findings}
+    assert found["SD611"].verdict is found["SD616"].verdict is Verdict.PROVED
+    assert found["SD611"].claims
+    assert found["SD612"].claims
+    assert not found["SD616"].claims
