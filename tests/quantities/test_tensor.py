@@ -1,5 +1,6 @@
 """Tensor products: found whatever the order of the variables, and decided as the differences V_k decide them."""
 
+import json
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -133,6 +134,20 @@ def test_an_unstable_factor():
     assert found.convergent is Verdict.PROVED
     assert found.stable is Verdict.REFUTED
     assert found.holder.exact == 1
+
+
+def test_the_reduced_mask_of_an_unstable_factor_is_another_mask():
+    """That it is stable is proved in the certificate of the factor, and says nothing of the product."""
+    c = four_point("1/16").coefficients
+    times = [a - b + d for a, b, d in zip((*c, 0, 0), (0, *c, 0), (0, 0, *c), strict=True)]
+    document = json.loads(json.dumps(check(tensor(((0,), scheme(times)), ((1,), HAT)), (), Effort()).document))
+    claims = {claim["rule"]: claim for claim in document["claims"]}
+    unstable, said = claims["tensor-product"]["witness"]["certificates"][0], {"property": "stable", "holds": True}
+    unstable["goal"].append({**said, "mask": 1})
+    assert check_document(document).verified
+    claims["tensor-stable"]["statement"] = said
+    document["goal"] = [said]
+    assert "the factors do not say so" in check_document(document).line
 
 
 def test_a_factor_that_diverges():
