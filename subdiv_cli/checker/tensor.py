@@ -16,7 +16,7 @@ from subdiv_cli.checker.reading import Exhausted, Rejected, require
 from subdiv_cli.checker.roots import fraction_bits
 
 MAX_BETWEEN = 1000
-"""Numerator and denominator of a number between exponents."""
+"""A number between exponents, and its denominator."""
 
 
 class _Factor(NamedTuple):
