@@ -63,7 +63,9 @@ class _Proof:
         self._radius_claim: int | None = None
 
     def claims_of(self, finding: Finding) -> list[int]:
-        """Those that say what a decided finding says."""
+        """Those that say what a decided finding says; none where the certificate of a factor leaves it out."""
+        if finding.witness.get("by") == "SD609":
+            return self._of_factors(finding)
         rules: dict[str, Callable[[Finding], list[int]]] = {
             "SD601": lambda _: [self._coset_sums()],
             "SD602": self._sum_rules_and_generation,
@@ -85,6 +87,22 @@ class _Proof:
             "SD619": lambda found: [self._quasi_interpolation(found)],
         }
         return rules[finding.code](finding)
+
+    def _of_factors(self, finding: Finding) -> list[int]:
+        """What follows of a tensor product."""
+        code, holds = finding.code, finding.verdict is Verdict.PROVED
+        if code in ("SD612", "SD613"):
+            smooth = code == "SD612" and holds
+            statement = {"property": "smooth" if smooth else "not-smooth", "order": finding.witness["order"]}
+            return self.factors.say("smooth" if smooth else "not-smooth", statement)
+        if code == "SD614":
+            return self.factors.holder_lower(finding)
+        if code == "SD615":
+            return self.factors.holder_upper(finding, self.found["SD614"])
+        if code == "SD617":
+            return self.factors.sobolev(finding)
+        statement = {"property": "stable", "holds": holds}
+        return [self._convergent()] if code == "SD611" else self.factors.say("stable", statement, self._convergent())
 
     def _coset_sums(self) -> int:
         holds = self.found["SD601"].verdict is Verdict.PROVED
@@ -157,7 +175,7 @@ class _Proof:
         if by == "SD604":
             rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
         elif by == "SD609":
-            return self.factors.say("converges", {"property": "convergent", "holds": holds})
+            return self.factors.say("converges", {"property": "convergent", "holds": holds})[0]
         elif by == "SD606":
             uses = [self._matrix_norm()]
         elif by == "SD617":
@@ -172,8 +190,6 @@ class _Proof:
         statement = {"property": "stable", "holds": found.verdict is Verdict.PROVED}
         if found.witness["by"] == "SD603":
             return self.box.stable(statement)
-        if found.witness["by"] == "SD609":
-            return self.factors.say("stable", statement, self._convergent())
         if found.proof:
             return gram_sequence(self.claims, found, statement, self._convergent(), self.terms)
         return self.claims.prove("interpolatory-stable", statement, uses=[self._convergent()], work=self.terms)
@@ -184,8 +200,6 @@ class _Proof:
         n = as_integer(finding.witness["order"])
         if finding.witness["by"] == "SD603":
             return self.box.smooth(n)
-        if finding.witness["by"] == "SD609":
-            return self.factors.say("smooth", {"property": "smooth", "order": n})
         if finding.witness["by"] == "SD607":
             return self._pairs(n)
         return self.claims.prove("smooth", {"order": n}, uses=self._decay(finding))
@@ -203,8 +217,6 @@ class _Proof:
         statement: Json = {"property": "not-smooth", "order": n}
         if by == "SD603":
             return self.box.not_smooth(n)
-        if by == "SD609":
-            return self.factors.say("not-smooth", statement)
         if by == "SD602":
             return self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
         below = self._reaching(n)
@@ -222,8 +234,6 @@ class _Proof:
     def _lower(self, finding: Finding) -> list[int]:
         if finding.witness["by"] == "SD603":
             return [self.box.holder(as_rational(finding.witness["value"]))]
-        if finding.witness["by"] == "SD609":
-            return [self.factors.holder_lower(finding)]
         root = cast("Map | None", finding.witness.get("root"))
         if root is not None and self.found["SD616"].verdict is Verdict.PROVED:
             return [self._exponent(finding, root)]
@@ -235,8 +245,6 @@ class _Proof:
     def _upper(self, finding: Finding) -> list[int]:
         if finding.witness["by"] == "SD603":
             return [self.box.holder(as_rational(finding.witness["value"]))]
-        if finding.witness["by"] == "SD609":
-            return [self.factors.holder_upper(finding, self.found["SD614"])]
         root = cast("Map | None", self.found["SD614"].witness.get("root"))
         if root is not None:
             return [self._exponent(self.found["SD614"], root)]
@@ -258,8 +266,6 @@ class _Proof:
         found = finding.witness
         if found["by"] == "SD603":
             return self.box.sobolev(as_rational(found["value"]))
-        if found["by"] == "SD609":
-            return self.factors.sobolev(finding)
         return self._mean_squares(finding, lower=not found["holds"])
 
     def _mean_squares(self, finding: Finding, *, lower: bool) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from subdiv_cli.certificate.claims import Claims, Json, rational
 from subdiv_cli.certificate.witness import as_rational
@@ -21,7 +21,7 @@ class PartCertificate(NamedTuple):
 
 
 class Factors:
-    """The claims of one certificate that come of its factors. Each method returns the number of a claim."""
+    """The claims of one certificate that come of its factors."""
 
     def __init__(self, claims: Claims, parts: Sequence[PartCertificate], work: int) -> None:
         self._claims, self._parts, self._work = claims, parts, work
@@ -34,28 +34,47 @@ class Factors:
         statement = {"parts": [list(part.variables) for part in self._parts]}
         return self._claims.prove("tensor-product", statement, {"which": which, "certificates": documents}, work=work)
 
-    def say(self, rule: str, statement: Json, *more: int) -> int:
-        """What all of them or one of them is enough for."""
-        return self._claims.prove(f"tensor-{rule}", statement, None, [self.product(), *more], len(self._parts))
+    def say(self, rule: str, statement: Json, *more: int) -> list[int]:
+        """What all of them or one of them is enough for; nothing where their certificates do not say it."""
+        found = [any(_is_enough(said, statement) for said in part.document["goal"]) for part in self._parts]
+        if not (all(found) if statement.get("holds", statement["property"] == "smooth") else any(found)):
+            return []
+        return [self._claims.prove(f"tensor-{rule}", statement, None, [self.product(), *more], len(self._parts))]
 
-    def holder_lower(self, finding: Finding) -> int:
+    def holder_lower(self, finding: Finding) -> list[int]:
         """The exponent, or the bound from below, of the factor that the finding names."""
         return self._of_one("of-factor", finding, ("SD311", "SD614"))
 
-    def holder_upper(self, finding: Finding, below: Finding) -> int:
+    def holder_upper(self, finding: Finding, below: Finding) -> list[int]:
         """By the exponent itself, where that is what the finding from below says."""
         if below.closed is not None and below.witness["variables"] == finding.witness["variables"]:
-            return self.holder_lower(below)
+            claims = self.holder_lower(below)
+            said = [self._claims.statement(number)["statement"]["property"] for number in claims]
+            if said and said[0] != "holder-lower":
+                return claims
         return self._of_one("at-most-factor", finding, ("SD312", "SD615"))
 
-    def sobolev(self, finding: Finding) -> int:
+    def sobolev(self, finding: Finding) -> list[int]:
         """As `holder_lower`."""
         return self._of_one("of-factor", finding, ("SD321", "SD617"))
 
-    def _of_one(self, rule: str, finding: Finding, codes: Sequence[str]) -> int:
-        part = next(part for part in self._parts if part.variables == finding.witness["variables"])
-        said = next(part.said[code] for code in codes if code in part.said)[0]
+    def _of_one(self, rule: str, finding: Finding, codes: Sequence[str]) -> list[int]:
+        """Nothing where a certificate that is asked does not say it."""
         between = finding.witness.get("between")
+        said = {part.variables: [s for code in codes for s in part.said.get(code, ())] for part in self._parts}
+        variables = cast("tuple[int, ...]", finding.witness["variables"])
+        if not said[variables] or (between is not None and not all(said.values())):
+            return []
         witness = {} if between is None else {"between": rational(as_rational(between))}
-        statement = {"variables": list(part.variables), "statement": said}
-        return self._claims.prove(rule, statement, witness, [self.product()], len(self._parts))
+        statement = {"variables": list(variables), "statement": said[variables][0]}
+        return [self._claims.prove(rule, statement, witness, [self.product()], len(self._parts))]
+
+
+def _is_enough(said: Json, statement: Json) -> bool:
+    """Of one factor: the same, or more smoothness, or that there is not even less."""
+    name = statement["property"]
+    if said["property"] != name:
+        return False
+    if "holds" in statement:
+        return bool(said["holds"] == statement["holds"] and not said.get("mask", 0))
+    return bool(said["order"] >= statement["order"] if name == "smooth" else said["order"] <= statement["order"])

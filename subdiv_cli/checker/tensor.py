@@ -12,11 +12,11 @@ from typing import NamedTuple
 
 from subdiv_cli.checker.core import Claim, Statement, Subject, read_statement
 from subdiv_cli.checker.lattice import Sparse
-from subdiv_cli.checker.reading import Rejected, require
+from subdiv_cli.checker.reading import Exhausted, Rejected, require
 from subdiv_cli.checker.roots import fraction_bits
 
 MAX_BETWEEN = 1000
-"""Numerator and denominator of a number between exponents."""
+"""A number between exponents, and its denominator."""
 
 
 class _Factor(NamedTuple):
@@ -80,7 +80,7 @@ def _stated_work(document: object) -> int:
 def _verified(c: Claim, number: int, document: object) -> tuple[Subject, list[Statement]]:
     outcome, kind, subject = c.check_inside(document)
     if subject is None or kind is None or not outcome.verified:
-        raise Rejected(f"certificate {number}: {outcome.line}"[:300])
+        raise (Exhausted if outcome.exhausted else Rejected)(f"certificate {number}: {outcome.line}"[:300])
     return subject, [read_statement(statement, kind) for statement in outcome.statements]
 
 

@@ -58,9 +58,9 @@ def reduced(rows: fmpq_mat) -> fmpq_mat:
     """Independent rows replaced by a short basis of the integer vectors that they span over Q.
 
     With H the Hermite normal form of the transpose, whose columns are a lattice's, H^(-T) times the rows spans all of
-    them; then lattice reduction (Lenstra, Lenstra & Lovász 1982).
+    them; then lattice reduction (Lenstra, Lenstra & Lovász 1982), and before as well: on long entries H takes minutes.
     """
-    scaled = fmpz_mat([fmpq_mat([row]).numer_denom()[0].tolist()[0] for row in rows.rref()[0].tolist()])
+    scaled = fmpz_mat([fmpq_mat([row]).numer_denom()[0].tolist()[0] for row in rows.rref()[0].tolist()]).lll()
     triangle = fmpz_mat(scaled.transpose().hnf().tolist()[: rows.nrows()])
     return fmpq_mat((fmpq_mat(triangle.transpose()).inv() * scaled).numer_denom()[0].lll())
 

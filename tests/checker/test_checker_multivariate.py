@@ -268,6 +268,8 @@ FORGED = [
     ("chaikin_hat", "of-factor", witness("between", "3"), "may have a smaller exponent"),
     ("chaikin_hat", "of-factor", witness("between", "1/2"), "at most the number between"),
     ("chaikin_hat", "of-factor", witness("between", "1001"), "out of range"),
+    ("chaikin_hat", "of-factor", witness("between", "1501/1001"), "out of range"),
+    ("chaikin_hat", "of-factor", witness("between", "0"), "out of range"),
     ("chaikin_hat", "of-factor", set_in("witness", {}), "a number between"),
     ("chaikin_hat", "at-most-factor", said("variables", [0]), "does not prove the statement"),
     ("bilinear", "box-spline", witness("shift", [0, 0]), "not that of the box spline"),
@@ -687,6 +689,20 @@ def test_directions_that_are_no_bases():
 def spline(directions, power=1, shift=(0, 0), scale=2):
     found = {"power": power, "shift": list(shift)}
     return claim("box-spline", witness=found, work=WORK, directions=sorted(map(list, directions)), scale=scale)
+
+
+def test_a_number_between_exponents_may_have_a_long_numerator():
+    made = copy.deepcopy(MADE["chaikin_hat"])
+    next(c for c in made["claims"] if c["rule"] == "of-factor")["witness"]["between"] = "1501/1000"
+    assert check_document(made).verified
+
+
+def test_a_factor_that_asks_too_much_is_not_said_to_be_wrong():
+    made = copy.deepcopy(MADE["chaikin_hat"])
+    number = next(i for i, c in enumerate(made["claims"]) if c["rule"] == "tensor-product")
+    inside = made["claims"][number]["witness"]["certificates"][1]["claims"]
+    inside += [{**inside[0], "work": 0}] * 10_001
+    assert rejected(made, number, "certificate 1", "too many claims").exhausted
 
 
 def test_parallel_directions_are_counted_whatever_their_length_and_sign():

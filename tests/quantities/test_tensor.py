@@ -1,5 +1,6 @@
 """Tensor products: found whatever the order of the variables, and decided as the differences V_k decide them."""
 
+import json
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -135,6 +136,20 @@ def test_an_unstable_factor():
     assert found.holder.exact == 1
 
 
+def test_the_reduced_mask_of_an_unstable_factor_is_another_mask():
+    """That it is stable is proved in the certificate of the factor, and says nothing of the product."""
+    c = four_point("1/16").coefficients
+    times = [a - b + d for a, b, d in zip((*c, 0, 0), (0, *c, 0), (0, 0, *c), strict=True)]
+    document = json.loads(json.dumps(check(tensor(((0,), scheme(times)), ((1,), HAT)), (), Effort()).document))
+    claims = {claim["rule"]: claim for claim in document["claims"]}
+    unstable, said = claims["tensor-product"]["witness"]["certificates"][0], {"property": "stable", "holds": True}
+    unstable["goal"].append({**said, "mask": 1})
+    assert check_document(document).verified
+    claims["tensor-stable"]["statement"] = said
+    document["goal"] = [said]
+    assert "the factors do not say so" in check_document(document).line
+
+
 def test_a_factor_that_diverges():
     found = answer(tensor(((0,), CUBIC), ((1,), four_point(1))))
     assert found.convergent is Verdict.REFUTED
@@ -158,3 +173,16 @@ def test_factors_of_factors_and_what_the_cache_believes():
         {"sobolev": checked.result.sobolev._replace(upper=1.2)},
     ):
         assert not trusted(replace(checked.result, **change), text, spelled, ())
+
+
+def test_a_factor_with_findings_that_its_certificate_leaves_out():
+    """Of weights with 1000 digits no Bezout cofactors are computed: what rests on stability has no claims."""
+    w = Fraction(10**999 + 7, 10**1000 + 9)
+    checked = check(tensor(((0,), four_point(w)), ((1,), HAT)), (), Effort(300))
+    assert checked.document is not None
+    assert check_document(checked.document).verified
+    found = {finding.code: finding for finding in checked.result.findings}
+    assert found["SD611"].verdict is found["SD616"].verdict is Verdict.PROVED
+    assert found["SD611"].claims
+    assert found["SD612"].claims
+    assert not found["SD616"].claims
