@@ -133,14 +133,9 @@ def _is_cut(digits: str, exact: ClosedForm) -> bool:
         return False
     unit = Fraction(10) ** (int(found["power"] or 0) - len(found["places"]))
     size = abs(Fraction(digits.replace("…", "")))
-    for refined in (False, True):
-        low, high = enclosure(exact, refined=refined)
-        low, high = (-high, -low) if digits.startswith("-") else (low, high)
-        if size <= low <= high < size + unit:
-            return True
-        if high < size or size + unit <= low:
-            return False
-    return False
+    low, high = enclosure(exact, refined=True)
+    low, high = (-high, -low) if digits.startswith("-") else (low, high)
+    return size <= low <= high < size + unit
 
 
 def radius_is_proved(finding: Finding, statements: Sequence[Statement], p: int) -> bool:

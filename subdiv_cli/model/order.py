@@ -27,10 +27,10 @@ def enclosure(x: ClosedForm, *, refined: bool = False) -> tuple[Fraction, Fracti
         return x, x
     if isinstance(x, RootLog):
         low, high = _narrowed(x.root) if refined else (x.root.low, x.root.high)
-        ends = [_exponent(1 / end, x.base, x.divisor, refined) for end in (low, high)]
-    else:
-        ends = [_exponent(x.argument, x.base, x.divisor, refined)]
-    return min(value - error for value, error in ends), max(value + error for value, error in ends)
+        value, error = _exponent(1 / low, x.base, x.divisor, refined)
+        return value - error - 2 * (high - low) / low / x.divisor, value + error  # ln base > 1/2
+    value, error = _exponent(x.argument, x.base, x.divisor, refined)
+    return value - error, value + error
 
 
 def _exponent(x: Fraction, base: int, divisor: int, refined: bool) -> tuple[Fraction, Fraction]:

@@ -26,6 +26,8 @@ from subdiv_cli.schemes.multivariate import Index, MultivariateScheme
 
 LARGEST_WINDOW = 1000
 LARGEST_DIMENSION = 120
+_LONGEST = 1000
+"""Bits of the numbers of a space; those of the masks of papers have 20."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +47,7 @@ class DifferenceSpace:
 
 
 def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> DifferenceSpace | None:
-    """V_k; None where it, or its window, is larger than is looked at."""
+    """V_k; None where it, or its window, is larger than is looked at, or has numbers too long for a short basis."""
     starts = [difference(mu) for mu in indices_of_degree(lattice.dimension, k)]
     window = _invariant_window(scheme, lattice, {alpha for v in starts for alpha in v})
     if window is None:
@@ -119,16 +121,21 @@ def _row(v: Mapping[Index, int], places: Mapping[Index, int]) -> list[int]:
 
 
 def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat]) -> fmpq_mat | None:
-    """Rows that span the smallest space that holds the given ones and is mapped into itself."""
+    """Rows that span the smallest space that holds the given ones and is mapped into itself; None as above."""
     transposed = [t.transpose() for t in operators]
     span, rank = _echelon(rows), 0
     while rank < span.nrows():
         rank = span.nrows()
-        if rank > LARGEST_DIMENSION:
+        if rank > LARGEST_DIMENSION or _longest(span) > _LONGEST:
             return None
         images = [row for t in transposed for row in (span * t).tolist()]
         span = _echelon(fmpq_mat([*span.tolist(), *images]))
     return span
+
+
+def _longest(rows: fmpq_mat) -> int:
+    """Bits of the longest numerator or denominator."""
+    return max(max(abs(int(x.p)).bit_length(), int(x.q).bit_length()) for x in rows.entries())
 
 
 def _echelon(rows: fmpq_mat) -> fmpq_mat:

@@ -6,6 +6,7 @@ change since then.
 
 from __future__ import annotations
 
+import gc
 import json
 import sys
 from argparse import ArgumentParser
@@ -33,6 +34,7 @@ def table(figures: Sequence[Figure], saved: Mapping[str, float]) -> str:
 
 def main() -> None:
     """Measure, print, compare, save."""
+    gc.set_threshold(50_000)  # as the command line does
     parser = ArgumentParser(description=__doc__)
     parser.add_argument("--compare", type=Path, metavar="FILE", help="show the change since a saved run")
     parser.add_argument("--save", type=Path, metavar="FILE", help="save the ratios of this run as JSON")

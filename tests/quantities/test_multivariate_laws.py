@@ -208,3 +208,16 @@ def test_differences_with_long_entries_take_no_minutes():
     assert space is not None
     assert len(space.basis.tolist()) == 44
     assert max(abs(int(x.p)) for x in space.basis.entries()) < 10**4
+
+
+def test_coefficients_of_fifty_digits_are_given_up_at_once():
+    """Their differences have no short basis, and looking for one would take minutes."""
+    c = F(10**49 + 9, 3 * 10**49 + 7)
+    factors = [{(0, 0): F(1), d: F(1)} for d in [(1, 0), (1, 0), (0, 1), (0, 1), (1, 1)]] + [{(0, 0): 1 - c, (1, 1): c}]
+    terms = {(0, 0): F(1, 16)}
+    for factor in factors:
+        product_so_far, terms = terms, {}
+        for ((i, j), x), ((k, l), y) in product(product_so_far.items(), factor.items()):
+            terms[i + k, j + l] = terms.get((i + k, j + l), F(0)) + x * y
+    mask = surface(terms, ((1, 1), (1, -1)))
+    assert difference_space(mask, Lattice(mask.dilation), 2) is None
