@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import zip_longest
 from math import prod
 
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.directions import determinant
-from subdiv_cli.checker.lattice import Sparse, geometric, multiply, over_one
+from subdiv_cli.checker.lattice import Index, Sparse, geometric, multiply, over_one
 from subdiv_cli.checker.polynomials import iterated_magnitudes, polynomial, slot_bits
 from subdiv_cli.checker.reading import require, require_few
 from subdiv_cli.checker.scalar import MAX_LEVEL, MAX_PACKED, MAX_PRODUCT
@@ -17,20 +18,27 @@ def directional_norm(c: Claim) -> None:
     """‖S_d^L‖∞ = x with a(z) = d(z) (1 + z^θ + … + z^((c-1)θ)), the largest absolute coset sum mod c^L of
     Π_(i<L) d(z^(c^i)). ∇_θ S f = S_d ∇_θ f, because (1 - z^θ) a(z) = d(z) (1 - z^(cθ)).
     """
-    a, theta, level = c.lattice(), c.statement["direction"], c.statement["level"]
+    quotient_norm(c, (c.statement["direction"],))
+
+
+def quotient_norm(c: Claim, directions: Sequence[Index]) -> None:
+    """‖S_(c^(n-1) d)^L‖∞ is as stated for the mask a(z) = d(z) Π (1 + z^θ + … + z^((c-1)θ)) over n directions θ."""
+    a, level, n = c.lattice(), c.statement["level"], len(directions)
     s, factor = a.dilation.dimension, a.dilation.factor
     d, denominator = over_one(c.witness["quotient"])
     require(factor > 1, "the dilation is not a multiple of the identity")
-    require(len(theta) == s and any(theta), f"the direction is zero or not one of Z^{s}")
+    require(all(len(x) == s and any(x) for x in directions), f"the direction is zero or not one of Z^{s}")
     require(all(len(x) == s for x in d), f"an index of the quotient is not one of Z^{s}")
     require(1 <= level <= MAX_LEVEL, f"the level is not one of 1, …, {MAX_LEVEL}")
     bits = max(map(abs, d.values())).bit_length() + denominator.bit_length()
-    c.count(len(d) * factor, a.bits + bits)
-    product = multiply(d, geometric(theta, factor))
+    c.count(len(d) * sum(factor**i for i in range(1, n + 1)), a.bits + bits)
+    product = d
+    for theta in directions:
+        product = multiply(product, geometric(theta, factor))
     same = product.keys() == a.terms.keys()
     same = same and all(a.denominator * value == denominator * a.terms[x] for x, value in product.items())
-    require(same, "the quotient times the directional factor is not the mask")
-    largest = largest_class_sum(c, d, factor, level)
+    require(same, "the quotient times its directional factors is not the mask")
+    largest = factor ** ((n - 1) * level) * largest_class_sum(c, d, factor, level)
     x = c.statement["norm"]
     require(x.numerator * denominator**level == largest * x.denominator, "the norm is another")
 

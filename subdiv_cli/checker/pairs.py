@@ -5,32 +5,16 @@ from __future__ import annotations
 from itertools import combinations
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.directional import largest_class_sum
+from subdiv_cli.checker.directional import quotient_norm
 from subdiv_cli.checker.directions import determinant
-from subdiv_cli.checker.lattice import geometric, multiply, over_one
 from subdiv_cli.checker.reading import require
-from subdiv_cli.checker.scalar import MAX_LEVEL
 
 
 def pair_norm(c: Claim) -> None:
     """‖S_(cd)^L‖∞ = x with a(z) = d(z) G_θ(z) G_η(z), G_θ(z) = 1 + z^θ + … + z^((c-1)θ): ∇_θ ∇_η S = S_d ∇_θ ∇_η."""
-    a, directions, level = c.lattice(), c.statement["directions"], c.statement["level"]
-    s, factor = a.dilation.dimension, a.dilation.factor
-    d, denominator = over_one(c.witness["quotient"])
-    require(factor > 1, "the dilation is not a multiple of the identity")
+    directions = c.statement["directions"]
     require(len(directions) == 2, "there are not two directions")
-    require(all(len(x) == s and any(x) for x in directions), f"a direction is zero or not one of Z^{s}")
-    require(all(len(x) == s for x in d), f"an index of the quotient is not one of Z^{s}")
-    require(1 <= level <= MAX_LEVEL, f"the level is not one of 1, …, {MAX_LEVEL}")
-    bits = max(map(abs, d.values())).bit_length() + denominator.bit_length()
-    c.count(len(d) * (factor + factor**2), a.bits + bits)
-    product = multiply(multiply(d, geometric(directions[0], factor)), geometric(directions[1], factor))
-    same = product.keys() == a.terms.keys()
-    same = same and all(a.denominator * value == denominator * a.terms[x] for x, value in product.items())
-    require(same, "the quotient times the directional factors is not the mask")
-    largest = factor**level * largest_class_sum(c, d, factor, level)
-    x = c.statement["norm"]
-    require(x.numerator * denominator**level == largest * x.denominator, "the norm is another")
+    quotient_norm(c, directions)
 
 
 def directional_smooth(c: Claim) -> None:
