@@ -16,7 +16,6 @@ from fractions import Fraction
 
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.quantities.tensor import Part
 from subdiv_cli.stages.multivariate import tensor_products
 from subdiv_cli.stages.multivariate.rule import Facts, growth_proof, verdict_of
 from subdiv_cli.stages.stage import ContradictionError, Rule, product_name
@@ -38,7 +37,8 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if sums is not None and sums.verdict is Verdict.REFUTED:
         return (RULE.refuted(f"S does not converge uniformly to a non-zero limit: {sums.statement}", {"by": "SD601"}),)
     if numbers.parts:
-        return (_of_parts(numbers.parts),)
+        yes, no = "S converges uniformly: its factors do", "S does not converge uniformly: its factor in {} does not"
+        return (tensor_products.follows(RULE, _QUESTION, numbers.parts, tensor_products.convergence, yes, no),)
     radius, product = (numbers.radius, numbers.product) if found and found.verdict is Verdict.PROVED else (None, None)
     diverges = product is not None and product.compare(Fraction(1)) >= 0
     k = numbers.order
@@ -58,12 +58,3 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (RULE.refuted(statement, {"by": "SD605", "word": product.word}),)
     reason = "no bound of ρ_k below 1 is proved, and no product is known that keeps it above"
     return (RULE.undecided(_QUESTION, (found.reason if found is not None else None) or reason),)
-
-
-def _of_parts(parts: tuple[Part, ...]) -> Finding:
-    found, part = tensor_products.of_all(parts, tensor_products.convergence)
-    if found is Verdict.PROVED:
-        return RULE.proved("S converges uniformly: its factors do", {"by": "SD609"})
-    if found is Verdict.REFUTED:
-        return RULE.refuted(f"S does not converge uniformly: its factor in {part.name} does not", {"by": "SD609"})
-    return RULE.undecided(_QUESTION, f"it is not decided for the factor in {part.name}")

@@ -19,7 +19,6 @@ from fractions import Fraction
 from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.gram import LEAF, Gram
 from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.quantities.tensor import Part
 from subdiv_cli.stages.multivariate import tensor_products
 from subdiv_cli.stages.multivariate.rule import Facts
 from subdiv_cli.stages.stage import Rule, verdict
@@ -40,19 +39,11 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if verdict(facts, "SD611") is not Verdict.PROVED:
         return (RULE.undecided(_QUESTION, "φ is no box spline, and it is not proved that the scheme converges"),)
     if numbers.parts:
-        return (_of_parts(numbers.parts),)
+        yes, no = "φ is stable: its factors are", "φ is not stable: its factor in {} is not"
+        return (tensor_products.follows(RULE, _QUESTION, numbers.parts, tensor_products.stability, yes, no),)
     if numbers.is_interpolatory:
         return (RULE.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": "SD611"}),)
     return (_of_gram_sequence(numbers.gram),)
-
-
-def _of_parts(parts: tuple[Part, ...]) -> Finding:
-    found, part = tensor_products.of_all(parts, tensor_products.stability)
-    if found is Verdict.PROVED:
-        return RULE.proved("φ is stable: its factors are", {"by": "SD609"})
-    if found is Verdict.REFUTED:
-        return RULE.refuted(f"φ is not stable: its factor in {part.name} is not", {"by": "SD609"})
-    return RULE.undecided(_QUESTION, f"it is not decided for the factor in {part.name}")
 
 
 def _of_gram_sequence(found: Gram | None) -> Finding:

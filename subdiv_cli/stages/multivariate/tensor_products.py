@@ -83,6 +83,16 @@ def of_all(parts: tuple[Part, ...], role: Role) -> tuple[Verdict, Part]:
     return Verdict.PROVED, parts[0]
 
 
+def follows(rule: Rule, question: str, parts: tuple[Part, ...], role: Role, yes: str, no: str) -> Finding:
+    """A property that φ has iff all factors have it; `no` is a sentence with the name of one that has it not."""
+    found, part = of_all(parts, role)
+    if found is Verdict.PROVED:
+        return rule.proved(yes, {"by": RULE.code})
+    if found is Verdict.REFUTED:
+        return rule.refuted(no.format(part.name), {"by": RULE.code})
+    return rule.undecided(question, f"it is not decided for the factor in {part.name}")
+
+
 class Least(NamedTuple):
     """The factor with the least exponent, as far as it is bounded from below."""
 
