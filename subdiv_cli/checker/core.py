@@ -152,7 +152,8 @@ class Claim:
 
     def count(self, operations: int, bits: int = 0) -> None:
         """Called before the work is done: operations as the rule counts them, on numbers of so many bits."""
-        require(operations <= self._work, f"it takes more work than stated: {min(operations, 10**18)}")
+        if operations > self._work:
+            raise Rejected(f"it takes more work than stated: {min(operations, 10**18)}")
         self.spend(operations, bits)
 
     def spend(self, operations: int, bits: int) -> None:
@@ -163,12 +164,14 @@ class Claim:
 
     def use(self, *properties: str, **fields: object) -> Proved:
         """The next claim that is used: it must state one of these properties with these fields."""
-        asked = " or ".join(properties)
-        require(bool(self._uses), f"it does not use a claim on {asked}")
+        if not self._uses:
+            raise Rejected(f"it does not use a claim on {' or '.join(properties)}")
         proved = self._uses.pop(0)
-        require(proved.statement["property"] in properties, f"it uses {proved.statement['property']}, not {asked}")
+        if proved.statement["property"] not in properties:
+            raise Rejected(f"it uses {proved.statement['property']}, not {' or '.join(properties)}")
         for key, value in fields.items():
-            require(proved.statement.get(key) == value, f"it uses {asked} with another {key}")
+            if proved.statement.get(key) != value:
+                raise Rejected(f"it uses {' or '.join(properties)} with another {key}")
         return proved
 
     def use_reductions(self, mask: int) -> list[Polynomial]:

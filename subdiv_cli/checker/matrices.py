@@ -116,7 +116,8 @@ def _characteristic_polynomial(a: tuple[tuple[int, ...], ...]) -> list[int]:
     """That of a block triangular matrix is the product of those of its diagonal blocks."""
     f = [1]
     for block in _blocks(a):
-        f = _product(f, _of_block([[a[i][j] for j in block] for i in block]))
+        for part in _parts_by_symmetry([[a[i][j] for j in block] for i in block]):
+            f = _product(f, _berkowitz(part))
     return f[::-1]
 
 
@@ -131,6 +132,19 @@ def _blocks(a: Sequence[Sequence[int]]) -> list[list[int]]:
     return list(blocks.values())
 
 
+def _parts_by_symmetry(a: Matrix) -> list[Matrix]:
+    """A matrix that is its own mirror image maps the symmetric vectors to such ones, and the antisymmetric ones too.
+
+    On the bases e_j + e_(n-1-j), with e_j alone in the middle, and e_j - e_(n-1-j) they are of half the order.
+    """
+    n = len(a)
+    if any(row[::-1] != mirrored for row, mirrored in zip(a, reversed(a), strict=True)):
+        return [a]
+    half, middle = n // 2, n - n // 2
+    symmetric = [[row[j] + row[-1 - j] for j in range(half)] + row[half:middle] for row in a[:middle]]
+    return [symmetric, [[row[j] - row[-1 - j] for j in range(half)] for row in a[:half]]]
+
+
 def _product(f: list[int], g: list[int]) -> list[int]:
     h = [0] * (len(f) + len(g) - 1)
     for i, x in enumerate(f):
@@ -139,7 +153,7 @@ def _product(f: list[int], g: list[int]) -> list[int]:
     return h
 
 
-def _of_block(a: Matrix) -> list[int]:
+def _berkowitz(a: Matrix) -> list[int]:
     """Highest power first, without divisions (Samuelson & Berkowitz).
 
     With A_r = [[A_(r-1), s], [t, x]] the one of A_r is that of A_(r-1) times z - x - Σ_(i>=0) t A_(r-1)^i s z^(-i-1),

@@ -41,12 +41,16 @@ class Polynomial(NamedTuple):
 
 def polynomial(start: int, numerators: Sequence[int], denominator: int) -> Polynomial:
     """In the normal form: two polynomials are equal iff they are the same tuple."""
-    support = [k for k, c in enumerate(numerators) if c]
-    if not support:
+    first, end = 0, len(numerators)
+    while end and not numerators[end - 1]:
+        end -= 1
+    if not end:
         return Polynomial(0, (), 1)
-    first, last = support[0], support[-1]
-    common = gcd(denominator, *numerators)
-    return Polynomial(start + first, tuple(c // common for c in numerators[first : last + 1]), denominator // common)
+    while not numerators[first]:
+        first += 1
+    if (common := gcd(denominator, *numerators)) == 1:
+        return Polynomial(start + first, tuple(numerators[first:end]), denominator)
+    return Polynomial(start + first, tuple([c // common for c in numerators[first:end]]), denominator // common)
 
 
 def over_common_denominator(start: int, pairs: Sequence[tuple[int, int]], most_bits: int) -> Polynomial | None:

@@ -135,6 +135,22 @@ def test_characteristic_polynomials_of_sparse_matrices_agree_with_flint():
             assert matrices.characteristic_polynomial(a) == [int(c) for c in fmpz_mat(a).charpoly()]
 
 
+def test_characteristic_polynomials_of_symmetric_blocks_agree_with_flint():
+    """Their own mirror image, whole or in a block."""
+    rng = random.Random(13)
+    for order in range(1, 12):
+        half = [[rng.randint(-9, 9) for _ in range(order)] for _ in range(-(-order // 2))]
+        mirrored = [row[::-1] for row in reversed(half)]
+        a = half + mirrored[order % 2 :]
+        if order % 2:
+            middle = order // 2
+            a[middle] = [x + y for x, y in zip(a[middle], a[middle][::-1], strict=True)]
+        assert a == [row[::-1] for row in reversed(a)]
+        assert matrices.characteristic_polynomial(a) == [int(c) for c in fmpz_mat(a).charpoly()]
+        bordered = [[5, *[rng.randint(1, 9) for _ in range(order)]], *([0, *row] for row in a)]
+        assert matrices.characteristic_polynomial(bordered) == [int(c) for c in fmpz_mat(bordered).charpoly()]
+
+
 def schur_cohn_fujiwara(f):
     """The matrix of FORMAT.md, term by term, f over the unit disc."""
     n = len(f) - 1
