@@ -14,20 +14,21 @@ from subdiv_cli.checker.roots import Enclosure
 
 
 def size_of_leader(
-    order: int, letters: int, family_bits: int, g: Sequence[int], scale: Fraction, m: Sequence[int]
+    start: Sequence[int], letters: int, family_bits: int, g: Sequence[int], scale: Fraction, m: Sequence[int]
 ) -> list[tuple[int, int]]:
     """What a product and its `leading_eigenvector` take: operations, and the bits of their numbers.
 
-    g: the numerators of the annihilator, of degree n, and then their common denominator. A step of the product
-    lengthens its numbers by those of the family, one of the eigenvector by those of the product, one modulo m by those
-    of m. Powers of E take as much as multiplying by them; in the end each number is divided by a common divisor.
+    start: y; g: the numerators of the annihilator, of degree n, and then their common denominator. A step of the
+    product lengthens its numbers by those of the family, one of the eigenvector by those of the product, one modulo m
+    by those of m. Powers of E take as much as multiplying by them; in the end each number is divided by a common
+    divisor.
     """
-    n, d, steps = len(g) - 2, len(m) - 1, max(0, len(g) - len(m))
+    order, n, d, steps = len(start), len(g) - 2, len(m) - 1, max(0, len(g) - len(m))
     product = letters * (family_bits + order.bit_length())
     annihilator = max(map(abs, g)).bit_length()
     modulus = max(map(abs, m)).bit_length() + 1
     rest = annihilator + steps * modulus
-    powers = n * (product + order.bit_length()) + annihilator
+    powers = n * (product + order.bit_length()) + annihilator + max(map(abs, start)).bit_length()
     scaled, denominator = powers + scale.numerator.bit_length(), powers + scale.denominator.bit_length()
     reduced = scaled + steps * modulus
     return [
@@ -66,19 +67,25 @@ class Vector(NamedTuple):
 
 
 def leading_eigenvector(
-    product: tuple[Matrix, int], g: Sequence[Fraction], sign: int, column: int, scale: Fraction, m: Sequence[int]
+    product: tuple[Matrix, int],
+    g: Sequence[Fraction],
+    sign: int,
+    start: Sequence[int],
+    scale: Fraction,
+    m: Sequence[int],
 ) -> Vector | None:
-    """x = scale h(Π) e, h(z) = (g(z) - g(μ))/(z - μ), μ = sign Λ, g(μ) = 0: (Π - μ) x = scale g(Π) e. None if not zero.
+    """x = scale h(Π) y from the start y, h(z) = (g(z) - g(μ))/(z - μ), μ = sign Λ, g(μ) = 0.
 
-    Π = P/E. (g(z) - g(y))/(z - y) = Σ_k y^k w_k(z) with w_(n-1) = g_n, w_(k-1) = z w_k + g_k, and w_(-1) would be g.
-    Kept are the vectors c E^(n-1-k) w_k(Π) e, c the common denominator of g: integers.
+    None unless (Π - μ) x = scale g(Π) y is zero. Π = P/E. (g(z) - g(t))/(z - t) = Σ_k t^k w_k(z) with w_(n-1) = g_n,
+    w_(k-1) = z w_k + g_k, and w_(-1) would be g. Kept are the vectors c E^(n-1-k) w_k(Π) y, c the common denominator
+    of g: integers.
     """
     p, e = product
     n, c = len(g) - 1, lcm(*(x.denominator for x in g))
     w, powers = [0] * len(p), []
     for k, x in enumerate(reversed(g)):
-        w = apply(p, w)
-        w[column] += x.numerator * (c // x.denominator) * e**k
+        factor = x.numerator * (c // x.denominator) * e**k
+        w = [y + factor * t for y, t in zip(apply(p, w), start, strict=True)]
         powers.append(w)
     if any(powers.pop()):
         return None

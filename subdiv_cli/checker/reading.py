@@ -65,7 +65,7 @@ _OBJECTS: Mapping[str, Fields] = {
     "leader": {
         "word": "natural[]",
         "reflected": "boolean",
-        "column": "natural",
+        "column": "column",
         "scale": "rational",
         "annihilator": "rational[]",
         "sign": "sign",
@@ -73,7 +73,7 @@ _OBJECTS: Mapping[str, Fields] = {
     "complex_leader": {
         "word": "natural[]",
         "reflected": "boolean",
-        "column": "natural",
+        "column": "column",
         "scale": "rational",
         "annihilator": "rational[]",
         "factor": "root",
@@ -241,6 +241,13 @@ def _coordinates(value: object) -> tuple[int, ...]:
     return _members(partial(long_integer, MAX_COORDINATE), MAX_ORDER, value)
 
 
+def _column(value: object) -> int | tuple[int, ...]:
+    """A number, or the coefficients of a combination of columns."""
+    if type(value) is list:
+        return _members(partial(_integer, -MAX_INTEGER, MAX_INTEGER), MAX_ORDER, value)
+    return _integer(0, MAX_NATURAL, value)
+
+
 def _index(value: object) -> tuple[int, ...]:
     """Of Z^s; which s, the rule knows."""
     return _members(partial(_integer, -MAX_INDEX, MAX_INDEX), MAX_DIMENSION, value, "a coordinate of ")
@@ -295,6 +302,7 @@ _READERS: Mapping[str, Callable[[Any], Any]] = {
     "root": _root,
     "vertices": _coordinates,
     "flat": _flat,
+    "column": _column,
     "index": _index,
     "term": _term,
     "terms": _terms,

@@ -42,19 +42,19 @@ def returns_of(c: Claim, tree: Tree, length: int) -> set[int]:
 
 
 def leader_of(c: Claim, family: Family, leader: dict[str, Any], sign: int, m: Sequence[int]) -> Vector:
-    """x with Π x = sign γ x, exactly, γ any zero of m: g(Π) e_j = 0 and m(z) divides g(sign z).
+    """x with Π x = sign γ x, exactly, γ any zero of m: g(Π) y = 0 and m(z) divides g(sign z), y = e_j or as given.
 
     The word has been looked at. Where the leader is reflected, Π is J times the word's product, and Π² = ± the product
     of the mirrored word times that.
     """
     order, g = family.order, leader["annihilator"]
     require(sign != 0 and leader["scale"] > 0, "the sign of a leader is not 1 or -1, or its scale not positive")
-    require(leader["column"] < order, "the column of a leader is not there")
+    start = _start(leader["column"], order)
     require(2 <= len(g) <= order + 1 and g[-1] != 0, "the annihilator of a leader is not of a degree 1, …, N")
     c.spend(1, sum(map(fraction_bits, g)))
     common = lcm(*(x.denominator for x in g))
     at_sign = [x.numerator * (common // x.denominator) * sign**k for k, x in enumerate(g)]
-    sizes = size_of_leader(order, len(leader["word"]), family.bits, (*at_sign, common), leader["scale"], m)
+    sizes = size_of_leader(start, len(leader["word"]), family.bits, (*at_sign, common), leader["scale"], m)
     for operations, bits in sizes:
         c.spend(operations, bits)
     matrix, denominator = family.product(leader["word"])
@@ -62,10 +62,19 @@ def leader_of(c: Claim, family: Family, leader: dict[str, Any], sign: int, m: Se
         require(c.witness["symmetry"] != 0, "a leader is reflected, and nothing is symmetric")
         matrix = matrix[::-1]
     require(not remainder(at_sign, m), "the eigenvalue's polynomial does not divide the annihilator of a leader")
-    x = leading_eigenvector((matrix, denominator), g, sign, leader["column"], leader["scale"], m)
+    x = leading_eigenvector((matrix, denominator), g, sign, start, leader["scale"], m)
     if x is None:
         raise Rejected("the annihilator of a leader does not vanish on its column")
     return x
+
+
+def _start(column: int | tuple[int, ...], order: int) -> Sequence[int]:
+    """e_j, or the combination of these that is given."""
+    if isinstance(column, int):
+        require(column < order, "the column of a leader is not there")
+        return [int(i == column) for i in range(order)]
+    require(len(column) == order, "the combination of columns of a leader does not have N coefficients")
+    return column
 
 
 class Vertices:

@@ -240,7 +240,7 @@ class _Closing:
         data: dict[str, Data] = {
             "word": leader.candidate.word,
             "reflected": leader.candidate.reflected,
-            "column": leader.column,
+            "column": _column(leader.start),
             "scale": leader.scale,
             "annihilator": leader.annihilator,
         }
@@ -282,6 +282,11 @@ class _Monotone(_Closing):
         image = self._image(self._vertices[vertex], letter)[coordinate, 0]
         bound = sum((self._vertex(k)[coordinate] * c for k, c in weights), arb(0))
         return bool(image < bound)
+
+
+def _column(start: tuple[int, ...]) -> Data:
+    """The number of a unit vector; others as they are."""
+    return start if sum(map(abs, start)) != 1 or -1 in start else start.index(1)
 
 
 def _plain(weight: Weight) -> Data:

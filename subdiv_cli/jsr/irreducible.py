@@ -18,6 +18,7 @@ from subdiv_cli.jsr.arrays import Array, Numbers
 from subdiv_cli.jsr.balance import scales
 from subdiv_cli.jsr.body import Body, Start
 from subdiv_cli.jsr.closing import close
+from subdiv_cli.jsr.eigenspaces import surrounding
 from subdiv_cli.jsr.enclosing import Bound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
@@ -57,14 +58,15 @@ def irreducible_radius(family: Family, effort: Effort) -> Radius | None:
     quick = effort.limited(_QUICK_WORK)
     shortest = [candidate for candidate in found if len(candidate.word) == len(found[0].word)]
     for some in (shortest, found) if len(shortest) < len(found) else (found,):
-        attempt = _Attempt(family, some, quick)
-        if (radius := attempt.closed()) is not None:
+        attempt = _Attempt(family, some)
+        if (radius := attempt.closed(quick)) is not None:
             return radius
     deep = _affordable(family, candidates(family, _DEEP)[1])
-    if deep == found and attempt.grown is not None and attempt.grown.closed:  # more effort would find the same
+    if deep != found or (attempt.leaders is not None and attempt.leaders.has_both_signs):
+        attempt = _Attempt(family, deep, squared=True)
+    elif attempt.grown is not None and attempt.grown.closed:  # more effort would find the same
         return attempt.enclosed(effort)
-    attempt = _Attempt(family, deep, effort.limited(max(_QUICK_WORK, effort.work // 2)))
-    return attempt.closed() or attempt.enclosed(effort)
+    return attempt.closed(effort.limited(max(_QUICK_WORK, effort.work // 2))) or attempt.enclosed(effort)
 
 
 def _of_distinct(family: Family, effort: Effort) -> Radius | None:
@@ -118,28 +120,37 @@ def zero_radius() -> Radius:
 class _Attempt:
     """Polytopes from one set of candidates."""
 
-    def __init__(self, family: Family, found: Sequence[Candidate], effort: Effort) -> None:
-        self.family, self.found, self.effort = family, found, effort
-        self.leaders = leaders(family, found)
+    def __init__(self, family: Family, found: Sequence[Candidate], *, squared: bool = False) -> None:
+        self.family = family
+        self.leaders = leaders(family, found, squared=squared)
+        self.starts: list[Start] | None = None
         self.grown: Grown | None = None
 
-    def closed(self) -> Radius | None:
+    def closed(self, effort: Effort) -> Radius | None:
         """The radius where the polytope closes at exactly the candidate and that can be proved."""
         if self.leaders is None:
             return None
+        if self.starts is None:
+            self.starts = self._first(effort)
+        self.grown = grow(self._body(self.starts, self.sigma), effort)
+        root = self.leaders.root()
+        if not self.grown.closed or root is None or _is_long(root[1]):
+            return None
+        if (witness := close(self.family, self.leaders, self.grown, effort)) is None:
+            return None
+        return _exactly(self.family, self.leaders, root, witness)
+
+    def _first(self, effort: Effort) -> list[Start]:
+        """What the polytope grows from: leaders in number and length as they go together best."""
+        assert self.leaders is not None
         with ctx.workprec(128):
             self.sigma = to_fraction_of_ball(self.leaders)
         starts = [_start(self.family, leader) for leader in self.leaders.each]
         self.monotone = self.family.is_nonnegative and all(_is_nonnegative(start.vector) for start in starts)
-        if len(starts) > 1 and not self.family.symmetry:
-            starts = self._balanced(starts)
-        self.grown = grow(self._body(starts, self.sigma), self.effort)
-        root = self.leaders.root()
-        if not self.grown.closed or root is None or _is_long(root[1]):
-            return None
-        if (witness := close(self.family, self.leaders, self.grown, self.effort)) is None:
-            return None
-        return _exactly(self.family, self.leaders, root, witness)
+        if not self.monotone and (more := self._surrounding(effort)) is not None:
+            self.leaders = more
+            return [_start(self.family, leader) for leader in more.each]
+        return self._balanced(starts, effort) if len(starts) > 1 and not self.family.symmetry else starts
 
     def _body(self, starts: Sequence[Start], sigma: Fraction) -> Body:
         if self.monotone:
@@ -152,13 +163,17 @@ class _Attempt:
             monotone=self.monotone,
         )
 
-    def _balanced(self, starts: Sequence[Start]) -> list[Start]:
+    def _balanced(self, starts: Sequence[Start], effort: Effort) -> list[Start]:
         assert self.leaders is not None
-        factors = scales(starts, lambda start: self._body([start], self.sigma), self.effort)
+        factors = scales(starts, lambda start: self._body([start], self.sigma), effort)
         pairs = zip(self.leaders.each, factors, strict=True)
         each = tuple(leader._replace(scale=leader.scale * factor) for leader, factor in pairs)
         self.leaders = self.leaders._replace(each=each)
         return [start._replace(vector=start.vector * float(x)) for start, x in zip(starts, factors, strict=True)]
+
+    def _surrounding(self, effort: Effort) -> Leaders | None:
+        assert self.leaders is not None
+        return surrounding(self.family, self.leaders, lambda starts: self._body(starts, self.sigma), effort)
 
     def enclosed(self, effort: Effort) -> Radius | None:
         """The best bound of a polytope that is not closed, or that is for matrices scaled down a little."""

@@ -34,13 +34,14 @@ Balls = Any
 
 
 class Leader(NamedTuple):
-    """The vector scale · h(Π) e_column of the candidate's product Π."""
+    """The vector scale · h(Π) w of the candidate's product Π."""
 
     candidate: Candidate
     eigenvalue: AlgebraicNumber
     annihilator: tuple[Fraction, ...]
     """The coefficients of g, lowest first."""
-    column: int
+    start: tuple[int, ...]
+    """w, a unit vector where the eigenspace has one dimension."""
     scale: Fraction
 
 
@@ -55,6 +56,12 @@ class Leaders(NamedTuple):
     def is_real(self) -> bool:
         return self.each[0].eigenvalue.is_real
 
+    @property
+    def has_both_signs(self) -> bool:
+        """Whether some product has eigenvalues of both signs."""
+        signs = {(leader.candidate, bool(leader.eigenvalue.region.real > 0)) for leader in self.each}
+        return self.is_real and len(signs) > len({candidate for candidate, _ in signs})
+
     def sigma(self) -> arb:
         """|μ|^(1/ℓ), enclosed at the current precision: the joint spectral radius is at least that."""
         return self.each[0].eigenvalue.modulus() ** (arb(1) / self.length)
@@ -68,15 +75,29 @@ class Leaders(NamedTuple):
         return None if square is None else (2 * self.length, isolated(square))
 
 
-def leaders(family: Family, candidates: Sequence[Candidate]) -> Leaders | None:
+def leaders(family: Family, candidates: Sequence[Candidate], *, squared: bool = False) -> Leaders | None:
     """The leaders of candidates with equally large eigenvalues; None where all their products are nilpotent.
 
     They are raised to powers of one length. All share one eigenvalue up to sign, a real one where there is one as large
     as the first: real vertices may be ties. Candidates that do not have it are left out.
+
+    `squared`: where both signs are eigenvalues of one product, all products are squared, so that there is one
+    eigenspace, to which what comes back to one of the two comes back.
     """
     length = lcm(*(len(candidate.word) for candidate in candidates))
-    if length > _LONGEST or length * family.bits > LONGEST_PRODUCT:
+    if not _is_affordable(family, length):
         candidates, length = candidates[:1], len(candidates[0].word)
+    found = _of_length(family, candidates, length)
+    if squared and found is not None and found.has_both_signs and _is_affordable(family, 2 * length):
+        return _of_length(family, candidates, 2 * length)
+    return found
+
+
+def _is_affordable(family: Family, length: int) -> bool:
+    return length <= _LONGEST and length * family.bits <= LONGEST_PRODUCT
+
+
+def _of_length(family: Family, candidates: Sequence[Candidate], length: int) -> Leaders | None:
     powers = [candidate.power(length // len(candidate.word), family.letters) for candidate in candidates]
     products = [family.candidate(power) for power in powers]
     spectra = [_leading_eigenvalues(product) for product in products]
@@ -86,8 +107,8 @@ def leaders(family: Family, candidates: Sequence[Candidate]) -> Leaders | None:
     each: list[Leader] = []
     for power, product, spectrum in zip(powers, products, spectra, strict=True):
         alike = [x for x in spectrum if _same(x, shared) or (shared.is_real and _same(x, negated(shared)))]
-        if alike:
-            each += _eigenvectors(product, power, max(alike, key=_preference))
+        for eigenvalue in sorted(alike, key=_preference, reverse=True):
+            each += _eigenvectors(product, power, eigenvalue)
     return Leaders(length, tuple(each[:_MOST_LEADERS])) if each else None
 
 
@@ -125,7 +146,8 @@ def _eigenvectors(product: fmpq_mat, candidate: Candidate, eigenvalue: Algebraic
         for j in sorted(range(len(columns)), key=lambda j: lengths[j], reverse=True):
             if lengths[j] > 0 and _independent([columns[k] for k in (*chosen, j)]):
                 chosen.append(j)
-        return [Leader(candidate, eigenvalue, annihilator, j, _normalising(columns[j])) for j in chosen]
+        units = {j: tuple(int(i == j) for i in range(len(columns))) for j in chosen}
+        return [Leader(candidate, eigenvalue, annihilator, units[j], _normalising(columns[j])) for j in chosen]
 
 
 def _normalising(column: Sequence[Ball]) -> Fraction:
@@ -149,23 +171,36 @@ def _inner(a: Sequence[Ball], b: Sequence[Ball]) -> acb:
 def _eigenvector_columns(
     product: fmpq_mat, annihilator: Sequence[Fraction], eigenvalue: AlgebraicNumber
 ) -> list[list[Ball]]:
-    """The columns of h(Π), by Horner's rule: h = Σ_i b_i z^i with b_(d-1) = g_d and b_(i-1) = g_i + μ b_i."""
+    """The columns of h(Π)."""
+    n = product.nrows()
+    total = _applied(product, annihilator, eigenvalue, [[int(i == j) for j in range(n)] for i in range(n)])
+    return [list(column) for column in zip(*total.table(), strict=True)]
+
+
+def _applied(
+    product: fmpq_mat, annihilator: Sequence[Fraction], eigenvalue: AlgebraicNumber, start: list[list[int]]
+) -> Balls:
+    """h(Π) times a matrix, by Horner's rule: h = Σ_i b_i z^i with b_(d-1) = g_d and b_(i-1) = g_i + μ b_i."""
     mu = eigenvalue.enclosure()
     number = mu.real if eigenvalue.is_real else mu
+    kind: Any = arb_mat if eigenvalue.is_real else acb_mat
     b = [number * 0 + ball(annihilator[-1])]
     for c in reversed(annihilator[1:-1]):
         b.append(ball(c) + number * b[-1])
-    n = product.nrows()
-    kind: Any = arb_mat if eigenvalue.is_real else acb_mat
-    unit = kind(n, n, [int(i == j) for i in range(n) for j in range(n)])
-    matrix, total = kind(product), unit * b[0]
+    matrix, unit = kind(product), kind(start)
+    total = unit * b[0]
     for coefficient in b[1:]:
         total = matrix * total + unit * coefficient
-    return [[total[i, j] for i in range(n)] for j in range(n)]
+    return total
+
+
+def eigenvectors(family: Family, leader: Leader) -> list[list[Ball]]:
+    """All columns of the leader's h(Π), enclosed at the current precision."""
+    return _eigenvector_columns(family.candidate(leader.candidate), leader.annihilator, leader.eigenvalue)
 
 
 def vector(family: Family, leader: Leader) -> Balls:
     """The leader's vector enclosed at the current precision, N×1."""
-    columns = _eigenvector_columns(family.candidate(leader.candidate), leader.annihilator, leader.eigenvalue)
-    kind = arb_mat if leader.eigenvalue.is_real else acb_mat
-    return kind([[x * ball(leader.scale)] for x in columns[leader.column]])
+    start = [[x] for x in leader.start]
+    total = _applied(family.candidate(leader.candidate), leader.annihilator, leader.eigenvalue, start)
+    return total * ball(leader.scale)

@@ -210,7 +210,7 @@ class Ties:
         b = [fmpq_poly([to_fmpq(leader.annihilator[-1])])]
         for c in reversed(leader.annihilator[1:-1]):
             b.append((b[-1] * fmpq_poly([0, sign]) + to_fmpq(c)) % self._modulus)
-        power = fmpq_mat(n, 1, [int(i == leader.column) for i in range(n)])
+        power = fmpq_mat(n, 1, list(leader.start))
         product, total = self._family.candidate(leader.candidate), [fmpq_poly()] * n
         for coefficient in reversed(b):
             entries: list[fmpq] = [x * to_fmpq(leader.scale) for x in power.entries()]

@@ -44,12 +44,13 @@ def hull(vertices, symmetry):
 
 
 def leading(matrix, annihilator, mu, column, scale=1):
-    """h(Π) e_j, as RADIUS.md defines it."""
+    """h(Π) e_j, or h(Π) y, as RADIUS.md defines it."""
     n, g = len(matrix), [float(Fraction(c)) for c in annihilator]
     w, x = np.zeros(n), np.zeros(n)
+    start = np.eye(n)[column] if isinstance(column, int) else np.array(column, dtype=float)
     for k in range(len(g) - 2, -1, -1):
         w = matrix @ w
-        w[column] += g[k + 1]
+        w = w + g[k + 1] * start
         x = x + mu**k * w
     return scale * x
 

@@ -143,6 +143,22 @@ def attained_at_an_integer():
 
 
 ATTACKS = {
+    "a combination of columns that is no eigenvector": (
+        closing([[["2", "0"], ["0", "1"]]], TWO, [leader(annihilator=["-2", "1"], column=[1, 1])]),
+        "the annihilator of a leader does not vanish on its column",
+    ),
+    "no combination of columns": (
+        closing(ONE, SMALL, [leader(column=[0, 0])]),
+        "a leader may be zero",
+    ),
+    "a combination of fewer columns": (
+        closing(ONE, SMALL, [leader(column=[1])]),
+        "the combination of columns of a leader does not have N coefficients",
+    ),
+    "a combination of columns with long numbers": (
+        closing(ONE, SMALL, [leader(column=[1, 1000001])]),
+        "is out of range",
+    ),
     "the modulus of another pair": (
         turned(
             POWERS, SMALL, [turning(**OTHER_PAIR)], extras=[[0, 0, 2**30, 0], [0, 0, 0, 2**30]], tree=[-1, 0, -1, 1],

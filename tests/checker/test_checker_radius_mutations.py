@@ -62,6 +62,7 @@ FAMILIES = {
     "golden_from_above": Family(PHI, True),
     "jordan": Family(1.0, False, True),
     "irrational_weights": Family(1 + 5**-0.5, True),
+    "plane": Family(1.0, True),
 }
 TENTH = [Fraction(c) for c in ("-1/10", "1/5", "3/10", "1/5", "-1/10")]
 """a/(1+z)² of the four-point scheme with w = 1/10."""
@@ -129,7 +130,14 @@ def irrational_weights():
     return of_family([[[1, -1], [0, 1]], [["4/5", 0], ["-4/5", "4/5"]]])
 
 
-OWN = (swap_and_halve, golden_in_two_letters, two_leaders, golden_from_above, jordan, irrational_weights)
+def plane():
+    """The identity and a rotation times 3/4: every vector is a leader, here (3, 1), (2, 3), (0, 3) and (-2, 2)."""
+    turn = [["9/20", "-3/5"], ["3/5", "9/20"]]
+    leaders = [leader([0], [-1, 1], column=y) for y in ([3, 1], [2, 3], [0, 3], [-2, 2])]
+    return closed([[[1, 0], [0, 1]], turn], 1, [-1, 1], 1, 1, leaders)
+
+
+OWN = (swap_and_halve, golden_in_two_letters, two_leaders, golden_from_above, jordan, irrational_weights, plane)
 MADE = {**ALL_RADIUS, **{make.__name__: make for make in OWN}}
 
 

@@ -1,0 +1,210 @@
+"""Leaders in an eigenspace of several dimensions: so many, and so far out, that what comes back to it stays inside.
+
+Let E be the eigenspace of the leading eigenvalue μ of a product Π, Q the projection on E along the other eigenspaces.
+Π^n v/μ^n tends to Q v. Where that is not an inner point of the hull of the leaders in E, the images of v do not come to
+lie inside, and the polytope does not close. As many leaders as dimensions are hardly ever enough (Guglielmi & Protasov
+2013 assume one dimension). So a hull in each E is sought that all ways from such spaces to such spaces map into the
+inner parts of each other, which there is where these contract in some norm; its corners are the leaders. Floats, and a
+suggestion only.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+from flint import ctx
+
+from subdiv_cli.exact.enclosures import ball
+from subdiv_cli.jsr.arrays import Array
+from subdiv_cli.jsr.body import Body, Start
+from subdiv_cli.jsr.family import Candidate, Family
+from subdiv_cli.jsr.gauge import Bases, gauges
+from subdiv_cli.jsr.leaders import Ball, Leader, Leaders, eigenvectors
+from subdiv_cli.jsr.measure import independent_columns
+from subdiv_cli.jsr.polytope import grow
+from subdiv_cli.model import Effort
+
+_WORK = 1000
+"""Gauges in the body whose tree has the ways that are looked at."""
+_MARGINS = (1 / 10, 1 / 40)
+"""What comes back is to stay inside by; the smaller one where the hulls grow on and on with the larger one."""
+_SPENT = 3 / 4
+"""Of the margin, so that there are fewer leaders."""
+_ROUNDS = 6
+"""Bodies that grow."""
+_STEPS = 100
+_MOST = 64
+"""Leaders."""
+_BITS = 19
+"""Of the numbers by which columns are combined to a leader."""
+_SAME = 1e-9
+
+
+def surrounding(
+    family: Family, found: Leaders, body_of: Callable[[Sequence[Start]], Body], effort: Effort
+) -> Leaders | None:
+    """More leaders where an eigenspace has several; None where none has, or where no hulls are found."""
+    groups: dict[Candidate, list[Leader]] = {}
+    for leader in found.each:
+        groups.setdefault(leader.candidate, []).append(leader)
+    if not found.is_real or found.has_both_signs or all(len(group) == 1 for group in groups.values()):
+        return None
+    with ctx.workprec(256):
+        if any(_slope(group[0]).contains(0) for group in groups.values()):  # a Jordan block: norms grow
+            return None
+    for margin in _MARGINS:
+        spaces = [_Eigenspace(family, group) for group in groups.values()]
+        if _surround(spaces, lambda starts: grow(body_of(starts), effort.limited(_WORK)).body, margin):
+            return found._replace(each=tuple(x for space in spaces for x in space.leaders(_SPENT * margin)))
+    return None
+
+
+class _Eigenspace:
+    """E in coordinates, and a hull there."""
+
+    def __init__(self, family: Family, group: Sequence[Leader]) -> None:
+        self._group = group
+        with ctx.workprec(256):
+            columns, slope = eigenvectors(family, group[0]), _slope(group[0])
+            projection = np.array([[float((x / slope).mid()) for x in column] for column in columns]).T
+            sizes = [float((slope * ball(leader.scale)).mid()) for leader in group]
+        self.frame: Array = np.linalg.svd(projection)[0][:, : len(group)]
+        self.projection: Array = self.frame.T @ projection
+        starts = np.array([leader.start for leader in group], dtype=np.float64)
+        self._basis = self.projection @ starts.T * np.array(sizes)
+        self.corners: Array = self._basis
+        """Of the hull, as columns, but for what turns make of them, and negatives."""
+        self.turns: list[Array] = [np.eye(len(group))]
+        """Ways that end here exactly: with a corner its images by them are in the body."""
+
+    def starts(self) -> list[Start]:
+        return [Start(self._group[0].candidate.word, self.frame @ corner) for corner in self.corners.T]
+
+    def hull(self) -> Array:
+        return self._turned(self.corners)
+
+    def _turned(self, points: Array) -> Array:
+        return np.hstack([turn @ points for turn in self.turns])
+
+    def surround(self, points: Array) -> bool:
+        """Make the hull so large that it has these points, the farthest first; whether it had to grow."""
+        grown = False
+        while True:
+            values = _gauges(self.hull(), points)
+            if values.max() <= 1 + _SAME:
+                break
+            self.corners, grown = np.hstack([self.corners, points[:, [values.argmax()]]]), True
+            points = points[:, values > 1 + _SAME]
+        if grown:
+            self.corners = self._without(self.corners, _SAME)
+        return grown
+
+    def _without(self, corners: Array, by: float) -> Array:
+        """Corners left out as long as the hull of all of them is larger by at most that."""
+        hull, kept = self._turned(corners), list(range(corners.shape[1]))
+        for k in range(corners.shape[1]):
+            fewer = self._turned(corners[:, [i for i in kept if i != k]])
+            if np.linalg.matrix_rank(fewer) == len(fewer) and _gauges(fewer, hull).max() <= 1 + by:
+                kept.remove(k)
+        return corners[:, kept]
+
+    def leaders(self, by: float) -> list[Leader]:
+        """Few corners, the hull of all of them being larger by at most that."""
+        combined = np.linalg.solve(self._basis, self._without(self.corners, by))
+        return [self._leader([Fraction(x) for x in column]) for column in combined.T.tolist()]
+
+    def _leader(self, combined: Sequence[Fraction]) -> Leader:
+        """Σ c_i x_i of the first leaders x_i, c rounded."""
+        parts = [c * leader.scale for c, leader in zip(combined, self._group, strict=True)]
+        largest = max(map(abs, parts))
+        unit = Fraction(2) ** (largest.numerator.bit_length() - largest.denominator.bit_length() + 1 - _BITS)
+        start = [0] * len(self._group[0].start)
+        for part, leader in zip(parts, self._group, strict=True):
+            start = [x + round(part / unit) * y for x, y in zip(start, leader.start, strict=True)]
+        return self._group[0]._replace(start=tuple(start), scale=unit)
+
+
+def _slope(leader: Leader) -> Ball:
+    """h(μ) = g'(μ), where h(Π) = h(μ) Q."""
+    at = leader.eigenvalue.enclosure().real
+    return sum((ball(k * c) * at ** (k - 1) for k, c in enumerate(leader.annihilator) if k), ball(0))
+
+
+class _Way(NamedTuple):
+    """x -> Q A x from one eigenspace to another, A the product of a word over powers of σ."""
+
+    start: int
+    end: int
+    matrix: Array
+    exact: bool
+    """Q A x = A x: the image itself lies there."""
+
+
+def _ways(spaces: Sequence[_Eigenspace], body: Body) -> list[_Way]:
+    """Those of the words in the tree of a body."""
+    numbers = [k for k, space in enumerate(spaces) for _ in space.corners.T]
+    images: list[tuple[int, Array]] = []
+    found: list[_Way] = []
+    for u, parent in enumerate(body.parents):
+        if parent is None:
+            images.append((numbers[u], spaces[numbers[u]].frame))
+        elif parent[0] < 0:
+            images.append((-1, np.zeros((body.order, 0))))
+        else:
+            start, before = images[parent[0]]
+            image = body.scaled[parent[1]] @ before
+            images.append((start, image))
+            if start >= 0:
+                found += [way for end in range(len(spaces)) if (way := _way(spaces, start, end, image)) is not None]
+    return found
+
+
+def _way(spaces: Sequence[_Eigenspace], start: int, end: int, image: Array) -> _Way | None:
+    """None for a turn, which the space keeps."""
+    space = spaces[end]
+    matrix = space.projection @ image
+    exact = bool(np.linalg.norm(space.frame @ matrix - image) <= _SAME * np.linalg.norm(image))
+    if not exact or start != end:
+        return _Way(start, end, matrix, exact)
+    if all(np.linalg.norm(matrix - turn) > _SAME for turn in space.turns):
+        space.turns.append(matrix)
+    return None
+
+
+def _surround(spaces: Sequence[_Eigenspace], grown: Callable[[Sequence[Start]], Body], margin: float) -> bool:
+    """Let the hulls grow until the ways in the tree of a body that grows from them lead inside; whether they do."""
+    ways: list[_Way] = []
+    for _ in range(_ROUNDS):
+        starts = [start for space in spaces for start in space.starts()]
+        if len(starts) > _MOST:
+            return False
+        ways += _ways(spaces, grown(starts))
+        steps = _widen(spaces, ways, margin)
+        if not steps:
+            return steps == 0
+    return False
+
+
+def _widen(spaces: Sequence[_Eigenspace], ways: Sequence[_Way], margin: float) -> int | None:
+    """Let the hulls grow until all ways map them into each other; the number of steps, None where that does not end."""
+    for step in range(_STEPS):
+        hulls = [space.hull() for space in spaces]
+        coming = [[hull] for hull in hulls]
+        for way in ways:
+            coming[way.end].append(way.matrix @ hulls[way.start] * (1.0 if way.exact else 1 + margin))
+        grown = [space.surround(np.hstack(points)) for space, points in zip(spaces, coming, strict=True)]
+        if not any(grown):
+            return step
+        if sum(space.corners.shape[1] for space in spaces) > _MOST:
+            return None
+    return None
+
+
+def _gauges(columns: Array, targets: Array) -> Array:
+    """Of the columns of `targets` in the hull of all ±columns, which span."""
+    numbers = np.array([independent_columns(columns)] * targets.shape[1])
+    return gauges(columns, targets.T, Bases(numbers, np.ones(numbers.shape)), inside=0.0, outside=math.inf).value
