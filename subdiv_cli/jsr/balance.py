@@ -20,13 +20,14 @@ from subdiv_cli.model import Effort
 
 _WORK = 200
 """Gauges in the body that grows from one leader."""
+_WITHIN = 1.02
 _SWEEPS = 64
 _SMALLEST = 1e-3
 
 
 def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Effort) -> list[Fraction]:
     """A factor for every leader, 1 for the first one."""
-    grown = [grow(body_of(start), effort.limited(_WORK)).body for start in starts]
+    grown = [grow(body_of(start), effort.limited(_WORK), _WITHIN).body for start in starts]
     functionals = [_functional(start, body) for start, body in zip(starts, grown, strict=True)]
     reach = np.array(
         [
@@ -51,17 +52,23 @@ def _reach(start: Start, functional: Array | None, body: Body) -> float:
 
 
 def _functional(start: Start, body: Body) -> Array | None:
-    """The left eigenvector of the leader's product; None where the eigenvalue is not simple, or not real."""
+    """The left eigenvector of the leader's product; None where the eigenvalue is not simple, or not real, or where the
+
+    product is the reversal times that of the word.
+    """
     if body.complex or not start.word:
         return None
     product = reduce(np.matmul, (body.scaled[letter] for letter in reversed(start.word)))
+    image, scale = product @ start.vector, _SMALLEST * float(np.linalg.norm(start.vector))
+    if min(np.linalg.norm(image - start.vector), np.linalg.norm(image + start.vector)) > scale:
+        return None
     values, vectors = np.linalg.eig(product.T)
     near = np.flatnonzero(np.abs(np.abs(values) - 1) < _SMALLEST)
     if len(near) != 1:
         return None
     functional = vectors[:, near[0]].real
     size = float(functional @ start.vector)
-    return functional / size if abs(size) > _SMALLEST * float(np.linalg.norm(start.vector)) else None
+    return functional / size if abs(size) > scale else None
 
 
 def _balanced(logarithms: Array) -> Array:

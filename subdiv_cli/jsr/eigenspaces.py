@@ -30,6 +30,7 @@ from subdiv_cli.model import Effort
 
 _WORK = 1000
 """Gauges in the body whose tree has the ways that are looked at."""
+_WITHIN = 1.02
 _MARGINS = (1 / 10, 1 / 40)
 """What comes back is to stay inside by; the smaller one where the hulls grow on and on with the larger one."""
 _SPENT = 3 / 4
@@ -58,7 +59,7 @@ def surrounding(
             return None
     for margin in _MARGINS:
         spaces = [_Eigenspace(family, group) for group in groups.values()]
-        if _surround(spaces, lambda starts: grow(body_of(starts), effort.limited(_WORK)).body, margin):
+        if _surround(spaces, lambda starts: grow(body_of(starts), effort.limited(_WORK), _WITHIN).body, margin):
             return found._replace(each=tuple(x for space in spaces for x in space.leaders(_SPENT * margin)))
     return None
 
@@ -145,22 +146,23 @@ class _Way(NamedTuple):
 
 
 def _ways(spaces: Sequence[_Eigenspace], body: Body) -> list[_Way]:
-    """Those of the words in the tree of a body."""
+    """Those of the words in the tree of a body, and in a symmetric family what reversal makes of them."""
     numbers = [k for k, space in enumerate(spaces) for _ in space.corners.T]
-    images: list[tuple[int, Array]] = []
-    found: list[_Way] = []
+    images: list[tuple[int, Array] | None] = []
+    found: list[_Way | None] = []
     for u, parent in enumerate(body.parents):
         if parent is None:
-            images.append((numbers[u], spaces[numbers[u]].frame))
-        elif parent[0] < 0:
-            images.append((-1, np.zeros((body.order, 0))))
+            start, image = numbers[u], spaces[numbers[u]].frame
+        elif (before := images[parent[0]] if parent[0] >= 0 else None) is None:  # it comes from an extra vertex
+            images.append(None)
+            continue
         else:
-            start, before = images[parent[0]]
-            image = body.scaled[parent[1]] @ before
-            images.append((start, image))
-            if start >= 0:
-                found += [way for end in range(len(spaces)) if (way := _way(spaces, start, end, image)) is not None]
-    return found
+            start, image = before[0], body.scaled[parent[1]] @ before[1]
+            found += [_way(spaces, start, end, image) for end in range(len(spaces))]
+        images.append((start, image))
+        if body.symmetric:
+            found += [_way(spaces, start, end, image[::-1]) for end in range(len(spaces))]
+    return [way for way in found if way is not None]
 
 
 def _way(spaces: Sequence[_Eigenspace], start: int, end: int, image: Array) -> _Way | None:

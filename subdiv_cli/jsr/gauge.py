@@ -22,6 +22,8 @@ PRECISION = 2e-10
 _OPTIMAL = 1e-11
 _SMALLEST_PIVOT = 1e-11
 _MOST_STEPS = 400
+_PATIENCE = 40
+"""Steps after which the column that enters is drawn by lot: degenerate bases may follow each other in a circle."""
 
 
 class Bases(NamedTuple):
@@ -64,9 +66,11 @@ def gauges(columns: Numbers, targets: Numbers, bases: Bases, *, inside: float, o
     A target is left where its gauge is known to be at most `inside` or above `outside`; otherwise the optimum is found.
     """
     state = _State(columns, as_real(targets), Bases(bases.numbers.copy(), bases.turns.copy()))
-    active = np.arange(len(targets))
-    for _ in range(_MOST_STEPS):
-        active = state.step(active, inside, outside)
+    active, generator = np.arange(len(targets)), None
+    for number in range(_MOST_STEPS):
+        if number == _PATIENCE:
+            generator = np.random.default_rng(len(targets))
+        active = state.step(active, inside, outside, generator)
         if not len(active):
             break
     state.refresh()
@@ -84,20 +88,23 @@ class _State:
         self.inverses: Array = inverses_of(self.bases.vectors(self.columns))
         self.weights: Array = np.einsum("mij,mj->mi", self.inverses, self.targets)
 
-    def step(self, active: Integers, inside: float, outside: float) -> Integers:
+    def step(self, active: Integers, inside: float, outside: float, generator: np.random.Generator | None) -> Integers:
         """One step of the active targets; those that are to go on.
 
         f = Σ_i sign(c_i) (row i of the inverse) has f·b = ±1 on the basis and f·y = Σ|c|. If |f·v| <= m on all columns,
-        f/m bounds the gauge from below by Σ|c|/m; the column with the largest |f·v| enters.
+        f/m bounds the gauge from below by Σ|c|/m; the column with the largest |f·v| enters, or any one above 1.
         """
         signs = np.where(self.weights[active] >= 0, 1.0, -1.0)
         prices = self._functional(np.einsum("mi,mij->mj", signs, self.inverses[active])) @ self.columns
         sizes = np.abs(prices)
         entering = sizes.argmax(axis=1)
         here = np.arange(len(active))
-        size, price = sizes[here, entering], prices[here, entering]
         value = np.abs(self.weights[active]).sum(axis=1)
-        going = (size > 1 + _OPTIMAL) & (value > inside) & (value <= outside * np.maximum(size, 1.0))
+        largest = sizes[here, entering]
+        going = (largest > 1 + _OPTIMAL) & (value > inside) & (value <= outside * np.maximum(largest, 1.0))
+        if generator is not None:
+            entering = (np.maximum(sizes - 1 - _OPTIMAL, 0.0) * generator.random(sizes.shape)).argmax(axis=1)
+        size, price = sizes[here, entering], prices[here, entering]
         active, entering, size, signs = active[going], entering[going], size[going], signs[going]
         if not len(active):
             return active

@@ -22,7 +22,7 @@ from subdiv_cli.jsr.eigenspaces import surrounding
 from subdiv_cli.jsr.enclosing import Bound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
-from subdiv_cli.jsr.polytope import Grown, grow
+from subdiv_cli.jsr.polytope import Grown, grow, grow_on, measured
 from subdiv_cli.jsr.result import Radius, root_data
 from subdiv_cli.jsr.search import candidates
 from subdiv_cli.model import Data, Effort, Root
@@ -132,7 +132,10 @@ class _Attempt:
             return None
         if self.starts is None:
             self.starts = self._first(effort)
-        self.grown = grow(self._body(self.starts, self.sigma), effort)
+        if self.grown is None:
+            self.grown = grow(self._body(self.starts, self.sigma), effort)
+        else:
+            self.grown = grow_on(self.grown, effort)
         root = self.leaders.root()
         if not self.grown.closed or root is None or _is_long(root[1]):
             return None
@@ -150,7 +153,7 @@ class _Attempt:
         if not self.monotone and (more := self._surrounding(effort)) is not None:
             self.leaders = more
             return [_start(self.family, leader) for leader in more.each]
-        return self._balanced(starts, effort) if len(starts) > 1 and not self.family.symmetry else starts
+        return self._balanced(starts, effort) if len(starts) > 1 else starts
 
     def _body(self, starts: Sequence[Start], sigma: Fraction) -> Body:
         if self.monotone:
@@ -184,6 +187,7 @@ class _Attempt:
             return self._at_most(bound)
         found = [] if grown is None else [(self.sigma, grown)]
         found += self._slackened(effort)
+        found = [(scaled, measured(grown)) for scaled, grown in found]
         found.sort(key=lambda pair: float(pair[0]) * max(1.0, pair[1].value))
         bounds = (enclose(self.family, grown, scaled) for scaled, grown in found)
         best = next((bound for bound in bounds if bound is not None), None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -11,8 +12,6 @@ from subdiv_cli.jsr.body import Body
 from subdiv_cli.jsr.dominance import Dominations, domination
 from subdiv_cli.jsr.gauge import Bases, Gauges, gauges, inverses_of
 
-_INSIDE = 1 - 1e-3
-"""A gauge below this needs no more precision: its weights are proof enough."""
 _REMEMBERED = 48
 """Bases that are tried as a start for new targets."""
 
@@ -28,11 +27,11 @@ class Balanced:
             first, turns = np.hstack([first, first]), np.hstack([turns, 1j * turns])
         self.bases = Bases(first, turns)
 
-    def measure(self, targets: Numbers, outside: float, like: Any = None) -> Gauges:
-        """The gauges of the rows; `like` has those of earlier ones with bases that may do again."""
+    def measure(self, targets: Numbers, like: Any = None, *, inside: float = 0.0, outside: float = math.inf) -> Gauges:
+        """The gauges of the rows, as exactly as `gauges` says; `like` has earlier ones whose bases may do again."""
         columns = self._body.columns
         bases = self._best(columns, targets) if like is None else like.bases
-        found = gauges(columns, targets, bases, inside=_INSIDE, outside=outside)
+        found = gauges(columns, targets, bases, inside=inside, outside=outside)
         self._remember(found.bases)
         return found
 
@@ -57,8 +56,10 @@ class Monotone:
     def __init__(self, body: Body) -> None:
         self._body = body
 
-    def measure(self, targets: Numbers, outside: float, like: Any = None) -> Dominations:
-        """The gauges of the rows."""
+    def measure(
+        self, targets: Numbers, like: Any = None, *, inside: float = 0.0, outside: float = math.inf
+    ) -> Dominations:
+        """The gauges of the rows, exactly in any case."""
         return Dominations([domination(self._body.columns, target) for target in targets])
 
 
@@ -69,7 +70,7 @@ def measure_of(body: Body) -> Balanced | Monotone:
 
 def gauge(body: Body, vector: Numbers) -> float:
     """Of any vector; the columns must span."""
-    return float(measure_of(body).measure(vector[None], float("inf")).value[0])
+    return float(measure_of(body).measure(vector[None]).value[0])
 
 
 def independent_columns(columns: Numbers) -> list[int]:

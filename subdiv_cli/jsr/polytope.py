@@ -25,6 +25,8 @@ from subdiv_cli.model import Effort
 _SHARE = 0.2
 """Of the images outside, how many become vertices before the others are measured again."""
 _CHUNK = 256
+_INSIDE = 1 - 1e-3
+"""A gauge below this needs no more precision: its weights are proof enough."""
 _SAME = 1e-12
 _SMALL = 1 / 16
 _INDEPENDENT = 1e-3
@@ -38,19 +40,29 @@ class Grown(NamedTuple):
     body: Body
     closed: bool
     """No image lies outside, as floats see it."""
-    value: float
-    """The largest gauge of an image: the radius is at most σ times it."""
+    left: list[tuple[int, int]]
+    """Images that are not decided, because the effort ended."""
     spent: int
     """Work."""
 
+    @property
+    def value(self) -> float:
+        """The largest gauge of an image: the radius is at most σ times it, where none is left."""
+        return max((image.value for image in self.body.images.values()), default=0.0)
 
-def grow(body: Body, effort: Effort) -> Grown:
-    """Let a body grow until it is closed or the effort ends.
+
+def grow(body: Body, effort: Effort, within: float = 1.0) -> Grown:
+    """Let a body grow until it is closed or the effort ends; images of gauges up to `within` >= 1 may stay outside.
 
     Work is counted in gauges, those in large bodies many times, as they take.
     """
     (_cover if body.monotone else _span)(body)
-    return _grow(body, body.pending(range(body.size)), effort)
+    return _grow(body, body.pending(range(body.size)), effort, within)
+
+
+def grow_on(grown: Grown, effort: Effort) -> Grown:
+    """Go on with a body that is not closed, which is changed."""
+    return _grow(grown.body, grown.left, effort)
 
 
 def push_out(body: Body, images: Iterable[tuple[int, int]], by: float, effort: Effort) -> Grown:
@@ -63,7 +75,7 @@ def push_out(body: Body, images: Iterable[tuple[int, int]], by: float, effort: E
     return _grow(body, [*images, *body.pending(extras)], effort)
 
 
-def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort) -> Grown:
+def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort, within: float = 1.0) -> Grown:
     memory, spent = measure_of(body), 0
     with np.errstate(all="ignore"):  # a gauge that overflows is a large one
         while pending:
@@ -72,10 +84,10 @@ def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort) -> Grown:
                 chunk = pending[start : start + _CHUNK]
                 spent += len(chunk) * (1 + body.columns.size * max(body.order, _SMALL_ORDER) // (2000 * _SMALL_ORDER))
                 if not effort.allows(spent):
-                    return _unfinished(body, memory, pending[start:] + body.pending(fresh), spent)
-                fresh += _absorb(body, memory, chunk)
+                    return Grown(body, False, pending[start:] + body.pending(fresh), spent)
+                fresh += _absorb(body, memory, chunk, within)
             pending = body.pending(fresh)
-    return Grown(body, True, max((image.value for image in body.images.values()), default=0.0), spent)
+    return Grown(body, True, [], spent)
 
 
 def _span(body: Body) -> None:
@@ -128,7 +140,7 @@ def _cover(body: Body) -> None:
             body.add_extra(unit * _SMALL)
 
 
-def _absorb(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]]) -> list[int]:
+def _absorb(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]], within: float) -> list[int]:
     """Decide images: those inside are recorded with weights, those outside become vertices, the farthest first."""
     pairs = _coincidences(body, pairs)
     if not pairs:
@@ -137,8 +149,8 @@ def _absorb(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]
     targets = np.array([body.image(*pair) for pair in pairs])
     found = None
     while pairs:
-        found = memory.measure(targets, 1 + 10 * PRECISION, found)
-        outside = found.value > 1 + PRECISION
+        found = memory.measure(targets, found, inside=within * _INSIDE, outside=within + 10 * PRECISION)
+        outside = found.value > within + PRECISION
         for k in np.flatnonzero(~outside):
             _record(body, pairs[k], found, int(k))
         order = np.flatnonzero(outside)[np.argsort(-found.value[outside], kind="stable")]
@@ -169,12 +181,14 @@ def _record(body: Body, pair: tuple[int, int], found: Gauges | Dominations, k: i
     body.images[pair] = Image(*pair, columns, weights, float(found.value[k]))
 
 
-def _unfinished(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]], spent: int) -> Grown:
-    """The effort ended: measure what is left, for the bound that the body proves as it is."""
-    for start in range(0, len(pairs), _CHUNK):
-        chunk = pairs[start : start + _CHUNK]
-        targets = np.array([body.image(*pair) for pair in chunk])
-        found = memory.measure(targets, float("inf"))
-        for k, pair in enumerate(chunk):
-            _record(body, pair, found, k)
-    return Grown(body, False, max((image.value for image in body.images.values()), default=0.0), spent)
+def measured(grown: Grown) -> Grown:
+    """The gauges of what is left too, for the bound that the body proves as it is."""
+    body, memory = grown.body, measure_of(grown.body)
+    with np.errstate(all="ignore"):
+        for start in range(0, len(grown.left), _CHUNK):
+            chunk = grown.left[start : start + _CHUNK]
+            targets = np.array([body.image(*pair) for pair in chunk])
+            found = memory.measure(targets)
+            for k, pair in enumerate(chunk):
+                _record(body, pair, found, k)
+    return grown._replace(left=[])

@@ -14,6 +14,7 @@ from flint import fmpq_mat, fmpz_mat
 from subdiv_cli.exact.linalg import identity, matrix, nullspace, reduced
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.subspace import invariant_subspace
+from subdiv_cli.jsr.symmetry import reversing
 
 _BITS = 32
 """Of the weight of functionals against coordinates in lattice reduction."""
@@ -28,9 +29,19 @@ class Blocks(NamedTuple):
 
 
 def decomposed(family: Family) -> Blocks | None:
-    """Blocks that cannot be taken apart further, as far as is found; None for a single one."""
+    """Blocks that cannot be taken apart further, as far as is found; None for a single one.
+
+    A block with a symmetry has a basis in which it is the reversal.
+    """
     basis, sizes = _flag(family.matrices)
-    return _blocks(family, basis, sizes) if len(sizes) > 1 else None
+    if len(sizes) == 1:
+        return None
+    found = _blocks(family, basis, sizes)
+    turns = [reversing(part) for part in found.parts]
+    if all(turn is None for turn in turns):
+        return found
+    unturned = [identity(size) if turn is None else turn for turn, size in zip(turns, sizes, strict=True)]
+    return _blocks(family, basis * _diagonal_sum(unturned), sizes)
 
 
 def _flag(matrices: Sequence[fmpq_mat]) -> tuple[fmpq_mat, list[int]]:

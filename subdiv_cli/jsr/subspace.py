@@ -68,13 +68,13 @@ def _spun(matrices: Sequence[fmpq_mat], a: fmpq_mat, g: fmpz_poly) -> tuple[fmpq
     nullity = 0
     for modulus in _MODULI:
         try:
-            letters = [_modulo(m, modulus) for m in matrices]
-            start, nullity = _kernel(_at_matrix(g, _modulo(a, modulus)))
+            letters = [modulo(m, modulus) for m in matrices]
+            start, nullity = _kernel(_at_matrix(g, modulo(a, modulus)))
         except ZeroDivisionError:  # the prime divides a denominator
             continue
         if not nullity or (rows := _spin(letters, start)) is None:
             break
-        if (lifted := _over_q(rows)) is not None:
+        if (lifted := over_q(rows)) is not None:
             return lifted, nullity
     return None, nullity
 
@@ -100,7 +100,7 @@ def _elements(matrices: Sequence[fmpq_mat]) -> Iterator[tuple[fmpq_mat, fmpz_pol
         yield from ((a, g) for g in factors[:3])
 
 
-def _modulo(m: fmpq_mat, modulus: fmpz_mod_ctx) -> fmpz_mod_mat:
+def modulo(m: fmpq_mat, modulus: fmpz_mod_ctx) -> fmpz_mod_mat:
     """Raises ZeroDivisionError where the prime divides the denominator."""
     numerators, denominator = m.numer_denom()
     return fmpz_mod_mat(numerators, modulus) * (1 / modulus(denominator))
@@ -143,7 +143,7 @@ def _spin(letters: Sequence[fmpz_mod_mat], span: fmpz_mod_mat) -> fmpz_mod_mat |
     return span
 
 
-def _over_q(rows: fmpz_mod_mat) -> fmpq_mat | None:
+def over_q(rows: fmpz_mod_mat) -> fmpq_mat | None:
     """The rows with the small fractions that their entries are modulo the prime; None where one is none."""
     prime = int(rows.modulus())
     known = {x: _fraction(x, prime) for x in {int(x) for x in rows.entries()}}
