@@ -19,7 +19,7 @@ from flint import fmpq_mat, fmpz_mod_ctx, fmpz_mod_mat, fmpz_poly
 from subdiv_cli.exact.linalg import identity, matrix, nullspace
 
 _TRIES = 12
-_MODULI = (fmpz_mod_ctx((1 << 61) - 1), fmpz_mod_ctx((1 << 521) - 1))
+MODULI = (fmpz_mod_ctx((1 << 61) - 1), fmpz_mod_ctx((1 << 521) - 1))
 """Primes; the second one for subspaces of larger numbers."""
 
 
@@ -66,10 +66,10 @@ def _spun(matrices: Sequence[fmpq_mat], a: fmpq_mat, g: fmpz_poly) -> tuple[fmpq
     numbers; and the dimension of the kernel. Both are only likely, as all is modulo a prime.
     """
     nullity = 0
-    for modulus in _MODULI:
+    for modulus in MODULI:
         try:
             letters = [modulo(m, modulus) for m in matrices]
-            start, nullity = _kernel(_at_matrix(g, modulo(a, modulus)))
+            start, nullity = kernel(_at_matrix(g, modulo(a, modulus)))
         except ZeroDivisionError:  # the prime divides a denominator
             continue
         if not nullity or (rows := _spin(letters, start)) is None:
@@ -115,7 +115,7 @@ def _at_matrix(f: fmpz_poly, a: fmpz_mod_mat) -> fmpz_mod_mat:
     return total
 
 
-def _kernel(a: fmpz_mod_mat) -> tuple[fmpz_mod_mat, int]:
+def kernel(a: fmpz_mod_mat) -> tuple[fmpz_mod_mat, int]:
     """The kernel's vector with a 1 in the first free place and 0 in the others, as a row; and the dimension."""
     echelon, rank = a.rref()
     n = a.ncols()

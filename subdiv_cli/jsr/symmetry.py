@@ -9,18 +9,16 @@ make of the other. So it is found modulo a prime, from simple eigenvalues there,
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from flint import fmpq_mat, fmpz_mod_ctx, fmpz_mod_mat
 
 from subdiv_cli.exact.linalg import eigenvectors, identity, matrix, reduced
 from subdiv_cli.exact.rationals import to_fmpq, to_fraction
 from subdiv_cli.jsr.family import Family
-from subdiv_cli.jsr.subspace import modulo, over_q
+from subdiv_cli.jsr.subspace import MODULI, kernel, modulo, over_q
 from subdiv_cli.model import exact_root
 
-_MODULUS = fmpz_mod_ctx((1 << 61) - 1)
-"""A prime."""
 _TRIES = 6
 _SMALLEST_ORDER = 3
 
@@ -29,72 +27,59 @@ def reversing(family: Family) -> fmpq_mat | None:
     """C with C^-1 M_(p-1-i) C = ± J C^-1 M_i C J for all i; None where none is found, or none is needed."""
     if family.letters < 2 or family.order < _SMALLEST_ORDER or family.symmetry or family.is_nonnegative:
         return None
-    for p in _candidates(family.matrices):
-        if (basis := _reversed_basis(p)) is not None:
-            return basis
+    p = _intertwining(family.matrices)
+    return None if p is None else _reversed_basis(p)
+
+
+def _intertwining(matrices: Sequence[fmpq_mat]) -> fmpq_mat | None:
+    """P ≠ 0 with P M_i = ± M_(p-1-i) P; of an irreducible family there is only one, up to factors. None if not found."""
+    for modulus in MODULI:
+        try:
+            letters = [modulo(m, modulus) for m in matrices]
+        except ZeroDivisionError:  # the prime divides a denominator
+            continue
+        if (pair := _eigenvectors(letters)) is None:
+            return None
+        for sign in (1, -1):
+            rows = _spun(letters, *pair, sign)
+            p = None if rows is None else over_q(rows)
+            if p is not None and all(p * a == b * p * sign for a, b in zip(matrices, reversed(matrices), strict=True)):
+                return p
     return None
-
-
-def _candidates(matrices: Sequence[fmpq_mat]) -> Iterator[fmpq_mat]:
-    """P ≠ 0 with P M_i = ± M_(p-1-i) P; of an irreducible family there is only one, up to factors."""
-    try:
-        letters = [modulo(m, _MODULUS) for m in matrices]
-    except ZeroDivisionError:  # the prime divides a denominator
-        return
-    if (pair := _eigenvectors(letters)) is None:
-        return
-    for sign in (1, -1):
-        rows = _intertwining(letters, *pair, sign)
-        p = None if rows is None else over_q(rows)
-        if p is not None and all(p * a == b * p * sign for a, b in zip(matrices, reversed(matrices), strict=True)):
-            yield p
 
 
 def _eigenvectors(letters: Sequence[fmpz_mod_mat]) -> tuple[fmpz_mod_mat, fmpz_mod_mat] | None:
     """Those, as rows, of R and R' for an eigenvalue that is simple for both; None where none is found."""
-    generator, n = random.Random(len(letters)), letters[0].nrows()
+    generator, n, modulus = random.Random(len(letters)), letters[0].nrows(), fmpz_mod_ctx(letters[0].modulus())
     for _ in range(_TRIES):
         r = mirrored = letters[0] * 0
         for _ in range(3):
             i, j, c = (*generator.choices(range(len(letters)), k=2), generator.randint(1, 9))
-            r = r + letters[i] * letters[j] * _MODULUS(c)
-            mirrored = mirrored + letters[-1 - i] * letters[-1 - j] * _MODULUS(c)
+            r = r + letters[i] * letters[j] * modulus(c)
+            mirrored = mirrored + letters[-1 - i] * letters[-1 - j] * modulus(c)
         if r.charpoly() != mirrored.charpoly():
             return None
-        for value in (value for value, times in r.charpoly().roots() if times == 1):
-            scalar = fmpz_mod_mat(n, n, [int(value) * (i == j) for i in range(n) for j in range(n)], _MODULUS)
-            return _kernel(r - scalar), _kernel(mirrored - scalar)
+        if (value := next((x for x, times in r.charpoly().roots() if times == 1), None)) is not None:
+            scalar = fmpz_mod_mat(n, n, [int(value) * (i == j) for i in range(n) for j in range(n)], modulus)
+            return kernel(r - scalar)[0], kernel(mirrored - scalar)[0]
     return None
-
-
-def _kernel(a: fmpz_mod_mat) -> fmpz_mod_mat:
-    """The kernel's vector, of one dimension, as a row."""
-    echelon, rank = a.rref()
-    n = a.ncols()
-    pivots = [next(j for j in range(n) if echelon[i, j]) for i in range(rank)]
-    free = next(j for j in range(n) if j not in pivots)
-    row = [0] * n
-    row[free] = 1
-    for i, pivot in enumerate(pivots):
-        row[pivot] = -int(echelon[i, free])
-    return fmpz_mod_mat([row], _MODULUS)
 
 
 def _intertwining(letters: Sequence[fmpz_mod_mat], v: fmpz_mod_mat, w: fmpz_mod_mat, sign: int) -> fmpz_mod_mat | None:
     """P with P v = w and P M_i = sign M_(p-1-i) P on what words make of v, some entry 1; None if that does not span."""
-    n, transposed = letters[0].nrows(), [m.transpose() for m in letters]
+    n, modulus, transposed = letters[0].nrows(), fmpz_mod_ctx(v.modulus()), [m.transpose() for m in letters]
     images, mirrored, k = [v], [w], 0
     while k < len(images) < n:
         for i, m in enumerate(transposed):
             image = images[k] * m
-            rows = fmpz_mod_mat([x.tolist()[0] for x in (*images, image)], _MODULUS)
+            rows = fmpz_mod_mat([x.tolist()[0] for x in (*images, image)], modulus)
             if rows.rank() > len(images):
                 images.append(image)
-                mirrored.append(mirrored[k] * transposed[-1 - i] * _MODULUS(sign))
+                mirrored.append(mirrored[k] * transposed[-1 - i] * modulus(sign))
         k += 1
     if len(images) < n:
         return None
-    before, after = (fmpz_mod_mat([x.tolist()[0] for x in rows], _MODULUS) for rows in (images, mirrored))
+    before, after = (fmpz_mod_mat([x.tolist()[0] for x in rows], modulus) for rows in (images, mirrored))
     p = before.solve(after).transpose()
     first = next((x for x in p.entries() if x), None)
     return None if first is None else p * (1 / first)
