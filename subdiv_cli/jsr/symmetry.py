@@ -32,7 +32,7 @@ def reversing(family: Family) -> fmpq_mat | None:
 
 
 def _intertwining(matrices: Sequence[fmpq_mat]) -> fmpq_mat | None:
-    """P ≠ 0 with P M_i = ± M_(p-1-i) P; of an irreducible family there is only one, up to factors. None if not found."""
+    """P ≠ 0 with P M_i = ± M_(p-1-i) P, of an irreducible family the only one up to factors; None if not found."""
     for modulus in MODULI:
         try:
             letters = [modulo(m, modulus) for m in matrices]
@@ -65,7 +65,7 @@ def _eigenvectors(letters: Sequence[fmpz_mod_mat]) -> tuple[fmpz_mod_mat, fmpz_m
     return None
 
 
-def _intertwining(letters: Sequence[fmpz_mod_mat], v: fmpz_mod_mat, w: fmpz_mod_mat, sign: int) -> fmpz_mod_mat | None:
+def _spun(letters: Sequence[fmpz_mod_mat], v: fmpz_mod_mat, w: fmpz_mod_mat, sign: int) -> fmpz_mod_mat | None:
     """P with P v = w and P M_i = sign M_(p-1-i) P on what words make of v, some entry 1; None if that does not span."""
     n, modulus, transposed = letters[0].nrows(), fmpz_mod_ctx(v.modulus()), [m.transpose() for m in letters]
     images, mirrored, k = [v], [w], 0
