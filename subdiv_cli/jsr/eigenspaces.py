@@ -23,7 +23,7 @@ from subdiv_cli.jsr.arrays import Array
 from subdiv_cli.jsr.body import Body, Start
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.gauge import Bases, gauges
-from subdiv_cli.jsr.leaders import Ball, Leader, Leaders, eigenvectors
+from subdiv_cli.jsr.leaders import MOST_LEADERS, Ball, Leader, Leaders, eigenvectors
 from subdiv_cli.jsr.measure import independent_columns
 from subdiv_cli.jsr.polytope import grow
 from subdiv_cli.model import Effort
@@ -39,7 +39,7 @@ _ROUNDS = 6
 """Bodies that grow."""
 _STEPS = 100
 _MOST = 64
-"""Leaders."""
+"""Corners."""
 _BITS = 19
 """Of the numbers by which columns are combined to a leader."""
 _SAME = 1e-9
@@ -52,16 +52,32 @@ def surrounding(
     groups: dict[Candidate, list[Leader]] = {}
     for leader in found.each:
         groups.setdefault(leader.candidate, []).append(leader)
-    if not found.is_real or found.has_both_signs or all(len(group) == 1 for group in groups.values()):
+    several = any(len(group) > 1 for group in groups.values()) and len(found.each) < MOST_LEADERS
+    if not several or not found.is_real or found.has_both_signs:
         return None
     with ctx.workprec(256):
         if any(_slope(group[0]).contains(0) for group in groups.values()):  # a Jordan block: norms grow
             return None
     for margin in _MARGINS:
         spaces = [_Eigenspace(family, group) for group in groups.values()]
-        if _surround(spaces, lambda starts: grow(body_of(starts), effort.limited(_WORK), _WITHIN).body, margin):
-            return found._replace(each=tuple(x for space in spaces for x in space.leaders(_SPENT * margin)))
+        with np.errstate(all="ignore"):
+            if _surround(spaces, body_of, margin, effort):
+                return found._replace(each=tuple(x for space in spaces for x in space.leaders(_SPENT * margin)))
     return None
+
+
+def _surround(
+    spaces: Sequence[_Eigenspace], body_of: Callable[[Sequence[Start]], Body], margin: float, effort: Effort
+) -> bool:
+    """Let the hulls grow until the ways in the tree of a body that grows from them lead inside; whether they do."""
+    ways: list[_Way] = []
+    for _ in range(_ROUNDS):
+        starts = [start for space in spaces for start in space.starts()]
+        ways += _ways(spaces, grow(body_of(starts), effort.limited(_WORK), _WITHIN).body)
+        steps = _widen(spaces, ways, margin, effort)
+        if not steps:
+            return steps == 0
+    return False
 
 
 class _Eigenspace:
@@ -91,18 +107,18 @@ class _Eigenspace:
     def _turned(self, points: Array) -> Array:
         return np.hstack([turn @ points for turn in self.turns])
 
-    def surround(self, points: Array) -> bool:
-        """Make the hull so large that it has these points, the farthest first; whether it had to grow."""
-        grown = False
-        while True:
+    def surround(self, points: Array) -> Array:
+        """Make the hull so large that it has these points, the farthest first; the new corners, and turned ones."""
+        added = np.zeros((len(points), 0))
+        while points.size and self.corners.shape[1] <= _MOST:
             values = _gauges(self.hull(), points)
-            if values.max() <= 1 + _SAME:
-                break
-            self.corners, grown = np.hstack([self.corners, points[:, [values.argmax()]]]), True
-            points = points[:, values > 1 + _SAME]
-        if grown:
+            points, values = points[:, values > 1 + _SAME], values[values > 1 + _SAME]
+            if points.size:
+                corner = points[:, [values.argmax()]]
+                self.corners, added = np.hstack([self.corners, corner]), np.hstack([added, corner])
+        if added.size:
             self.corners = self._without(self.corners, _SAME)
-        return grown
+        return self._turned(added)
 
     def _without(self, corners: Array, by: float) -> Array:
         """Corners left out as long as the hull of all of them is larger by at most that."""
@@ -177,31 +193,17 @@ def _way(spaces: Sequence[_Eigenspace], start: int, end: int, image: Array) -> _
     return None
 
 
-def _surround(spaces: Sequence[_Eigenspace], grown: Callable[[Sequence[Start]], Body], margin: float) -> bool:
-    """Let the hulls grow until the ways in the tree of a body that grows from them lead inside; whether they do."""
-    ways: list[_Way] = []
-    for _ in range(_ROUNDS):
-        starts = [start for space in spaces for start in space.starts()]
-        if len(starts) > _MOST:
-            return False
-        ways += _ways(spaces, grown(starts))
-        steps = _widen(spaces, ways, margin)
-        if not steps:
-            return steps == 0
-    return False
-
-
-def _widen(spaces: Sequence[_Eigenspace], ways: Sequence[_Way], margin: float) -> int | None:
+def _widen(spaces: Sequence[_Eigenspace], ways: Sequence[_Way], margin: float, effort: Effort) -> int | None:
     """Let the hulls grow until all ways map them into each other; the number of steps, None where that does not end."""
+    fresh = [space.hull() for space in spaces]
     for step in range(_STEPS):
-        hulls = [space.hull() for space in spaces]
-        coming = [[hull] for hull in hulls]
+        coming = [[np.zeros((len(points), 0))] for points in fresh]
         for way in ways:
-            coming[way.end].append(way.matrix @ hulls[way.start] * (1.0 if way.exact else 1 + margin))
-        grown = [space.surround(np.hstack(points)) for space, points in zip(spaces, coming, strict=True)]
-        if not any(grown):
+            coming[way.end].append(way.matrix @ fresh[way.start] * (1.0 if way.exact else 1 + margin))
+        fresh = [space.surround(np.hstack(points)) for space, points in zip(spaces, coming, strict=True)]
+        if not any(points.size for points in fresh):
             return step
-        if sum(space.corners.shape[1] for space in spaces) > _MOST:
+        if sum(space.corners.shape[1] for space in spaces) > _MOST or not effort.allows(0):
             return None
     return None
 

@@ -21,7 +21,7 @@ from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.model import Root
 
-_MOST_LEADERS = 16
+MOST_LEADERS = 16
 _LONGEST = 200
 """Letters of a common power of all words."""
 LONGEST_PRODUCT = 1 << 18
@@ -109,7 +109,7 @@ def _of_length(family: Family, candidates: Sequence[Candidate], length: int) -> 
         alike = [x for x in spectrum if _same(x, shared) or (shared.is_real and _same(x, negated(shared)))]
         for eigenvalue in sorted(alike, key=_preference, reverse=True):
             each += _eigenvectors(product, power, eigenvalue)
-    return Leaders(length, tuple(each[:_MOST_LEADERS])) if each else None
+    return Leaders(length, tuple(each[:MOST_LEADERS])) if each else None
 
 
 def _leading_eigenvalues(product: fmpq_mat) -> list[AlgebraicNumber]:
