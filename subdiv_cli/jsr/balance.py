@@ -35,6 +35,8 @@ def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Ef
             for start, functional in zip(starts, functionals, strict=True)
         ]
     )
+    if not np.isfinite(reach).all():
+        return [Fraction(1)] * len(starts)
     balanced = _balanced(np.log(np.maximum(reach, _SMALLEST)))
     return [Fraction(max(1, round(64 * x)), 64) for x in np.exp(balanced - balanced[0]).tolist()]
 
@@ -59,6 +61,8 @@ def _functional(start: Start, body: Body) -> Array | None:
     if body.complex or not start.word:
         return None
     product = reduce(np.matmul, (body.scaled[letter] for letter in reversed(start.word)))
+    if not np.isfinite(product).all():
+        return None
     image, scale = product @ start.vector, _SMALLEST * float(np.linalg.norm(start.vector))
     if min(np.linalg.norm(image - start.vector), np.linalg.norm(image + start.vector)) > scale:
         return None

@@ -37,12 +37,18 @@ _SPENT = 3 / 4
 """Of the margin, so that there are fewer leaders."""
 _ROUNDS = 6
 """Bodies that grow."""
-_STEPS = 100
+_STEPS = 40
+_TARGETS = 100_000
+"""Points whose gauges are asked for, all in all."""
 _MOST = 64
 """Corners."""
 _BITS = 19
 """Of the numbers by which columns are combined to a leader."""
+_FAR = 1000
+"""Times as large as at first is a hull that grows on and on."""
 _SAME = 1e-9
+_ROUNDING = 1e-6
+"""Of gauges in hulls that may be flat."""
 
 
 def surrounding(
@@ -70,13 +76,17 @@ def _surround(
     spaces: Sequence[_Eigenspace], body_of: Callable[[Sequence[Start]], Body], margin: float, effort: Effort
 ) -> bool:
     """Let the hulls grow until the ways in the tree of a body that grows from them lead inside; whether they do."""
-    ways: list[_Way] = []
+    ways: dict[tuple[object, ...], _Way] = {}
+    left = _TARGETS
     for _ in range(_ROUNDS):
         starts = [start for space in spaces for start in space.starts()]
-        ways += _ways(spaces, grow(body_of(starts), effort.limited(_WORK), _WITHIN).body)
-        steps = _widen(spaces, ways, margin, effort)
-        if not steps:
-            return steps == 0
+        body = grow(body_of(starts), effort.limited(_WORK), _WITHIN).body
+        ways.update((way.key, way) for way in _ways(spaces, body))
+        steps, left = _widen(spaces, tuple(ways.values()), margin, left)
+        if steps is None or not effort.allows(0):
+            return False
+        if steps == 0:
+            return True
     return False
 
 
@@ -107,17 +117,22 @@ class _Eigenspace:
     def _turned(self, points: Array) -> Array:
         return np.hstack([turn @ points for turn in self.turns])
 
+    @property
+    def is_far(self) -> bool:
+        """Whether the hull has grown on and on."""
+        return self.corners.shape[1] > _MOST or bool(np.abs(self.corners).max() > _FAR * np.abs(self._basis).max())
+
     def surround(self, points: Array) -> Array:
         """Make the hull so large that it has these points, the farthest first; the new corners, and turned ones."""
         added = np.zeros((len(points), 0))
-        while points.size and self.corners.shape[1] <= _MOST:
+        while points.size and not self.is_far:
             values = _gauges(self.hull(), points)
-            points, values = points[:, values > 1 + _SAME], values[values > 1 + _SAME]
+            points, values = points[:, values > 1 + _ROUNDING], values[values > 1 + _ROUNDING]
             if points.size:
                 corner = points[:, [values.argmax()]]
                 self.corners, added = np.hstack([self.corners, corner]), np.hstack([added, corner])
         if added.size:
-            self.corners = self._without(self.corners, _SAME)
+            self.corners = self._without(self.corners, _ROUNDING)
         return self._turned(added)
 
     def _without(self, corners: Array, by: float) -> Array:
@@ -160,6 +175,17 @@ class _Way(NamedTuple):
     exact: bool
     """Q A x = A x: the image itself lies there."""
 
+    @property
+    def key(self) -> tuple[object, ...]:
+        """The same for ways that are the same as floats see it."""
+        return self.start, self.end, *np.round(self.matrix / _SAME).ravel().tolist()
+
+    def magnifies(self, margin: float) -> bool:
+        """Whether no hull is mapped into its inner part."""
+        if self.start != self.end or self.exact:
+            return False
+        return bool(np.abs(np.linalg.eigvals(self.matrix)).max() * (1 + margin) >= 1)
+
 
 def _ways(spaces: Sequence[_Eigenspace], body: Body) -> list[_Way]:
     """Those of the words in the tree of a body, and in a symmetric family what reversal makes of them."""
@@ -193,19 +219,28 @@ def _way(spaces: Sequence[_Eigenspace], start: int, end: int, image: Array) -> _
     return None
 
 
-def _widen(spaces: Sequence[_Eigenspace], ways: Sequence[_Way], margin: float, effort: Effort) -> int | None:
-    """Let the hulls grow until all ways map them into each other; the number of steps, None where that does not end."""
+def _widen(spaces: Sequence[_Eigenspace], ways: Sequence[_Way], margin: float, left: int) -> tuple[int | None, int]:
+    """Let the hulls grow until all ways map them into each other; the number of steps, None where that does not end.
+
+    And how many points may still be looked at.
+    """
+    if any(way.magnifies(margin) for way in ways):
+        return None, left
     fresh = [space.hull() for space in spaces]
     for step in range(_STEPS):
         coming = [[np.zeros((len(points), 0))] for points in fresh]
         for way in ways:
             coming[way.end].append(way.matrix @ fresh[way.start] * (1.0 if way.exact else 1 + margin))
-        fresh = [space.surround(np.hstack(points)) for space, points in zip(spaces, coming, strict=True)]
+        together = [np.hstack(points) for points in coming]
+        left -= sum(points.shape[1] for points in together)
+        if left < 0:
+            return None, left
+        fresh = [space.surround(points) for space, points in zip(spaces, together, strict=True)]
+        if any(space.is_far for space in spaces):
+            return None, left
         if not any(points.size for points in fresh):
-            return step
-        if sum(space.corners.shape[1] for space in spaces) > _MOST or not effort.allows(0):
-            return None
-    return None
+            return step, left
+    return None, left
 
 
 def _gauges(columns: Array, targets: Array) -> Array:

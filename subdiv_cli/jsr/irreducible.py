@@ -37,6 +37,8 @@ _LONGEST_ROOT = 60_000
 """Bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
 _ROUNDING = 1e-9
 _MARGIN = 30
+_SMALLEST = Fraction(1, 1 << 600)
+"""Of a radius, measured in the largest entry: polytopes for smaller ones have coordinates that are no doubles."""
 _SLACK = Fraction(1, 64)
 """By how much the matrices are scaled down first where the polytope at the candidate itself does not close."""
 
@@ -123,6 +125,11 @@ class _Attempt:
     def __init__(self, family: Family, found: Sequence[Candidate], *, squared: bool = False) -> None:
         self.family = family
         self.leaders = leaders(family, found, squared=squared)
+        if self.leaders is not None:
+            with ctx.workprec(128):
+                self.sigma = to_fraction_of_ball(self.leaders)
+            if self.sigma < family.unit * _SMALLEST:
+                self.leaders = None
         self.starts: list[Start] | None = None
         self.grown: Grown | None = None
 
@@ -146,8 +153,6 @@ class _Attempt:
     def _first(self, effort: Effort) -> list[Start]:
         """What the polytope grows from: leaders in number and length as they go together best."""
         assert self.leaders is not None
-        with ctx.workprec(128):
-            self.sigma = to_fraction_of_ball(self.leaders)
         starts = [_start(self.family, leader) for leader in self.leaders.each]
         self.monotone = self.family.is_nonnegative and all(_is_nonnegative(start.vector) for start in starts)
         if not self.monotone and (more := self._surrounding(effort)) is not None:

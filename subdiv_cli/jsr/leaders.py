@@ -51,16 +51,12 @@ class Leaders(NamedTuple):
     length: int
     """ℓ, of every word."""
     each: tuple[Leader, ...]
+    has_both_signs: bool
+    """Whether some product has the eigenvalue that they share, and its negative too, which is left out."""
 
     @property
     def is_real(self) -> bool:
         return self.each[0].eigenvalue.is_real
-
-    @property
-    def has_both_signs(self) -> bool:
-        """Whether some product has eigenvalues of both signs."""
-        signs = {(leader.candidate, bool(leader.eigenvalue.region.real > 0)) for leader in self.each}
-        return self.is_real and len(signs) > len({candidate for candidate, _ in signs})
 
     def sigma(self) -> arb:
         """|μ|^(1/ℓ), enclosed at the current precision: the joint spectral radius is at least that."""
@@ -82,7 +78,7 @@ def leaders(family: Family, candidates: Sequence[Candidate], *, squared: bool = 
     as the first: real vertices may be ties. Candidates that do not have it are left out.
 
     `squared`: where both signs are eigenvalues of one product, all products are squared, so that there is one
-    eigenspace, to which what comes back to one of the two comes back.
+    eigenspace of both.
     """
     length = lcm(*(len(candidate.word) for candidate in candidates))
     if not _is_affordable(family, length):
@@ -105,11 +101,13 @@ def _of_length(family: Family, candidates: Sequence[Candidate], length: int) -> 
     if shared is None:
         return None
     each: list[Leader] = []
+    both = False
     for power, product, spectrum in zip(powers, products, spectra, strict=True):
         alike = [x for x in spectrum if _same(x, shared) or (shared.is_real and _same(x, negated(shared)))]
-        for eigenvalue in sorted(alike, key=_preference, reverse=True):
-            each += _eigenvectors(product, power, eigenvalue)
-    return Leaders(length, tuple(each[:MOST_LEADERS])) if each else None
+        if alike:
+            each += _eigenvectors(product, power, max(alike, key=_preference))
+        both = both or len(alike) > 1
+    return Leaders(length, tuple(each[:MOST_LEADERS]), both) if each else None
 
 
 def _leading_eigenvalues(product: fmpq_mat) -> list[AlgebraicNumber]:

@@ -76,14 +76,15 @@ def push_out(body: Body, images: Iterable[tuple[int, int]], by: float, effort: E
 
 
 def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort, within: float = 1.0) -> Grown:
-    memory, spent = measure_of(body), 0
+    spent = 0
     with np.errstate(all="ignore"):  # a gauge that overflows is a large one
+        memory = measure_of(body)
         while pending:
             fresh: list[int] = []
             for start in range(0, len(pending), _CHUNK):
                 chunk = pending[start : start + _CHUNK]
                 spent += len(chunk) * (1 + body.columns.size * max(body.order, _SMALL_ORDER) // (2000 * _SMALL_ORDER))
-                if not effort.allows(spent):
+                if not effort.allows(spent) or not np.isfinite(body.columns).all():
                     return Grown(body, False, pending[start:] + body.pending(fresh), spent)
                 fresh += _absorb(body, memory, chunk, within)
             pending = body.pending(fresh)
@@ -183,8 +184,9 @@ def _record(body: Body, pair: tuple[int, int], found: Gauges | Dominations, k: i
 
 def measured(grown: Grown) -> Grown:
     """The gauges of what is left too, for the bound that the body proves as it is."""
-    body, memory = grown.body, measure_of(grown.body)
+    body = grown.body
     with np.errstate(all="ignore"):
+        memory = measure_of(body)
         for start in range(0, len(grown.left), _CHUNK):
             chunk = grown.left[start : start + _CHUNK]
             targets = np.array([body.image(*pair) for pair in chunk])

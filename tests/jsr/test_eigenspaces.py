@@ -13,6 +13,7 @@ from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.jsr.eigenspaces import surrounding
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import leaders
+from subdiv_cli.jsr.radius import joint_spectral_radius
 from subdiv_cli.model import Effort
 
 BASES = {
@@ -77,7 +78,35 @@ def test_leaders_of_both_signs_are_squared_only_where_that_is_asked_for():
     a = Family([matrix(rows) for rows in family((1, -1, "1/4"), Fraction(1, 2))])
     plain, squared = leaders(a, [Candidate((0,))]), leaders(a, [Candidate((0,))], squared=True)
     assert plain.has_both_signs
-    assert (plain.length, len(plain.each)) == (1, 2)
+    assert (plain.length, len(plain.each)) == (1, 1)
     assert not squared.has_both_signs
     assert (squared.length, len(squared.each)) == (2, 2)
     assert {leader.candidate.word for leader in squared.each} == {(0, 0)}
+
+
+def test_hulls_that_no_margin_has_room_for_are_given_up():
+    """Two projections with one plane in common: what comes back to a plane is as large as what left it."""
+    found = proved(
+        [
+            [["-2/5", 0, 0], ["-7/5", 1, 0], ["-7/10", 0, 1]],
+            [["1/4", "1/4", "3/8"], ["-1/8", "-1/4", "-1/8"], ["3/8", "1/4", "1/4"]],
+            [[1, 0, "-7/10"], [0, 1, "-7/5"], [0, 0, "-2/5"]],
+        ]
+    )
+    assert found.root == (1, (-1, 1))
+
+
+@pytest.mark.parametrize("power", [12, 100])
+def test_coordinates_of_very_different_scales(power):
+    """diag(1, -1) and ((0, b/2), (1/(2b), 1/9)): in another scale a matrix with a norm below 1."""
+    b = Fraction(10) ** power
+    found = proved([[[1, 0], [0, -1]], [[0, b / 2], [1 / (2 * b), "1/9"]]])
+    assert found.root == (1, (-1, 1))
+
+
+@pytest.mark.parametrize("power", [200, 310, 1000])
+def test_scales_beyond_doubles_are_no_error(power):
+    b = Fraction(10) ** power
+    family = Family([matrix([[1, 0], [0, -1]]), matrix([[0, b / 2], [1 / (2 * b), Fraction(1, 9)]])])
+    radius = joint_spectral_radius(family, Effort())
+    assert radius is None or radius.upper[1] >= 1
