@@ -33,7 +33,7 @@ def difference_radius(d: Laurent, p: int, effort: Effort) -> Radius | None:
     if (radius := positive_radius(d, p)) is not None:
         return radius
     matrices = transition_matrices(d, p)
-    first = Effort(min(_FIRST_WORK, effort.work))
+    first = effort.limited(_FIRST_WORK)
     if (radius := _by_norms(d, p, best_product(matrices, first), first, _FIRST_LEVELS)) is not None and radius.exact:
         return radius
     numerators, denominator = d.integer_form()

@@ -29,7 +29,7 @@ from subdiv_cli.exact.text import number
 from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.products import lyndon_words
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.model import Data, Effort, Finding, Verdict
+from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.quantities.norms import power_norms
 from subdiv_cli.quantities.scalar import ScalarNumbers
 from subdiv_cli.schemes.operators import transition_matrices
@@ -102,7 +102,7 @@ def _contractive_level(numbers: ScalarNumbers, m: int) -> tuple[int, Fraction] |
     if not 1 <= m <= numbers.order:
         return None
     symbol = numbers.difference(m).scale(numbers.p ** (m - 1))
-    norms = islice(power_norms(symbol, numbers.p, Effort(min(_WORK, numbers.effort.work))), _LEVELS)
+    norms = islice(power_norms(symbol, numbers.p, numbers.effort.limited(_WORK)), _LEVELS)
     levels = ((level, norm) for level, norm in enumerate(norms, 1))
     return next(((level, norm) for level, norm in levels if norm * numbers.p**level <= 1), None)
 
@@ -114,7 +114,7 @@ def _closed(numbers: ScalarNumbers, m: int) -> Radius | None:
         return None
     from subdiv_cli.jsr.radius import joint_spectral_radius  # numpy comes with it
 
-    radius = joint_spectral_radius(family, Effort(min(_WORK, numbers.effort.work)))
+    radius = joint_spectral_radius(family, numbers.effort.limited(_WORK))
     if radius is None or radius.exact is None or not radius.bounded:
         return None
     length, root = radius.exact

@@ -222,7 +222,7 @@ def other_root(r):
 RATIONAL, LOGARITHM, ROOT, BOUNDED = (
     f"scalar/{name}.toml" for name in ("four_point", "dual_four_point", "six_point_1_64", "six_point")
 )
-SETTINGS = {BOUNDED: {"overrides": {"theta": Fraction(117, 4000)}, "work": 600}}
+SETTINGS = {BOUNDED: {"overrides": {"theta": Fraction(117, 4000)}, "work": 250}}
 """With so little effort the exponent is not known exactly."""
 NUMBERS = [
     *((RATIONAL, exponent("holder", exact=Fraction(3))), (RATIONAL, exponent("holder", exact=Fraction(3, 2)))),

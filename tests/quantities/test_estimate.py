@@ -47,7 +47,7 @@ def test_norms_extrapolate_to_the_exponent(mask, exact):
 
 
 def test_an_estimate_stands_beside_bounds_and_nothing_exact():
-    holder, better = answer(hard(), 100).holder, answer(hard()).holder
+    holder, better = answer(hard(), 80).holder, answer(hard()).holder
     assert holder.exact is None
     assert holder.digits is None
     assert holder.upper - holder.lower > 0.01
@@ -71,7 +71,7 @@ def run(*arguments):
 
 
 def test_where_they_are_shown():
-    mask = ["check", "--mask", str([f"{c}" for c in hard().coefficients]).replace("'", ""), "--effort", "100"]
+    mask = ["check", "--mask", str([f"{c}" for c in hard().coefficients]).replace("'", ""), "--effort", "80"]
     text = " ".join(run(*mask).split())
     assert "extrapolated from norms: an estimate, which proves nothing" in text
     holder = json.loads(run(*mask, "--format", "json"))["results"][0]["holder"]
