@@ -15,19 +15,18 @@ import numpy as np
 from subdiv_cli.jsr.arrays import Array
 from subdiv_cli.jsr.body import Body, Start
 from subdiv_cli.jsr.measure import gauge
-from subdiv_cli.jsr.polytope import grow
+from subdiv_cli.jsr.polytope import ROUGHLY, grow
 from subdiv_cli.model import Effort
 
 _WORK = 200
 """Gauges in the body that grows from one leader."""
-_WITHIN = 1.02
 _SWEEPS = 64
 _SMALLEST = 1e-3
 
 
 def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Effort) -> list[Fraction]:
     """A factor for every leader, 1 for the first one."""
-    grown = [grow(body_of(start), effort.limited(_WORK), _WITHIN).body for start in starts]
+    grown = [grow(body_of(start), effort.limited(_WORK), ROUGHLY).body for start in starts]
     functionals = [_functional(start, body) for start, body in zip(starts, grown, strict=True)]
     reach = np.array(
         [

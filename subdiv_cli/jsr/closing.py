@@ -286,7 +286,7 @@ class _Monotone(_Closing):
 
 def _column(start: tuple[int, ...]) -> Data:
     """The number of a unit vector; others as they are."""
-    return start if sum(map(abs, start)) != 1 or -1 in start else start.index(1)
+    return start.index(1) if 1 in start and start.count(0) == len(start) - 1 else start
 
 
 def _plain(weight: Weight) -> Data:

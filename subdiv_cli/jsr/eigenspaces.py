@@ -25,12 +25,11 @@ from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.gauge import Bases, gauges
 from subdiv_cli.jsr.leaders import MOST_LEADERS, Ball, Leader, Leaders, eigenvectors
 from subdiv_cli.jsr.measure import independent_columns
-from subdiv_cli.jsr.polytope import grow
+from subdiv_cli.jsr.polytope import ROUGHLY, grow
 from subdiv_cli.model import Effort
 
 _WORK = 1000
 """Gauges in the body whose tree has the ways that are looked at."""
-_WITHIN = 1.02
 _MARGINS = (1 / 10, 1 / 40)
 """What comes back is to stay inside by; the smaller one where the hulls grow on and on with the larger one."""
 _SPENT = 3 / 4
@@ -80,7 +79,7 @@ def _surround(
     left = _TARGETS
     for _ in range(_ROUNDS):
         starts = [start for space in spaces for start in space.starts()]
-        body = grow(body_of(starts), effort.limited(_WORK), _WITHIN).body
+        body = grow(body_of(starts), effort.limited(_WORK), ROUGHLY).body
         ways.update((way.key, way) for way in _ways(spaces, body))
         steps, left = _widen(spaces, tuple(ways.values()), margin, left)
         if steps is None or not effort.allows(0):

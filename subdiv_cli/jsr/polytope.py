@@ -22,6 +22,8 @@ from subdiv_cli.jsr.gauge import PRECISION, Gauges
 from subdiv_cli.jsr.measure import Balanced, Monotone, measure_of
 from subdiv_cli.model import Effort
 
+ROUGHLY = 1.02
+"""Gauges up to which images may stay outside of bodies that only suggest something: they end sooner."""
 _SHARE = 0.2
 """Of the images outside, how many become vertices before the others are measured again."""
 _CHUNK = 256

@@ -40,8 +40,8 @@ def decomposed(family: Family) -> Blocks | None:
     turns = [reversing(part) for part in found.parts]
     if all(turn is None for turn in turns):
         return found
-    unturned = [identity(size) if turn is None else turn for turn, size in zip(turns, sizes, strict=True)]
-    return _blocks(family, basis * _diagonal_sum(unturned), sizes)
+    bases = [identity(size) if turn is None else turn for turn, size in zip(turns, sizes, strict=True)]
+    return _blocks(family, basis * _diagonal_sum(bases), sizes)
 
 
 def _flag(matrices: Sequence[fmpq_mat]) -> tuple[fmpq_mat, list[int]]:

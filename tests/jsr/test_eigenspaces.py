@@ -7,7 +7,7 @@ their Euclidean norms say that the radius is 1.
 from fractions import Fraction
 
 import pytest
-from proved import proved, similar
+from proved import proved, similar, times
 
 from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.jsr.eigenspaces import surrounding
@@ -25,10 +25,6 @@ PLANES = [(0, 1), (1, 2), (0, 2), (2, 3), (0, 3), (3, 4), (1, 4)]
 TURNS = [(3, 4, 5), (5, 12, 13), (8, 15, 17), (4, 3, 5), (12, 5, 13), (15, 8, 17), (7, 24, 25)]
 
 
-def product(a, b):
-    return [[sum(x * y for x, y in zip(row, column, strict=True)) for column in zip(*b, strict=True)] for row in a]
-
-
 def rotation(n):
     """A rational one without invariant subspaces."""
     total = [[Fraction(int(i == j)) for j in range(n)] for i in range(n)]
@@ -36,7 +32,7 @@ def rotation(n):
         turn = [[Fraction(int(a == b)) for b in range(n)] for a in range(n)]
         turn[i][i] = turn[j][j] = Fraction(p, r)
         turn[i][j], turn[j][i] = Fraction(q, r), -Fraction(q, r)
-        total = product(total, turn)
+        total = times(total, turn)
     return total
 
 
