@@ -9,25 +9,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.certificate import certificate, document_text, family_certificate
 from subdiv_cli.checker import check_document
-from subdiv_cli.model import (
-    Effort,
-    Expectation,
-    Exponent,
-    Finding,
-    Judgement,
-    Result,
-    Smoothness,
-    Verdict,
-)
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.kinds.scalar.stages.figures import digits, estimate
+from subdiv_cli.kinds.scalar.stages.judge import judge
+from subdiv_cli.kinds.scalar.stages.scalar import Analysis, analyse
+from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Judgement, Result, Smoothness, Verdict
 from subdiv_cli.model.judge import status
-from subdiv_cli.schemes.scalar import ScalarScheme
-from subdiv_cli.stages.figures import digits, estimate
-from subdiv_cli.stages.judge import judge
-from subdiv_cli.stages.scalar import Analysis, analyse
 
 if TYPE_CHECKING:
+    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
     from subdiv_cli.model.family import FamilyRadius
-    from subdiv_cli.schemes.multivariate import MultivariateScheme
 
 
 class DisagreementError(Exception):

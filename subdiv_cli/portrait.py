@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.kinds.scalar.stages.anatomy import anatomy
+from subdiv_cli.kinds.scalar.stages.curves import TooFewPointsError, limit, polygons, refinable, support
+from subdiv_cli.kinds.scalar.stages.picture import stages
+from subdiv_cli.kinds.scalar.stages.scalar import analyse
 from subdiv_cli.model import Effort, Result, Verdict
-from subdiv_cli.model.anatomy import Anatomy, Curve
+from subdiv_cli.model.blocks import Anatomy, Curve
 from subdiv_cli.pipeline import Checked, certified
-from subdiv_cli.schemes.scalar import ScalarScheme
-from subdiv_cli.stages.anatomy import anatomy
-from subdiv_cli.stages.curves import TooFewPointsError, limit, polygons, refinable, support
-from subdiv_cli.stages.picture import stages
-from subdiv_cli.stages.scalar import analyse
 
 __all__ = ["TooFewPointsError", "Vertices", "drawn", "portrait", "traced"]
 

@@ -5,13 +5,13 @@ A module of its own, so that `check` does not load what it does not need.
 
 from __future__ import annotations
 
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.kinds.multivariate.stages import surfaces
+from subdiv_cli.kinds.multivariate.stages.analysis import Analysis, analyse
+from subdiv_cli.kinds.multivariate.stages.surfaces import NoValuesError, net
 from subdiv_cli.model import Effort, Result, Verdict
-from subdiv_cli.model.anatomy import Net, Surface, SurfaceAnatomy
+from subdiv_cli.model.blocks import Net, Surface, SurfaceAnatomy
 from subdiv_cli.pipeline import Checked
-from subdiv_cli.schemes.multivariate import MultivariateScheme
-from subdiv_cli.stages import surfaces
-from subdiv_cli.stages.multivariate.analysis import Analysis, analyse
-from subdiv_cli.stages.surfaces import NoValuesError, net
 from subdiv_cli.surfaces import certified_surface
 
 __all__ = ["NoValuesError", "drawn_surface", "graph_net", "net", "surface_portrait"]

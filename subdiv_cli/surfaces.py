@@ -7,17 +7,17 @@ from dataclasses import replace
 from typing import cast
 
 from subdiv_cli.certificate import certificate
-from subdiv_cli.certificate.multivariate import surface_certificate
-from subdiv_cli.certificate.tensor import PartCertificate
-from subdiv_cli.certificate.writer import Certificate
+from subdiv_cli.kinds.multivariate.claims.multivariate import surface_certificate
+from subdiv_cli.kinds.multivariate.claims.tensor import PartCertificate
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.kinds.multivariate.stages.analysis import Analysis, analyse
+from subdiv_cli.kinds.scalar.claims.writer import Certificate
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.kinds.scalar.stages.figures import digits
 from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Result, Smoothness, Verdict
 from subdiv_cli.model.judge import status
 from subdiv_cli.pipeline import Checked, judged, named, sobolev_exponent, verified
-from subdiv_cli.schemes.multivariate import MultivariateScheme
-from subdiv_cli.schemes.scalar import ScalarScheme
-from subdiv_cli.stages.figures import digits
-from subdiv_cli.stages.multivariate.analysis import Analysis, analyse
 
 
 def check_surface(scheme: MultivariateScheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:

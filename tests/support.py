@@ -8,11 +8,11 @@ from fractions import Fraction
 from functools import cache
 
 from subdiv_cli.catalog import masks_directory
+from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.maskfile import read_path
 from subdiv_cli.model import Effort, Finding, Result
 from subdiv_cli.pipeline import check
-from subdiv_cli.schemes.multivariate import IntMatrix, MultivariateScheme
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 
 def scheme(coefficients: Sequence[int | str | Fraction], start: int = 0, arity: int = 2, over: int = 1) -> ScalarScheme:

@@ -9,11 +9,8 @@ from support import answer, scheme
 
 from subdiv_cli.exact.laurent import Laurent, smoothing_factor
 from subdiv_cli.exact.linalg import infinity_norm
-from subdiv_cli.model import Effort
-from subdiv_cli.quantities.norms import power_norms
-from subdiv_cli.quantities.polynomials import parameter_shift, reproduction_defects, sum_rules
-from subdiv_cli.quantities.spectra import spectrum
-from subdiv_cli.schemes.operators import (
+from subdiv_cli.kinds.scalar.numbers.norms import power_norms
+from subdiv_cli.kinds.scalar.numbers.operators import (
     apply,
     difference_symbol,
     refinement_matrices,
@@ -21,6 +18,9 @@ from subdiv_cli.schemes.operators import (
     symbol,
     transition_matrices,
 )
+from subdiv_cli.kinds.scalar.numbers.polynomials import parameter_shift, reproduction_defects, sum_rules
+from subdiv_cli.kinds.scalar.numbers.spectra import spectrum
+from subdiv_cli.model import Effort
 
 small = st.fractions(min_value=-3, max_value=3, max_denominator=6)
 data = st.dictionaries(st.integers(-5, 5), small, max_size=6)

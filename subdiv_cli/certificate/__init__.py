@@ -4,6 +4,6 @@ Nothing is computed here that a stage has not found: the writer spells witnesses
 """
 
 from subdiv_cli.certificate.claims import document_text
-from subdiv_cli.certificate.writer import Certificate, certificate, family_certificate
+from subdiv_cli.kinds.scalar.claims.writer import Certificate, certificate, family_certificate
 
 __all__ = ["Certificate", "certificate", "document_text", "family_certificate"]

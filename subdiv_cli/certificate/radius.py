@@ -11,7 +11,7 @@ from subdiv_cli.certificate.witness import as_integer, as_rational, as_rationals
 from subdiv_cli.model import Data
 
 if TYPE_CHECKING:
-    from subdiv_cli.certificate.proof import Proof
+    from subdiv_cli.kinds.scalar.claims.proof import Proof
 
 Map = Mapping[str, Data]
 

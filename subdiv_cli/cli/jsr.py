@@ -16,7 +16,7 @@ from subdiv_cli.model import DEFAULT_EFFORT, Effort, Problem
 from subdiv_cli.model.family import FamilyRadius
 
 if TYPE_CHECKING:
-    from subdiv_cli.maskfile.matrices import MatrixFile
+    from subdiv_cli.kinds.matrices.text import MatrixFile
 
 _EPILOG = """\b
 Examples:
@@ -99,7 +99,7 @@ def command(
 
 
 def _read(file: str, parameters: tuple[str, ...]) -> tuple[MatrixFile, Any]:
-    from subdiv_cli.maskfile.matrices import read_matrices
+    from subdiv_cli.kinds.matrices.text import read_matrices
     from subdiv_cli.maskfile.option import parse_override
 
     overrides: dict[str, Fraction] = dict(parse_override(text) for text in parameters)

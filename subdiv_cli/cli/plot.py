@@ -15,11 +15,11 @@ from subdiv_cli.cli.streams import emit, look_of, why_not
 from subdiv_cli.cli.values import WholeType
 
 if TYPE_CHECKING:
+    from subdiv_cli.kinds.scalar.scheme import ScalarScheme
     from subdiv_cli.maskfile.points import Points
     from subdiv_cli.model import Effort, Result
     from subdiv_cli.plot.figure import Panel
     from subdiv_cli.plot.sampled import Line
-    from subdiv_cli.schemes.scalar import ScalarScheme
 
 _EPILOG = """\b
 Examples:
@@ -181,7 +181,7 @@ def _points(file: str) -> Points:
 
 
 def _scheme(one: single.One) -> ScalarScheme:
-    from subdiv_cli.schemes.scalar import ScalarScheme
+    from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 
     assert isinstance(one.scheme, ScalarScheme)
     return one.scheme

@@ -16,10 +16,10 @@ from subdiv_cli.cli.streams import look_of
 if TYPE_CHECKING:
     from fractions import Fraction
 
+    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
     from subdiv_cli.model import Effort, Result
-    from subdiv_cli.model.anatomy import Net, Surface
+    from subdiv_cli.model.blocks import Net, Surface
     from subdiv_cli.plot.relief import Relief
-    from subdiv_cli.schemes.multivariate import MultivariateScheme
 
 OBJ = ".obj"
 _LEVELS = 3
@@ -69,7 +69,7 @@ Nothing = Callable[[single.One, "Result", Sequence[str], str], ExitCode]
 
 
 def _scheme(one: single.One) -> MultivariateScheme:
-    from subdiv_cli.schemes.multivariate import MultivariateScheme
+    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 
     assert isinstance(one.scheme, MultivariateScheme)
     return one.scheme

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from subdiv_cli.catalog.task import Done
     from subdiv_cli.maskfile import MaskFile
 
-DRAWING = ("subdiv_cli.quantities.curve", "drawing")
+DRAWING = ("subdiv_cli.kinds.scalar.numbers.curve", "drawing")
 
 
 class Run:

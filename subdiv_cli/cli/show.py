@@ -19,7 +19,7 @@ from subdiv_cli.report.show import FORMATS, renderer
 
 if TYPE_CHECKING:
     from subdiv_cli.model import Result
-    from subdiv_cli.model.anatomy import Anatomy
+    from subdiv_cli.model.blocks import Anatomy
     from subdiv_cli.pipeline import Checked
 
 _EPILOG = """\b
@@ -107,9 +107,9 @@ def _check_surface_options() -> None:
 
 
 def _page(one: single.One, form: str, tolerance: Fraction, effort: int, certificate: str | None, look: Look) -> str:
+    from subdiv_cli.kinds.scalar.scheme import ScalarScheme
     from subdiv_cli.model import Effort
     from subdiv_cli.portrait import portrait
-    from subdiv_cli.schemes.scalar import ScalarScheme
 
     assert isinstance(one.scheme, ScalarScheme)
     checked, anatomy = portrait(one.scheme, tolerance, Effort(effort))
@@ -119,11 +119,11 @@ def _page(one: single.One, form: str, tolerance: Fraction, effort: int, certific
 def _surface_page(
     one: single.One, form: str, tolerance: Fraction, effort: int, certificate: str | None, look: Look
 ) -> str:
+    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
     from subdiv_cli.model import Effort
     from subdiv_cli.plot.heights import draw_heights
     from subdiv_cli.relief import surface_portrait
     from subdiv_cli.report.show.lattice import render
-    from subdiv_cli.schemes.multivariate import MultivariateScheme
 
     assert isinstance(one.scheme, MultivariateScheme)
     checked, anatomy = surface_portrait(one.scheme, Effort(effort))

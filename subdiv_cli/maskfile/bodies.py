@@ -7,15 +7,15 @@ from fractions import Fraction
 from math import lcm
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.evaluate import is_fixed
 from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 if TYPE_CHECKING:
-    from subdiv_cli.schemes.multivariate import MultivariateScheme
+    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 
     Scheme = ScalarScheme | MultivariateScheme
 

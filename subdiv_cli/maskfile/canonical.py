@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from subdiv_cli.schemes.scalar import ScalarScheme
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 
 if TYPE_CHECKING:
-    from subdiv_cli.schemes.multivariate import MultivariateScheme
+    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 
 
 def canonical(scheme: ScalarScheme | MultivariateScheme) -> Mapping[str, Any]:

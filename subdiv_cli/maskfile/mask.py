@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.maskfile.bodies import Body, Coefficients
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.expressions import Expression, literal, number_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, Source, near, shown
 from subdiv_cli.model import Expectation
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 if TYPE_CHECKING:
     from subdiv_cli.maskfile.bodies import Scheme
@@ -127,7 +127,7 @@ def from_scheme(
         kind, entries = "scalar", tuple(map(literal, scheme.coefficients))
         body = Coefficients(arity=scheme.arity, start=scheme.start, entries=entries)
     else:
-        from subdiv_cli.maskfile.multivariate.bodies import Terms
+        from subdiv_cli.kinds.multivariate.text.bodies import Terms
 
         kind, terms = "multivariate", tuple((index, literal(value)) for index, value in scheme.terms.items())
         body = Terms(dilation=scheme.dilation, terms=terms)

@@ -22,7 +22,7 @@ from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.model import Expectation, ExpectationKey, Problem
 
 if TYPE_CHECKING:
-    from subdiv_cli.maskfile.multivariate.bodies import Nested
+    from subdiv_cli.kinds.multivariate.text.bodies import Nested
 
 _SEVERAL = re.compile(r"(?<![A-Za-z0-9_])z[0-9]")
 """A symbol with this in it is one in several variables."""
@@ -67,14 +67,14 @@ def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str])
         if any(start):
             raise Fault("SD015", "--start and a symbol both say where the mask begins", "leave --start out")
         if _SEVERAL.search(text):
-            from subdiv_cli.maskfile.multivariate.option import symbol
+            from subdiv_cli.kinds.multivariate.text.option import symbol
 
             return symbol(text, arity, names)
         return Symbol(arity=arity, expression=Expression(text=text.strip(), node=parse(text, ("z", *names))))
     entries = _list(text, names)
     flat = tuple(entry for entry in entries if isinstance(entry, Expression))
     if len(flat) < len(entries):
-        from subdiv_cli.maskfile.multivariate.option import grid
+        from subdiv_cli.kinds.multivariate.text.option import grid
 
         return grid(entries, start if len(start) > 1 or any(start) else (), arity)
     if len(start) > 1:

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
+from subdiv_cli.kinds.scalar.text import read_scalar
 from subdiv_cli.maskfile.bodies import Body, check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
@@ -13,7 +14,6 @@ from subdiv_cli.maskfile.mask import MaskFile
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
 from subdiv_cli.maskfile.properties import KEYS, contradictions, expectation
 from subdiv_cli.maskfile.recognise import MARKS
-from subdiv_cli.maskfile.scalar import read_scalar
 from subdiv_cli.maskfile.toml import load
 from subdiv_cli.maskfile.values import described
 from subdiv_cli.model import Expectation, Problem
@@ -23,7 +23,7 @@ _PLANNED = ("vector", "hermite", "matrices", "piecewise")
 
 
 def _multivariate(table: Table, parameters: Collection[str], problems: Collector) -> Body | None:
-    from subdiv_cli.maskfile.multivariate.reading import read_multivariate
+    from subdiv_cli.kinds.multivariate.text.reading import read_multivariate
 
     return read_multivariate(table, parameters, problems)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from subdiv_cli.kinds.multivariate.scheme import multiple_of_identity
 from subdiv_cli.maskfile.bodies import Body, Coefficients, Symbol
 from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.mask import MaskFile
-from subdiv_cli.schemes.multivariate import multiple_of_identity
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _INTEGER = re.compile(r"0|-?[1-9][0-9]{0,17}")
@@ -42,7 +42,7 @@ def _body(body: Body) -> list[str]:
     """The lines of [mask]."""
     if isinstance(body, Coefficients | Symbol):
         return _scalar(body)
-    from subdiv_cli.maskfile.multivariate.bodies import BoxSpline, Grid, LaurentSymbol, Tensor, Terms
+    from subdiv_cli.kinds.multivariate.text.bodies import BoxSpline, Grid, LaurentSymbol, Tensor, Terms
 
     if isinstance(body, Tensor):
         return [line for factor in body.factors for line in ("", "[[mask.tensor]]", *_scalar(factor))][1:]

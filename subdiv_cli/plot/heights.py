@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from subdiv_cli.model.anatomy import Surface
+from subdiv_cli.model.blocks import Surface
 from subdiv_cli.plot.relief import ratio, sampled
 from subdiv_cli.plot.terminal import MARGIN, framed
 

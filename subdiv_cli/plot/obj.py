@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from subdiv_cli.model.anatomy import Net
+from subdiv_cli.model.blocks import Net
 
 Place = tuple[int, ...]
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import product
 from typing import NamedTuple
 
-from subdiv_cli.model.anatomy import Surface
+from subdiv_cli.model.blocks import Surface
 
 Rows = tuple[tuple[float, ...], ...]
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from subdiv_cli.model.anatomy import Curve
+from subdiv_cli.model.blocks import Curve
 
 
 class Line(NamedTuple):

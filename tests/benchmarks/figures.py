@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import masks
 
 if TYPE_CHECKING:
-    from subdiv_cli.schemes.scalar import ScalarScheme
+    from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 
 ROOT = Path(__file__).parents[2]
 SCALAR = ROOT / "masks" / "scalar"
@@ -73,9 +73,9 @@ def twenty_coefficients() -> Sequence[Fraction]:
 def norms_of_twenty_coefficients() -> None:
     """‖((1/2)S_ν)^L‖∞ for ν = 1, …, 8 and L = 1, …, 10."""
     from subdiv_cli.exact.laurent import Laurent
+    from subdiv_cli.kinds.scalar.numbers.norms import power_norms
+    from subdiv_cli.kinds.scalar.numbers.operators import difference_symbol
     from subdiv_cli.model import Effort
-    from subdiv_cli.quantities.norms import power_norms
-    from subdiv_cli.schemes.operators import difference_symbol
 
     a = Laurent.from_coefficients(0, twenty_coefficients())
     for nu in range(1, 9):
@@ -115,8 +115,8 @@ def times_of_checking(times: int = 5) -> list[Checking]:
 def _time_of_checking(scheme: ScalarScheme) -> tuple[float, float, float]:
     from subdiv_cli.certificate import certificate
     from subdiv_cli.checker import check_document, matrices
+    from subdiv_cli.kinds.scalar.stages.scalar import analyse
     from subdiv_cli.model import Effort
-    from subdiv_cli.stages.scalar import analyse
 
     matrices._characteristic_polynomial.cache_clear()
     moments = [time.process_time()]
@@ -172,9 +172,9 @@ def polytopes() -> Iterator[Figure]:
 
     from subdiv_cli.jsr.family import Family
     from subdiv_cli.jsr.radius import joint_spectral_radius
+    from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
+    from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
     from subdiv_cli.model import Effort
-    from subdiv_cli.quantities.scalar import ScalarNumbers
-    from subdiv_cli.schemes.operators import transition_matrices
 
     for points in (10, 12, 14, 16):
         numbers = ScalarNumbers(deslauriers_dubuc(points), Effort())

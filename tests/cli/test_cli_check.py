@@ -8,8 +8,8 @@ from itertools import chain, combinations
 import pytest
 from cli_samples import PROBLEM, result
 
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import DEFAULT_EFFORT
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 DEFAULTS = {
     "overrides": {},
@@ -35,7 +35,7 @@ def test_what_the_catalog_is_asked(run, catalog, tmp_path, monkeypatch):
     assert run("check", "a", *options).exit_code == 0
     asked = catalog.asked[1]
     assert asked.pop("required")[0].text == ">= 1"
-    assert asked.pop("draw") == ("subdiv_cli.quantities.curve", "drawing")
+    assert asked.pop("draw") == ("subdiv_cli.kinds.scalar.numbers.curve", "drawing")
     expected = {**DEFAULTS, "jobs": 3, "cache": None, "shard": (2, 5), "cluster": "tcp://x:1"}
     assert asked == {key: value for key, value in expected.items() if key != "required"}
 

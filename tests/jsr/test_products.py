@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.jsr.products import best_product, lyndon_words, radius_bound
+from subdiv_cli.kinds.scalar.numbers.exponents import exponent_bound
 from subdiv_cli.model import Effort
-from subdiv_cli.quantities.exponents import exponent_bound
 
 
 def test_lyndon_words_are_one_of_each_primitive_rotation_class():

@@ -14,8 +14,8 @@ from subdiv_cli.exact.linalg import matrix, rows_of
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.reduce import decomposed
 from subdiv_cli.jsr.symmetry import reversing
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.model import Effort
-from subdiv_cli.quantities.multivariate import MultivariateNumbers
 
 
 def mirrored(m):

@@ -11,11 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.maskfile import MaskFile, MaskFileError, from_scheme, read_path, read_text
 from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.maskfile.laurent import Laurent, Work, exponents, packed, quotient, times
 from subdiv_cli.maskfile.writer import write
-from subdiv_cli.schemes.multivariate import MultivariateScheme
 
 HEAD = 'kind = "multivariate"\n[mask]\n'
 QUINCUNX = ((1, 1), (1, -1))

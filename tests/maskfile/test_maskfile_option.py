@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.maskfile import MaskFileError, read_text
 from subdiv_cli.maskfile.option import from_option, parse_override
 from subdiv_cli.maskfile.writer import write
-from subdiv_cli.schemes.multivariate import MultivariateScheme
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 
 def four_point(w: Q) -> ScalarScheme:

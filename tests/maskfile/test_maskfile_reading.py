@@ -11,12 +11,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.maskfile import MaskFile, MaskFileError, from_scheme, read_path, read_text
 from subdiv_cli.maskfile.option import from_option, parse_expectation, parse_override
 from subdiv_cli.maskfile.recognise import is_mask
 from subdiv_cli.maskfile.writer import write
 from subdiv_cli.model import Expectation, Problem
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 FOUR_POINT = """\
 format = 1

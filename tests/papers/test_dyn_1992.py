@@ -5,15 +5,15 @@ from fractions import Fraction
 import pytest
 from support import answer, b_spline, corner_cutting, deslauriers_dubuc, findings, four_point, scheme, six_point
 
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.quantities.scalar import ScalarNumbers
 
 F = Fraction
 
 
 def norms(mask, nu, levels):
     """‖((1/p)S_ν)^L‖∞ for L = 1, …, levels, whether below 1 or not."""
-    from subdiv_cli.quantities.norms import power_norms
+    from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 
     symbol = ScalarNumbers(mask, Effort()).difference(nu).scale(mask.arity ** (nu - 1))
     stream = power_norms(symbol, mask.arity, Effort(10**6))

@@ -11,11 +11,11 @@ import pytest
 from support import shipped_answer, shipped_surface
 
 from subdiv_cli.exact.closed import closed_interval
+from subdiv_cli.kinds.multivariate.numbers.box_spline import divided, multiplied
+from subdiv_cli.kinds.multivariate.numbers.directional import norms
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.maskfile import read_path
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.quantities.box_spline import divided, multiplied
-from subdiv_cli.quantities.directional import norms
-from subdiv_cli.quantities.multivariate import MultivariateNumbers
 
 F = Fraction
 BUTTERFLY = shipped_surface("butterfly")

@@ -6,13 +6,13 @@ import pytest
 from support import b_spline, corner_cutting, findings, four_point, scheme, six_point
 
 from subdiv_cli.exact.algebraic import roots
+from subdiv_cli.kinds.scalar.numbers.error_bounds import best_bound, bounds, hermite_bound
+from subdiv_cli.kinds.scalar.numbers.operators import refinement_matrices
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.numbers.spectra import limit_stencil
+from subdiv_cli.kinds.scalar.numbers.values import at_integers, limit_weights
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.portrait import portrait
-from subdiv_cli.quantities.error_bounds import best_bound, bounds, hermite_bound
-from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.quantities.spectra import limit_stencil
-from subdiv_cli.quantities.values import at_integers, limit_weights
-from subdiv_cli.schemes.operators import refinement_matrices
 
 F = Fraction
 CUBIC = scheme([1, 4, 6, 4, 1], start=-2, over=8)

@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from support import answer, b_spline, corner_cutting, deslauriers_dubuc, four_point, scheme, six_point
 
 from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.kinds.scalar.numbers.operators import apply
+from subdiv_cli.kinds.scalar.numbers.quasi_interpolation import eigen_sequence, moments, operator, stencil
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.numbers.values import at_integers
 from subdiv_cli.model import Effort
-from subdiv_cli.quantities.quasi_interpolation import eigen_sequence, moments, operator, stencil
-from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.quantities.values import at_integers
-from subdiv_cli.schemes.operators import apply
 
 F = Fraction
 CUBIC = scheme([1, 4, 6, 4, 1], start=-2, over=8)

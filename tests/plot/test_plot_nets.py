@@ -6,14 +6,14 @@ from pathlib import Path
 
 import pytest
 
+from subdiv_cli.kinds.multivariate.numbers import nets
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError
+from subdiv_cli.kinds.multivariate.stages.surfaces import graph, net
 from subdiv_cli.maskfile import read_path
 from subdiv_cli.model import Effort
-from subdiv_cli.model.anatomy import Net
+from subdiv_cli.model.blocks import Net
 from subdiv_cli.plot.obj import faces, obj
-from subdiv_cli.quantities import nets
-from subdiv_cli.quantities.lattice_values import NoValuesError
-from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.stages.surfaces import graph, net
 
 F = Fraction
 MASKS = Path(__file__).parents[2] / "masks" / "multivariate"

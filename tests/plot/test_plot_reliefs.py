@@ -5,7 +5,7 @@ from itertools import product
 
 import pytest
 
-from subdiv_cli.model.anatomy import Surface
+from subdiv_cli.model.blocks import Surface
 from subdiv_cli.plot.heights import draw_heights
 from subdiv_cli.plot.relief import Relief, relief, sampled
 from subdiv_cli.plot.reliefs import STYLES, reliefs

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import pytest
 
-from subdiv_cli.model.anatomy import Curve
+from subdiv_cli.model.blocks import Curve
 from subdiv_cli.plot.sampled import Line, graph, line, plane
 from subdiv_cli.plot.terminal import draw
 

@@ -5,10 +5,10 @@ from fractions import Fraction
 import pytest
 from support import b_spline, corner_cutting, four_point, scheme
 
+from subdiv_cli.kinds.scalar.numbers.operators import apply
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.model import Effort
 from subdiv_cli.portrait import TooFewPointsError, drawn, traced
-from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.schemes.operators import apply
 
 F = Fraction
 POLYGON = (tuple(map(F, (0, 1, 2, 4, 4, 2, 0, -1))), tuple(map(F, (0, 2, 0, 0, 3, 4, 3, 1))))

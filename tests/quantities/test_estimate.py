@@ -13,9 +13,9 @@ from mpmath import mp
 from support import answer, four_point, scheme
 
 from subdiv_cli.cli import main
+from subdiv_cli.kinds.scalar.numbers.estimate import extrapolated_exponent
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.model import Effort
-from subdiv_cli.quantities.estimate import extrapolated_exponent
-from subdiv_cli.quantities.scalar import ScalarNumbers
 
 HARD = [7, -1, 5, 6, 8, 1, 4]
 

@@ -9,12 +9,12 @@ from support import shipped_answer, shipped_surface, surface
 from test_multivariate_float import NAMES, subdivided_deltas
 
 from subdiv_cli.checker import check_document
+from subdiv_cli.kinds.multivariate.lattice import Lattice
+from subdiv_cli.kinds.multivariate.numbers.gram import gram_sequence, positive_tree, torsion_zero
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import check
-from subdiv_cli.quantities.gram import gram_sequence, positive_tree, torsion_zero
-from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.schemes.lattice import Lattice
-from subdiv_cli.schemes.multivariate import MultivariateScheme
 
 EFFORT = Effort()
 COUNTEREXAMPLES = {name for name in NAMES if "/" in name}

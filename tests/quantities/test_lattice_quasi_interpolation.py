@@ -11,17 +11,17 @@ from hypothesis import strategies as st
 from support import answer, findings, shipped_answer, shipped_surface, surface
 
 from subdiv_cli.catalog import masks_directory
+from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.kinds.multivariate.numbers.quasi_interpolation import expansion, inverse, quasi_interpolation
+from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
+from subdiv_cli.kinds.multivariate.numbers.values import at_integers
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.kinds.scalar.numbers.quasi_interpolation import moments, operator
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.numbers.values import at_integers as at_integers_of_curves
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.quantities.lattice_quasi_interpolation import expansion, inverse, quasi_interpolation
-from subdiv_cli.quantities.lattice_values import at_integers
-from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.quantities.quasi_interpolation import moments, operator
-from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.quantities.symmetries import symmetries
-from subdiv_cli.quantities.values import at_integers as at_integers_of_curves
-from subdiv_cli.schemes.lattice import Lattice, indices_of_degree
-from subdiv_cli.schemes.multivariate import MultivariateScheme
-from subdiv_cli.schemes.scalar import ScalarScheme
 
 F = Fraction
 MASKS = masks_directory() / "multivariate"

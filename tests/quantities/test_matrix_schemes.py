@@ -10,11 +10,11 @@ from itertools import product
 import pytest
 from support import answer, findings, shipped_surface, surface
 
+from subdiv_cli.kinds.multivariate.numbers.box_spline import multiplied
+from subdiv_cli.kinds.multivariate.numbers.matrix_norms import iterates, matrix_norm
+from subdiv_cli.kinds.multivariate.numbers.matrix_schemes import by_lemma, least, question
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.quantities.box_spline import multiplied
-from subdiv_cli.quantities.matrix_norms import iterates, matrix_norm
-from subdiv_cli.quantities.matrix_schemes import by_lemma, least, question
-from subdiv_cli.quantities.multivariate import MultivariateNumbers
 
 TWO = ((2, 0), (0, 2))
 QUINCUNX = ((1, 1), (1, -1))

@@ -11,16 +11,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
+from subdiv_cli.kinds.multivariate.numbers.coset_sums import sum_rule_order
+from subdiv_cli.kinds.multivariate.numbers.mean_squares import autocorrelation, mean_squares
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.kinds.multivariate.numbers.reproduction import reproduction
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.kinds.multivariate.stages import coset_sums, sobolev
 from subdiv_cli.maskfile import read_path
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import check
-from subdiv_cli.quantities.coset_sums import sum_rule_order
-from subdiv_cli.quantities.mean_squares import autocorrelation, mean_squares
-from subdiv_cli.quantities.multivariate import MultivariateNumbers
-from subdiv_cli.quantities.reproduction import reproduction
-from subdiv_cli.schemes.lattice import Lattice, indices_of_degree
-from subdiv_cli.schemes.multivariate import MultivariateScheme
-from subdiv_cli.stages.multivariate import coset_sums, sobolev
 
 ROOT = Path(__file__).parents[2]
 ROWS = json.loads((ROOT / "tests" / "data" / "reference_multivariate.json").read_text(encoding="utf-8"))

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from support import answer, four_point, scheme
 
 from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.kinds.scalar.numbers.operators import apply, symbol
+from subdiv_cli.kinds.scalar.numbers.reduction import reduction
 from subdiv_cli.model import Verdict
-from subdiv_cli.quantities.reduction import reduction
-from subdiv_cli.schemes.operators import apply, symbol
 
 HAT = Laurent.from_coefficients(0, [Fraction(1, 2), 1, Fraction(1, 2)])
 CHAIKIN = Laurent.from_coefficients(0, [Fraction(c, 4) for c in (1, 3, 3, 1)])

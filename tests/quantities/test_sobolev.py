@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from support import answer, b_spline, deslauriers_dubuc, findings, four_point, scheme, six_point
 
 from subdiv_cli.exact.laurent import Laurent, smoothing_factor
+from subdiv_cli.kinds.scalar.numbers.operators import symbol
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.numbers.sobolev import mean_square_growth, transfer_matrix
 from subdiv_cli.model import Effort, Log, Verdict
-from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.quantities.sobolev import mean_square_growth, transfer_matrix
-from subdiv_cli.schemes.operators import symbol
 
 
 def floats(coefficients):

@@ -12,13 +12,13 @@ from support import answer, findings, four_point, scheme, shipped_surface
 from subdiv_cli.catalog.trust import trusted
 from subdiv_cli.checker import check_document
 from subdiv_cli.exact.closed import compare
+from subdiv_cli.kinds.multivariate.lattice import Lattice
+from subdiv_cli.kinds.multivariate.numbers.tensor import tensor_factors
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.kinds.multivariate.stages import analysis
 from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.model import Effort, Log, Verdict
 from subdiv_cli.pipeline import check
-from subdiv_cli.quantities.tensor import tensor_factors
-from subdiv_cli.schemes.lattice import Lattice
-from subdiv_cli.schemes.multivariate import MultivariateScheme
-from subdiv_cli.stages.multivariate import analysis
 
 HAT, HAT3 = scheme(["1/2", 1, "1/2"], start=-1), scheme(["1/3", "2/3", 1, "2/3", "1/3"], arity=3, start=-2)
 CUBIC = scheme(["1/8", "1/2", "3/4", "1/2", "1/8"], start=-2)

@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 from support import b_spline, corner_cutting, deslauriers_dubuc, findings, four_point, scheme, six_point
 
 from subdiv_cli.exact.laurent import Laurent, smoothing_factor
+from subdiv_cli.kinds.scalar.numbers.error_bounds import best_bound, bounds
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.numbers.values import at_fractions, at_integers, iterated, support
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.portrait import portrait
-from subdiv_cli.quantities.error_bounds import best_bound, bounds
-from subdiv_cli.quantities.scalar import ScalarNumbers
-from subdiv_cli.quantities.values import at_fractions, at_integers, iterated, support
 
 F = Fraction
 MASKS = {
@@ -106,7 +106,7 @@ def test_partition_of_unity_and_support(name):
 
 def test_the_values_of_an_unstable_phi_are_those_of_its_own_matrices():
     """(1, 1, 1, 1)/2 converges, so A_0 has a unique left eigenvector, whatever the reduction says."""
-    from subdiv_cli.quantities.values import limit_weights
+    from subdiv_cli.kinds.scalar.numbers.values import limit_weights
 
     for name in ("(1, 1, 1, 1)/2", "unstable, C^1"):
         numbers = ScalarNumbers(MASKS[name][0], Effort())

@@ -11,8 +11,8 @@ from browser import dom, needs_chromium, phone, screenshot
 from matplotlib.image import imread
 from support import four_point
 
+from subdiv_cli.kinds.scalar.numbers.curve import drawing
 from subdiv_cli.model import Drawing, Stencil
-from subdiv_cli.quantities.curve import drawing
 from subdiv_cli.report.html import render
 from subdiv_cli.report.look import Look
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 
 from subdiv_cli.model import Result
-from subdiv_cli.model.anatomy import Anatomy
+from subdiv_cli.model.blocks import Anatomy
 from subdiv_cli.report.look import Look
 
 Show = Callable[[Result, Anatomy, Sequence[str], Look], str]

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from subdiv_cli.model import Finding, Result, Verdict
-from subdiv_cli.model.anatomy import Anatomy, Signal
+from subdiv_cli.model.blocks import Anatomy, Signal
 from subdiv_cli.report import words
 from subdiv_cli.report.numbers import interval
 from subdiv_cli.report.show.formulas import (

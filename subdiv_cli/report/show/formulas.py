@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from subdiv_cli.model.anatomy import Anatomy, Factor
+from subdiv_cli.model.blocks import Anatomy, Factor
 from subdiv_cli.report.numbers import exact
 
 _LONG = 26

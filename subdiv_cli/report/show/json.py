@@ -12,7 +12,7 @@ from typing import Any
 
 import subdiv_cli
 from subdiv_cli.model import Result
-from subdiv_cli.model.anatomy import Anatomy, Curve, Factor, Signal
+from subdiv_cli.model.blocks import Anatomy, Curve, Factor, Signal
 from subdiv_cli.report.json import as_data, plain, valid
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.show.formulas import symbol

@@ -8,7 +8,7 @@ from typing import Any
 
 import subdiv_cli
 from subdiv_cli.model import Result
-from subdiv_cli.model.anatomy import SurfaceAnatomy
+from subdiv_cli.model.blocks import SurfaceAnatomy
 from subdiv_cli.report import findings, words
 from subdiv_cli.report.json import as_data, plain, valid
 from subdiv_cli.report.lattice import QUASI_TITLE, put_stencils, put_values, stencils

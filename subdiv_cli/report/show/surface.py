@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from subdiv_cli.model import Finding, Result, Verdict
-from subdiv_cli.model.anatomy import SurfaceAnatomy
+from subdiv_cli.model.blocks import SurfaceAnatomy
 from subdiv_cli.report import words
 from subdiv_cli.report.lattice import MOST_COSETS, QUASI_TITLE, planes, scaled_by, stencils, titled
 from subdiv_cli.report.numbers import exact

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from subdiv_cli.model import Result
-from subdiv_cli.model.anatomy import Anatomy
+from subdiv_cli.model.blocks import Anatomy
 from subdiv_cli.report import words
 from subdiv_cli.report.layout import joined, paint
 from subdiv_cli.report.letters import width

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from subdiv_cli.model.anatomy import Curve, Surface
+from subdiv_cli.model.blocks import Curve, Surface
 
 _WIDTH, _HEIGHT = 12, 5
 """Centimetres of the picture."""

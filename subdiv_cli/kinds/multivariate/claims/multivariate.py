@@ -1,0 +1,313 @@
+"""The certificate of a mask in several variables, as MULTIVARIATE.md says."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from math import comb
+from typing import Any, cast
+
+from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.radius import Radii, root_fields, spelled
+from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
+from subdiv_cli.kinds.multivariate.claims.box_splines import BoxSplineClaims
+from subdiv_cli.kinds.multivariate.claims.gram import gram_sequence
+from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, matrix_norm, pairs
+from subdiv_cli.kinds.multivariate.claims.tensor import Factors, PartCertificate
+from subdiv_cli.kinds.scalar.claims.writer import MOST_WORK, Certificate
+from subdiv_cli.model import Data, Finding, Verdict, exact_root
+
+_DECIDED = (Verdict.PROVED, Verdict.REFUTED)
+Map = Mapping[str, Data]
+
+
+def surface_certificate(
+    mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate] = ()
+) -> Certificate | None:
+    """The proof of the proved and refuted findings on a mask, given as certificates embed it; of a tensor product by
+
+    the certificates of its factors.
+
+    None where the whole asks more of the checker than it does.
+    """
+    proof = _Proof(mask, findings, parts)
+    claims = tuple(tuple(proof.claims_of(found)) if found.verdict in _DECIDED else () for found in findings)
+    if sum(claim["work"] for claim in proof.claims.made) > MOST_WORK:
+        return None
+    goal = [proof.claims.statement(number) for number in dict.fromkeys(n for numbers in claims for n in numbers)]
+    if not goal:
+        return None
+    document = {
+        "format": "subdiv-certificate",
+        "version": 1,
+        "mask": mask,
+        "goal": goal,
+        "claims": proof.claims.made,
+    }
+    return Certificate(document, claims)
+
+
+class _Proof:
+    """A certificate under construction. Each method returns the number of a claim."""
+
+    def __init__(self, mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate]) -> None:
+        self.claims = Claims()
+        self.found = {finding.code: finding for finding in findings}
+        self.s = len(mask["dilation"])
+        self.terms = len(mask["terms"])
+        self.m = len(as_tuple(self.found["SD601"].witness["cosets"]))
+        self.factors = Factors(self.claims, parts, self.terms * (self.s + 1))
+        self.box = BoxSplineClaims(self.claims, self.found.get("SD603"), self.terms)
+        self._families: list[None] = []
+        self._family: int | None = None
+        self._radius_claim: int | None = None
+
+    def claims_of(self, finding: Finding) -> list[int]:
+        """Those that say what a decided finding says; none where the certificate of a factor leaves it out."""
+        if finding.witness.get("by") == "SD609":
+            return self._of_factors(finding)
+        rules: dict[str, Callable[[Finding], list[int]]] = {
+            "SD601": lambda _: [self._coset_sums()],
+            "SD602": self._sum_rules_and_generation,
+            "SD603": lambda _: [self.box.spline()],
+            "SD604": self._norms,
+            "SD605": lambda _: [self._radius(), self._differences()],
+            "SD606": lambda _: [self._matrix_norm()],
+            "SD607": lambda _: [self._pairs()],
+            "SD608": lambda _: [self._positive()],
+            "SD609": lambda _: [self.factors.product()],
+            "SD611": lambda _: [self._convergent()],
+            "SD612": lambda found: [self._smooth(found)],
+            "SD613": lambda found: [self._not_smooth(found)],
+            "SD614": self._lower,
+            "SD615": self._upper,
+            "SD616": lambda _: [self._stable()],
+            "SD617": lambda found: [self._sobolev(found)],
+            "SD618": lambda found: [self._reproduction(found)],
+            "SD619": lambda found: [self._quasi_interpolation(found)],
+        }
+        return rules[finding.code](finding)
+
+    def _of_factors(self, finding: Finding) -> list[int]:
+        """What follows of a tensor product."""
+        code, holds = finding.code, finding.verdict is Verdict.PROVED
+        if code in ("SD612", "SD613"):
+            smooth = code == "SD612" and holds
+            statement = {"property": "smooth" if smooth else "not-smooth", "order": finding.witness["order"]}
+            return self.factors.say("smooth" if smooth else "not-smooth", statement)
+        if code == "SD614":
+            return self.factors.holder_lower(finding)
+        if code == "SD615":
+            return self.factors.holder_upper(finding, self.found["SD614"])
+        if code == "SD617":
+            return self.factors.sobolev(finding)
+        statement = {"property": "stable", "holds": holds}
+        return [self._convergent()] if code == "SD611" else self.factors.say("stable", statement, self._convergent())
+
+    def _coset_sums(self) -> int:
+        holds = self.found["SD601"].verdict is Verdict.PROVED
+        return self.claims.prove("coset-sums", {"holds": holds}, work=self.terms + self.m)
+
+    def _sum_rules(self) -> int:
+        k = as_integer(self.found["SD602"].witness["order"])
+        return self.claims.prove("total-sum-rules", {"order": k}, work=(self.terms + self.m) * comb(k + self.s, self.s))
+
+    def _sum_rules_and_generation(self, finding: Finding) -> list[int]:
+        k, rules = as_integer(finding.witness["order"]), self._sum_rules()
+        return [rules, self.claims.prove("generation", {"degree": k - 1}, uses=[rules])] if k else [rules]
+
+    def _norms(self, finding: Finding) -> list[int]:
+        return directional_norms(self.claims, finding, self._factor())
+
+    def _matrix_norm(self) -> int:
+        return matrix_norm(self.claims, self.found["SD606"], self._sum_rules())
+
+    def _pairs(self, order: int = 1) -> int:
+        return pairs(self.claims, self.found["SD607"], order, self._coset_sums(), self.s, self._factor())
+
+    def _positive(self) -> int:
+        uses, work = [self._coset_sums()], self.terms * self.s
+        return self.claims.prove("positive-converges", {"property": "convergent", "holds": True}, uses=uses, work=work)
+
+    def _factor(self) -> int:
+        """c of a dilation c I."""
+        c = exact_root(self.m, self.s)
+        assert c is not None
+        return c
+
+    def _differences(self) -> int:
+        """The claim that introduces the transition operators on V_k."""
+        space = cast(Map, self.found["SD605"].proof["space"])
+        if self._family is None:
+            k, n, w = as_integer(space["order"]), len(as_tuple(space["basis"])), len(as_tuple(space["window"]))
+            s, m = self.s, self.m
+            work = n * w * ((m + 1) * n + self.terms + comb(k + s, s) + comb(k + s - 1, s - 1))
+            self._families.append(None)
+            witness = {key: spelled(space[key]) for key in ("cosets", "window", "basis")}
+            witness |= {key: _rationals(space[key]) for key in ("matrices", "generators")}
+            statement = {"property": "family", "family": 0, "order": k}
+            self._family = self.claims.prove("differences", statement, witness, [self._sum_rules()], work)
+        return self._family
+
+    def _radius(self) -> int:
+        """The claim on its joint spectral radius from above, or on the number itself."""
+        if self._radius_claim is None:
+            proof = self.found["SD605"].proof
+            self._differences()
+            order = len(as_tuple(cast(Map, proof["space"])["basis"]))
+            self._radius_claim = Radii(self.claims, self._families, self.m, []).claim(
+                cast(Map, proof["radius"]), 0, order
+            )
+        return self._radius_claim
+
+    def _word(self, word: Sequence[int], bound: Fraction) -> int:
+        self._differences()
+        order = len(as_tuple(cast(Map, self.found["SD605"].proof["space"])["basis"]))
+        statement = {"property": "radius-lower", "family": 0, "length": len(word), "bound": rational(bound)}
+        return self.claims.prove("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
+
+    def _convergent(self) -> int:
+        found = self.found["SD611"]
+        holds, by = found.verdict is Verdict.PROVED, found.witness["by"]
+        if by == "SD608":
+            return self._positive()
+        rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
+        if by == "SD604":
+            rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
+        elif by == "SD609":
+            return self.factors.say("converges", {"property": "convergent", "holds": holds})[0]
+        elif by == "SD606":
+            uses = [self._matrix_norm()]
+        elif by == "SD617":
+            uses = [self._mean_squares(found, lower=True)]
+        elif by == "SD605":
+            word = () if holds else as_word(found.witness)
+            uses = [self._radius() if holds else self._word(word, Fraction(1)), self._differences()]
+        return self.claims.prove(rule, {"property": "convergent", "holds": holds}, uses=uses)
+
+    def _stable(self) -> int:
+        found = self.found["SD616"]
+        statement = {"property": "stable", "holds": found.verdict is Verdict.PROVED}
+        if found.witness["by"] == "SD603":
+            return self.box.stable(statement)
+        if found.proof:
+            return gram_sequence(self.claims, found, statement, self._convergent(), self.terms)
+        return self.claims.prove("interpolatory-stable", statement, uses=[self._convergent()], work=self.terms)
+
+    def _smooth(self, finding: Finding) -> int:
+        if finding.verdict is Verdict.REFUTED:
+            return self._not_smooth(finding)
+        n = as_integer(finding.witness["order"])
+        if finding.witness["by"] == "SD603":
+            return self.box.smooth(n)
+        if finding.witness["by"] == "SD607":
+            return self._pairs(n)
+        return self.claims.prove("smooth", {"order": n}, uses=self._decay(finding))
+
+    def _decay(self, finding: Finding) -> list[int]:
+        """What bounds the radius from above: that of a family, or mean squares."""
+        if finding.witness["by"] == "SD617":
+            return [self._mean_squares(finding, lower=True)]
+        if finding.witness["by"] == "SD606":
+            return [self._matrix_norm()]
+        return [self._radius(), self._differences()]
+
+    def _not_smooth(self, finding: Finding) -> int:
+        n, by = as_integer(finding.witness["order"]), finding.witness["by"]
+        statement: Json = {"property": "not-smooth", "order": n}
+        if by == "SD603":
+            return self.box.not_smooth(n)
+        if by == "SD602":
+            return self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
+        below = self._reaching(n)
+        return self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])
+
+    def _reaching(self, n: int) -> int:
+        """ρ_k >= λ^-n: by the number itself where it is known and tells, else by a product."""
+        found = self.found["SD605"].witness
+        root = cast("Map | None", found.get("root"))
+        if root is not None and as_rational(root["low"]) ** self.s * self.m ** (n * as_integer(found["length"])) >= 1:
+            return self._radius()
+        word = as_word(found)
+        return self._word(word * self.s, Fraction(1, self.m ** (n * len(word))))
+
+    def _lower(self, finding: Finding) -> list[int]:
+        if finding.witness["by"] == "SD603":
+            return [self.box.holder(as_rational(finding.witness["value"]))]
+        root = cast("Map | None", finding.witness.get("root"))
+        if root is not None and self.found["SD616"].verdict is Verdict.PROVED:
+            return [self._exponent(finding, root)]
+        bound = rational(as_rational(root["high"] if root is not None else finding.witness["bound"]))
+        statement = {"length": finding.witness["length"], "bound": bound}
+        uses = self._decay(finding)
+        return [self.claims.prove("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
+
+    def _upper(self, finding: Finding) -> list[int]:
+        if finding.witness["by"] == "SD603":
+            return [self.box.holder(as_rational(finding.witness["value"]))]
+        root = cast("Map | None", self.found["SD614"].witness.get("root"))
+        if root is not None:
+            return [self._exponent(self.found["SD614"], root)]
+        bound = as_rational(finding.witness["radius"])
+        statement = {"length": finding.witness["length"], "bound": rational(bound)}
+        below = self._word(as_word(finding.witness), bound)
+        return [
+            self.claims.prove(
+                "holder-upper", statement, uses=[below, self._differences(), self._sum_rules(), self._stable()]
+            )
+        ]
+
+    def _exponent(self, finding: Finding, root: Map) -> int:
+        statement = {"length": finding.witness["length"], **root_fields(root)}
+        uses = [self._radius(), self._differences(), self._sum_rules(), self._stable()]
+        return self.claims.prove("holder-root", statement, uses=uses)
+
+    def _sobolev(self, finding: Finding) -> int:
+        found = finding.witness
+        if found["by"] == "SD603":
+            return self.box.sobolev(as_rational(found["value"]))
+        return self._mean_squares(finding, lower=not found["holds"])
+
+    def _mean_squares(self, finding: Finding, *, lower: bool) -> int:
+        """The claim on s by the growth of mean squares, or on its bound from below."""
+        found = finding.proof
+        f, cofactor = as_tuple(found["polynomial"]), as_tuple(found["cofactor"])
+        degree, k = len(f) + len(cofactor) - 2, as_integer(self.found["SD602"].witness["order"])
+        size = as_integer(found["pairs"]) + 4 * as_integer(found["window"])
+        of_root: Json = {
+            "property": "sobolev-lower" if lower else "sobolev",
+            "polynomial": as_polynomial(0, f),
+            "low": rational(as_rational(found["low"])),
+            "high": rational(as_rational(found["high"])),
+        }
+        return self.claims.prove(
+            "surface-sobolev",
+            of_root,
+            {"cofactor": as_polynomial(0, cofactor)},
+            [self._sum_rules(), *([] if lower else [self._stable()])],
+            self.terms**2 + k * (2 * self.s + 1) * (2 * k + 1) ** self.s + (degree + 1) * size,
+        )
+
+    def _reproduction(self, finding: Finding) -> int:
+        r, k = as_integer(finding.witness["degree"]), as_integer(self.found["SD602"].witness["order"])
+        work = self.terms * comb(min(r + 1, k - 1) + self.s, self.s)
+        return self.claims.prove("reproduction", {"degree": r}, uses=[self._sum_rules()], work=work)
+
+    def _quasi_interpolation(self, finding: Finding) -> int:
+        found, d = finding.witness, as_integer(finding.witness["degree"])
+        n = comb(d + self.s, self.s)
+        statement: Json = {"property": "quasi-interpolation", "degree": d}
+        statement |= {key: _terms(found[key]) for key in ("operator", "stencil")}
+        work = (self.terms + 2 * len(as_tuple(found["stencil"]))) * n + n * n
+        uses = [self._convergent(), self._sum_rules()]
+        return self.claims.prove("surface-quasi-interpolation", statement, uses=uses, work=work)
+
+
+def _terms(data: Data) -> list[Any]:
+    """Pairs of an index and a number, as those of a mask."""
+    return [[spelled(as_tuple(pair)[0]), rational(as_rational(as_tuple(pair)[1]))] for pair in as_tuple(data)]
+
+
+def _rationals(data: Data) -> Any:
+    """Nested tuples of numbers, each as `p/q`, integers too."""
+    return [_rationals(x) for x in data] if isinstance(data, tuple) else rational(as_rational(data))

@@ -1,0 +1,116 @@
+"""The lattice M Z^s of a dilation matrix, in integers: its cosets, and division by M."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cached_property
+from itertools import product
+
+from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, characteristic_polynomial
+
+MOST_PERIODS = 24
+"""Powers of M that are looked at for a multiple of the identity."""
+
+
+class Lattice:
+    """M Z^s for an integer matrix M with det M ≠ 0; with the adjugate A, M A = det(M) I, all is in integers."""
+
+    def __init__(self, dilation: IntMatrix) -> None:
+        self.dilation = dilation
+        self.dimension = len(dilation)
+        self.determinant: int = (-1) ** self.dimension * characteristic_polynomial(dilation)[0]
+        self._adjugate = _adjugate(dilation)
+
+    @property
+    def index(self) -> int:
+        """m = |det M|, the number of cosets."""
+        return abs(self.determinant)
+
+    def image(self, alpha: Index) -> Index:
+        """M α."""
+        return tuple(sum(x * y for x, y in zip(row, alpha, strict=True)) for row in self.dilation)
+
+    def preimage(self, alpha: Index) -> Index | None:
+        """M^-1 α where that is an integer vector."""
+        scaled = self._scaled(alpha)
+        if any(x % self.determinant for x in scaled):
+            return None
+        return tuple(x // self.determinant for x in scaled)
+
+    def coset(self, alpha: Index) -> Index:
+        """A key of α + M Z^s: equal for two indices iff they differ by an element of M Z^s."""
+        return tuple(x % self.index for x in self._scaled(alpha))
+
+    def inverse_power(self, n: int) -> tuple[tuple[Fraction, ...], ...]:
+        """The rows of M^-n, n >= 0."""
+        units = (tuple(int(i == j) for i in range(self.dimension)) for j in range(self.dimension))
+        columns = []
+        for column in units:
+            for _ in range(n):
+                column = self._scaled(column)
+            columns.append([Fraction(x, self.determinant**n) for x in column])
+        return tuple(zip(*columns, strict=True))
+
+    def _scaled(self, alpha: Index) -> Index:
+        return tuple(sum(x * y for x, y in zip(row, alpha, strict=True)) for row in self._adjugate)
+
+    @cached_property
+    def representatives(self) -> tuple[Index, ...]:
+        """One index >= 0 of each coset, the smallest ones, 0 first."""
+        found: dict[Index, Index] = {}
+        for total in range(self.index * self.dimension):
+            for alpha in indices_of_degree(self.dimension, total):
+                found.setdefault(self.coset(alpha), alpha)
+            if len(found) == self.index:
+                break
+        return tuple(found.values())
+
+    @cached_property
+    def scalar_power(self) -> tuple[int, int] | None:
+        """(r, c) with M^r = c I and the smallest such r; None where there is no r <= MOST_PERIODS."""
+        power, unit = self.dilation, [[int(i == j) for j in range(self.dimension)] for i in range(self.dimension)]
+        for r in range(1, MOST_PERIODS + 1):
+            c = power[0][0]
+            if [list(row) for row in power] == [[c * x for x in row] for row in unit]:
+                return r, c
+            columns = list(zip(*self.dilation, strict=True))
+            power = tuple(tuple(sum(x * y for x, y in zip(row, col, strict=True)) for col in columns) for row in power)
+        return None
+
+    @property
+    def is_isotropic(self) -> bool:
+        """Whether M is diagonalisable over C with eigenvalues of one modulus λ = m^(1/s), as far as is recognised.
+
+        A power is a multiple of the identity; or s = 2 and the eigenvalues are not real: conjugate, so different and of
+        one modulus. Others of that kind are not recognised.
+        """
+        if self.scalar_power is not None:
+            return True
+        trace = sum(row[i] for i, row in enumerate(self.dilation))
+        return self.dimension == 2 and trace**2 < 4 * self.determinant
+
+
+def indices_of_degree(dimension: int, total: int) -> Iterator[Index]:
+    """All μ >= 0 with |μ| = total, in lexicographic order."""
+    if dimension == 1:
+        yield (total,)
+        return
+    for first in range(total + 1):
+        yield from ((first, *rest) for rest in indices_of_degree(dimension - 1, total - first))
+
+
+def _adjugate(matrix: IntMatrix) -> IntMatrix:
+    n = len(matrix)
+    return tuple(tuple((-1) ** (i + j) * _minor(matrix, j, i) for j in range(n)) for i in range(n))
+
+
+def _minor(matrix: IntMatrix, row: int, column: int) -> int:
+    """The determinant without a row and a column."""
+    rest = [[x for j, x in enumerate(r) if j != column] for i, r in enumerate(matrix) if i != row]
+    return (-1) ** len(rest) * characteristic_polynomial(rest)[0] if rest else 1
+
+
+def box(lowest: Index, highest: Index) -> Iterator[Index]:
+    """All indices between two corners, in lexicographic order."""
+    return product(*(range(a, b + 1) for a, b in zip(lowest, highest, strict=True)))

@@ -1,0 +1,143 @@
+"""V_k: the smallest space of sequences that holds all differences ∇^μ δ, |μ| = k, and is mapped into itself by the
+
+transition operators (T_ε v)(α) = Σ_β a(ε+Mα-β) v(β) (Jia 1998; Han & Jia 1998).
+
+Written for what the joint spectral radius ρ_k of the T_ε on V_k decides:
+
+* Every finite v that annihilates π_(k-1) is a finite combination of shifts of the ∇^μ δ, |μ| = k: as Laurent
+  polynomials these v are the ideal of those that vanish at 1 to order k, the k-th power of the one of order 1. And T_ε
+  of a shift of v is a shift of some T_ε' v. So ρ_k is the growth rate on all such v, whatever finite space holds them.
+* With sum rules of order k the T_ε map U_k, the v on a large window that annihilate π_(k-1), into itself, and on
+  U_j / U_(j+1), j < k, they all act as one matrix, dual to p -> p(M^-1 ·) on homogeneous polynomials of degree j. So
+  ρ_1 = max(ρ_k, ρ(M^-1)) for k > 1, and as M is expanding, ρ_1 < 1 iff ρ_k < 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from math import lcm
+
+from flint import fmpq_mat, fmpz_mat
+
+from subdiv_cli.exact.linalg import reduced
+from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
+from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+
+LARGEST_WINDOW = 1000
+LARGEST_DIMENSION = 120
+_LONGEST = 1000
+"""Bits of the numbers of a space; those of the masks of papers have 20."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DifferenceSpace:
+    """A basis b_1, …, b_N of V_k, and the matrices of the T_ε in it."""
+
+    order: int
+    """k."""
+    window: tuple[Index, ...]
+    """Where some b_i is not zero."""
+    basis: fmpq_mat
+    """Integers, N × window: row i is b_i."""
+    matrices: tuple[fmpq_mat, ...]
+    """For each coset representative ε: T_ε b_i = Σ_j matrix[j, i] b_j."""
+    generators: fmpq_mat
+    """Row μ, |μ| = k in lexicographic order: ∇^μ δ in coordinates."""
+
+
+def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> DifferenceSpace | None:
+    """V_k; None where it, or its window, is larger than is looked at, or has numbers too long for a short basis."""
+    starts = [difference(mu) for mu in indices_of_degree(lattice.dimension, k)]
+    window = _invariant_window(scheme, lattice, {alpha for v in starts for alpha in v})
+    if window is None:
+        return None
+    operators = [transition_matrix(scheme, lattice, epsilon, window) for epsilon in lattice.representatives]
+    places = {alpha: j for j, alpha in enumerate(window)}
+    first = fmpq_mat([_row(v, places) for v in starts])
+    span = _closure(first, operators)
+    if span is None:
+        return None
+    basis = reduced(span)
+    used = [j for j in range(len(window)) if any(row[j] for row in basis.table())]
+    coordinates = basis.transpose() * (basis * basis.transpose()).inv()
+    return DifferenceSpace(
+        order=k,
+        window=tuple(window[j] for j in used),
+        basis=fmpq_mat([[row[j] for j in used] for row in basis.table()]),
+        matrices=tuple((basis * t.transpose() * coordinates).transpose() for t in operators),
+        generators=first * coordinates,
+    )
+
+
+def difference(mu: Index) -> dict[Index, int]:
+    """∇^μ δ, ∇_j v = v - v(· - e_j)."""
+    v = {(0,) * len(mu): 1}
+    for j, times in enumerate(mu):
+        for _ in range(times):
+            shifted = {(*alpha[:j], alpha[j] + 1, *alpha[j + 1 :]): x for alpha, x in v.items()}
+            v = {alpha: v.get(alpha, 0) - shifted.get(alpha, 0) for alpha in {**v, **shifted}}
+    return v
+
+
+def _invariant_window(scheme: MultivariateScheme, lattice: Lattice, start: Iterable[Index]) -> list[Index] | None:
+    """The smallest set that holds the start and the supports of all images of sequences on it."""
+    shifts = [
+        tuple(g - e for g, e in zip(gamma, epsilon, strict=True))
+        for gamma in scheme.terms
+        for epsilon in lattice.representatives
+    ]
+    found, queue = set(start), list(start)
+    while queue:
+        beta = queue.pop()
+        for shift in set(shifts):
+            alpha = lattice.preimage(tuple(b + g for b, g in zip(beta, shift, strict=True)))
+            if alpha is not None and alpha not in found:
+                found.add(alpha)
+                queue.append(alpha)
+        if len(found) > LARGEST_WINDOW:
+            return None
+    return sorted(found)
+
+
+def transition_matrix(
+    scheme: MultivariateScheme, lattice: Lattice, epsilon: Index, window: Sequence[Index]
+) -> fmpq_mat:
+    """T_ε on sequences over the window: entry (α, β) is a(ε+Mα-β)."""
+    common = lcm(*(x.denominator for x in scheme.terms.values()))
+    numerators = {gamma: int(x * common) for gamma, x in scheme.terms.items()}
+    rows = []
+    for alpha in window:
+        at = tuple(e + x for e, x in zip(epsilon, lattice.image(alpha), strict=True))
+        rows.append([numerators.get(tuple(x - b for x, b in zip(at, beta, strict=True)), 0) for beta in window])
+    return fmpq_mat(fmpz_mat(rows)) / common
+
+
+def _row(v: Mapping[Index, int], places: Mapping[Index, int]) -> list[int]:
+    row = [0] * len(places)
+    for alpha, x in v.items():
+        row[places[alpha]] = x
+    return row
+
+
+def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat]) -> fmpq_mat | None:
+    """Rows that span the smallest space that holds the given ones and is mapped into itself; None as above."""
+    transposed = [t.transpose() for t in operators]
+    span, rank = _echelon(rows), 0
+    while rank < span.nrows():
+        rank = span.nrows()
+        if rank > LARGEST_DIMENSION or _longest(span) > _LONGEST:
+            return None
+        images = [row for t in transposed for row in (span * t).tolist()]
+        span = _echelon(fmpq_mat([*span.tolist(), *images]))
+    return span
+
+
+def _longest(rows: fmpq_mat) -> int:
+    """Bits of the longest numerator or denominator."""
+    return max(max(abs(int(x.p)).bit_length(), int(x.q).bit_length()) for x in rows.entries())
+
+
+def _echelon(rows: fmpq_mat) -> fmpq_mat:
+    echelon, rank = rows.rref()
+    return fmpq_mat(echelon.tolist()[:rank])

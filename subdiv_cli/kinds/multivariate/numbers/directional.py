@@ -1,0 +1,109 @@
+"""Directional factors of a mask with dilation c I, and the norms of the difference schemes that they give.
+
+Where a(z) = d(z) (1 + z^θ + … + z^((c-1)θ)), Δ_θ S = S_d Δ_θ with (Δ_θ f)_α = f_(α+θ) - f_α, a shift aside, and
+‖S_d^L‖∞ is the largest absolute coset sum mod c^L of Π_(i<L) d(z^(c^i)) (Dyn 1992, Proposition 6.10).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from itertools import combinations
+from typing import NamedTuple
+
+from flint import fmpq_mat
+
+from subdiv_cli.kinds.multivariate.lattice import Lattice, box
+from subdiv_cli.kinds.multivariate.numbers.box_spline import divided, multiplied
+from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.model import Effort
+
+HIGHEST_LEVEL = 6
+_MOST_DIRECTIONS = 2000
+_LARGEST = 3
+"""Entries of a direction that is tried."""
+
+
+class Contraction(NamedTuple):
+    """‖S_d^level‖∞ = norm < 1 for the quotient d of the mask by the factor of the direction."""
+
+    direction: Index
+    quotient: Mapping[Index, Fraction]
+    level: int
+    norm: Fraction
+
+
+def directional_factors(scheme: MultivariateScheme, c: int) -> dict[Index, dict[Index, Fraction]]:
+    """The directions θ > 0 (in lexicographic order) of small entries whose factor divides the mask, with the quotients.
+
+    Those of entries at most `_LARGEST` in modulus; primitive and others.
+    """
+    lowest, highest = scheme.bounds()
+    reach = [min(_LARGEST, (b - a) // (c - 1)) for a, b in zip(lowest, highest, strict=True)]
+    found: dict[Index, dict[Index, Fraction]] = {}
+    tried = 0
+    for theta in box(tuple(-r for r in reach), tuple(reach)):
+        if theta <= (0,) * len(theta) or tried >= _MOST_DIRECTIONS:
+            continue
+        tried += 1
+        if (quotient := divided(scheme.terms, theta, c)) is not None:
+            found[theta] = quotient
+    return found
+
+
+def factored(scheme: MultivariateScheme, lattice: Lattice) -> tuple[dict[Index, int], Mapping[Index, Fraction]]:
+    """How often the factor of each direction divides the mask, short directions first, and the quotient by all.
+
+    No factors where M is not c I, c >= 2.
+    """
+    power, c = lattice.scalar_power or (0, 0)
+    rest, found = scheme.terms, dict[Index, int]()
+    if power != 1 or c < 2:
+        return found, rest
+    for theta in sorted(directional_factors(scheme, c), key=lambda theta: (sum(map(abs, theta)), theta)):
+        while len(rest) > 1 and (quotient := divided(rest, theta, c)) is not None:
+            found[theta], rest = found.get(theta, 0) + 1, quotient
+    return found, rest
+
+
+def norms(quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Iterator[Fraction]:
+    """‖S_d‖∞, ‖S_d^2‖∞, … as far as the effort goes; work is counted in products of coefficients."""
+    iterated: Mapping[Index, Fraction] = {(0,) * len(next(iter(quotient))): Fraction(1)}
+    spent, step = 0, 1
+    while True:
+        spent += len(iterated) * len(quotient)
+        if not effort.allows(spent):
+            return
+        iterated = multiplied(iterated, {tuple(step * x for x in alpha): y for alpha, y in quotient.items()})
+        step *= c
+        sums: dict[Index, Fraction] = {}
+        for alpha, x in iterated.items():
+            coset = tuple(y % step for y in alpha)
+            sums[coset] = sums.get(coset, Fraction(0)) + abs(x)
+        yield max(sums.values())
+
+
+def contractions(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> tuple[Contraction, ...] | None:
+    """For s directions of determinant ±1 a level each at which the difference scheme contracts; None without."""
+    if lattice.scalar_power is None or lattice.scalar_power[0] != 1:
+        return None
+    c = lattice.scalar_power[1]
+    if c < 2:
+        return None
+    factors = directional_factors(scheme, c)
+    for some in combinations(sorted(factors, key=lambda theta: (sum(map(abs, theta)), theta)), lattice.dimension):
+        if abs(int(fmpq_mat([list(theta) for theta in some]).det().p)) == 1:
+            found = [contraction(theta, factors[theta], c, effort) for theta in some]
+            known = tuple(contraction for contraction in found if contraction is not None)
+            return known if len(known) == len(some) else None
+    return None
+
+
+def contraction(theta: Index, quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Contraction | None:
+    """The first level at which the scheme of the quotient contracts; None where none is found."""
+    for level, norm in enumerate(norms(quotient, c, effort), 1):
+        if norm < 1:
+            return Contraction(theta, quotient, level, norm)
+        if level == HIGHEST_LEVEL:
+            break
+    return None

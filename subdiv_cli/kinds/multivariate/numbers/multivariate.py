@@ -1,0 +1,146 @@
+"""The numbers of a scheme in several variables, each computed once."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cached_property
+from math import prod
+
+from subdiv_cli.jsr.family import Family
+from subdiv_cli.jsr.products import Product
+from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.multivariate.lattice import Lattice
+from subdiv_cli.kinds.multivariate.numbers.box_spline import BoxSpline, box_spline
+from subdiv_cli.kinds.multivariate.numbers.coset_sums import coset_sums, sum_rule_order
+from subdiv_cli.kinds.multivariate.numbers.difference_space import DifferenceSpace, difference_space
+from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, contractions
+from subdiv_cli.kinds.multivariate.numbers.directional_pairs import PairContraction, pair_contractions
+from subdiv_cli.kinds.multivariate.numbers.gram import Gram, gram
+from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm, matrix_norm
+from subdiv_cli.kinds.multivariate.numbers.mean_squares import MeanSquares, mean_squares
+from subdiv_cli.kinds.multivariate.numbers.quasi_interpolation import QuasiInterpolation, quasi_interpolation
+from subdiv_cli.kinds.multivariate.numbers.reproduction import Reproduction, reproduction
+from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
+from subdiv_cli.kinds.multivariate.numbers.tensor import Part
+from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
+from subdiv_cli.model import Effort
+
+
+class MultivariateNumbers:
+    """Of one scheme, under one effort; what no theorem asks for is not computed."""
+
+    def __init__(self, scheme: MultivariateScheme, effort: Effort, parts: tuple[Part, ...] = ()) -> None:
+        self.scheme, self.effort = scheme, effort
+        self.parts = parts
+        """Of a tensor product that is no box spline its factors, with what was found of them."""
+        self.lattice = Lattice(scheme.dilation)
+
+    @property
+    def dimension(self) -> int:
+        """s."""
+        return self.lattice.dimension
+
+    @cached_property
+    def sums(self) -> tuple[Fraction, ...]:
+        """Σ_β a_(γ+Mβ) for the representatives γ."""
+        return coset_sums(self.scheme, self.lattice, (0,) * self.dimension)
+
+    @cached_property
+    def is_normalised(self) -> bool:
+        """a(1) = |det M|: there is a refinable function φ with integral 1."""
+        return sum(self.scheme.terms.values()) == self.lattice.index
+
+    @cached_property
+    def order(self) -> int:
+        """k: the order of the sum rules of total degree."""
+        return sum_rule_order(self.scheme, self.lattice)
+
+    @cached_property
+    def is_interpolatory(self) -> bool:
+        """a_0 = 1 and a_(Mα) = 0 for α ≠ 0."""
+        on_lattice = {alpha: x for alpha, x in self.scheme.terms.items() if self.lattice.preimage(alpha) is not None}
+        return on_lattice == {(0,) * self.dimension: 1}
+
+    @cached_property
+    def box(self) -> BoxSpline | None:
+        """The box spline that φ is, if it is one."""
+        return box_spline(self.scheme, self.lattice) if self.is_normalised else None
+
+    @cached_property
+    def contractions(self) -> tuple[Contraction, ...] | None:
+        """Directional difference schemes that contract and prove convergence; None without them."""
+        if set(self.sums) != {Fraction(1)}:
+            return None
+        return contractions(self.scheme, self.lattice, self.effort)
+
+    @cached_property
+    def pair_contractions(self) -> tuple[PairContraction, ...] | None:
+        """Quotients by pairs of directional factors that contract and prove C^1; None without them."""
+        if set(self.sums) != {Fraction(1)}:
+            return None
+        return pair_contractions(self.scheme, self.lattice, self.effort)
+
+    def matrix_norm(self, k: int, n: int) -> MatrixNorm | None:
+        """A norm of a matrix scheme of differences of order k, at most that of the sum rules: ρ_k < λ^-n by it."""
+        return matrix_norm(self.scheme, self.lattice, k, n, self.effort)
+
+    @cached_property
+    def is_positive_on_a_box(self) -> bool:
+        """Whether the support is all of a box, the coefficients there are positive, M = cI and each side is >= c."""
+        power, c = self.lattice.scalar_power or (0, 0)
+        sides = [high - low for low, high in zip(*self.scheme.bounds(), strict=True)]
+        terms = self.scheme.terms
+        full = len(terms) == prod(side + 1 for side in sides) and min(terms.values()) > 0
+        return power == 1 and c >= 2 and full and min(sides) >= c
+
+    @cached_property
+    def space(self) -> DifferenceSpace | None:
+        """V_k for the order k >= 1 of the sum rules; None without any, or where it is too large."""
+        return difference_space(self.scheme, self.lattice, self.order) if self.order else None
+
+    @cached_property
+    def radius(self) -> Radius | None:
+        """ρ_k, the joint spectral radius of the transition operators on V_k."""
+        from subdiv_cli.jsr.radius import joint_spectral_radius  # numpy comes with it
+
+        if self.space is None:
+            return None
+        return joint_spectral_radius(Family(self.space.matrices), self.effort)
+
+    @cached_property
+    def mean_squares(self) -> MeanSquares | None:
+        """The growth of the mean squares of differences of order k >= 1; None where the operator is too large."""
+        return mean_squares(self.scheme, self.lattice, self.order, self.effort) if self.order else None
+
+    @cached_property
+    def gram(self) -> Gram | None:
+        """The Gram sequence of the translates of φ, where S converges; None where it is too long."""
+        return gram(self.scheme, self.lattice, self.effort)
+
+    @property
+    def mean_decay(self) -> Fraction | None:
+        """x with ρ_k² <= x: m Λ, as ‖T_w v‖² is at most the sum over all words of one length. For isotropic M."""
+        found = self.mean_squares if self.lattice.is_isotropic else None
+        return None if found is None or found.growth is None else self.lattice.index * found.growth.high
+
+    @cached_property
+    def reproduction(self) -> Reproduction:
+        """The polynomials that are reproduced, for k >= 1."""
+        return reproduction(self.scheme, self.lattice, self.order - 1)
+
+    @cached_property
+    def symmetries(self) -> tuple[IntMatrix, ...]:
+        """Of the mask, as far as they are looked for."""
+        return symmetries(self.scheme)
+
+    @cached_property
+    def quasi_interpolation(self) -> QuasiInterpolation:
+        """Q on what is generated, for k >= 1 and S that converges."""
+        return quasi_interpolation(self.scheme, self.lattice, self.order - 1, self.symmetries)
+
+    @cached_property
+    def product(self) -> Product | None:
+        """The product that bounds ρ_k from below."""
+        if self.space is None or self.radius is None or self.radius.word is None:
+            return None
+        return Product.of_word(self.space.matrices, self.radius.word)

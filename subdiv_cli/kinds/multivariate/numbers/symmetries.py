@@ -1,0 +1,96 @@
+"""Facts of a mask in several variables, seen without a theorem: its dilation, support, signs and symmetries."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterable, Iterator
+from itertools import permutations, product
+from operator import mul
+from typing import TYPE_CHECKING
+
+from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme, characteristic_polynomial
+from subdiv_cli.model import Data
+
+if TYPE_CHECKING:
+    from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+
+
+def facts(numbers: MultivariateNumbers) -> dict[str, Data]:
+    """Keys: dimension, dilation, cosets (their number), isotropic, lowest and highest (corners of the support's box),
+    coefficients (their number), symmetries (the number of `symmetries`), interpolatory and nonnegative.
+    """
+    scheme = numbers.scheme
+    lowest, highest = scheme.bounds()
+    return {
+        "dimension": numbers.dimension,
+        "dilation": scheme.dilation,
+        "cosets": numbers.lattice.index,
+        "isotropic": numbers.lattice.is_isotropic,
+        "lowest": lowest,
+        "highest": highest,
+        "coefficients": len(scheme.terms),
+        "symmetries": len(numbers.symmetries),
+        "interpolatory": numbers.is_interpolatory,
+        "nonnegative": all(x >= 0 for x in scheme.terms.values()),
+    }
+
+
+def symmetries(scheme: MultivariateScheme) -> tuple[IntMatrix, ...]:
+    """The matrices g of determinant ±1 with a_(g α + t) = a_α for some t and all α, the identity among them.
+
+    In the plane those of entries -1, 0, 1; in more variables signed permutations.
+    """
+    candidates = tuple(_candidates(scheme.dimension))
+    known, found = set(candidates), {_identity(scheme.dimension)}
+    for g in candidates:
+        if g not in found and _keeps(scheme, g):
+            found = generated([*found, g], known)
+    return tuple(g for g in candidates if g in found)
+
+
+def generated(matrices: Iterable[IntMatrix], within: Container[IntMatrix]) -> set[IntMatrix]:
+    """Products of the matrices, as long as they are among some; the group where these are finitely many and closed."""
+    generators: list[IntMatrix] = []
+    found: set[IntMatrix] = set()
+    for g in matrices:
+        if g in found:
+            continue
+        generators.append(g)
+        last = found | {g}
+        while last:
+            found |= last
+            last = {h for f in last for x in generators if (h := times(f, x)) in within} - found
+    return found
+
+
+def times(g: IntMatrix, f: IntMatrix) -> IntMatrix:
+    """g f."""
+    columns = list(zip(*f, strict=True))
+    return tuple([tuple([sum(map(mul, row, column)) for column in columns]) for row in g])
+
+
+def _keeps(scheme: MultivariateScheme, g: IntMatrix) -> bool:
+    """Whether a_(g α + t) = a_α for the t that keeps the centre of the support."""
+    count, total = len(scheme.terms), [sum(column) for column in zip(*scheme.terms, strict=True)]
+    shift = [x - sum(map(mul, row, total)) for x, row in zip(total, g, strict=True)]
+    if any(x % count for x in shift):
+        return False
+    rows = [(row, x // count) for row, x in zip(g, shift, strict=True)]
+    return all(
+        scheme.terms.get(tuple([sum(map(mul, row, alpha)) + t for row, t in rows])) == value
+        for alpha, value in scheme.terms.items()
+    )
+
+
+def _identity(s: int) -> IntMatrix:
+    return tuple(tuple(int(i == j) for j in range(s)) for i in range(s))
+
+
+def _candidates(s: int) -> Iterator[IntMatrix]:
+    if s == 2:
+        for a, b, c, d in product((-1, 0, 1), repeat=4):
+            if abs(characteristic_polynomial(((a, b), (c, d)))[0]) == 1:
+                yield (a, b), (c, d)
+        return
+    for places in permutations(range(s)):
+        for signs in product((1, -1), repeat=s):
+            yield tuple(tuple(sign * (j == place) for j in range(s)) for place, sign in zip(places, signs, strict=True))

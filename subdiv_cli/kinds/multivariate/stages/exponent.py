@@ -1,0 +1,154 @@
+"""SD614: the Hölder exponent from below. SD615: from above.
+
+Theorems. For isotropic M, λ = |det M|^(1/s), k the order of the sum rules (Jia 1998; Han 2003): α >= -log_λ ρ_k, and
+for stable φ they are equal. A product of ℓ operators with an eigenvalue of modulus r bounds ρ_k^ℓ >= r. Box splines
+(SD603): α = d - 1 exactly, d >= 2. Hypotheses: M isotropic, checked; stability (SD616) from above.
+
+Where no bound of ρ_k is known, ρ_k² <= m Λ of the mean squares (SD617): α >= s - dimension/2.
+
+Tensor products (SD609): the least exponent of a factor, M isotropic or not.
+
+Witness: `by`, SD603, SD605, SD609 or SD617; of a tensor product `variables` of the factor, and from below `between`, a
+number that its exponent is not above, nor those of factors with other masks below; otherwise `length` and `root`, or
+`length` and `bound`, as SD605 has them; from above `length` and `radius`, a rational lower bound of ρ_k^length.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from flint import ctx
+
+from subdiv_cli.exact.closed import closed_interval, readable
+from subdiv_cli.exact.enclosures import ball, interval
+from subdiv_cli.exact.text import rounded_down, rounded_up
+from subdiv_cli.jsr.products import radius_bound
+from subdiv_cli.jsr.result import root_data
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.kinds.multivariate.numbers.tensor import Part
+from subdiv_cli.kinds.multivariate.stages import tensor_products
+from subdiv_cli.kinds.multivariate.stages.rule import (
+    ANISOTROPIC,
+    Facts,
+    growth_proof,
+    not_spanning,
+    spanning,
+    surface_exponent,
+)
+from subdiv_cli.kinds.scalar.stages.joint_radius import shown
+from subdiv_cli.kinds.scalar.stages.stage import Rule, product_name, verdict
+from subdiv_cli.model import Data, Finding, Interval, Verdict, logarithm, unpowered
+
+BELOW = Rule("SD614", "surface-holder-lower", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
+ABOVE = Rule("SD615", "surface-holder-upper", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
+
+_BELOW, _ABOVE = "how regular are the limit functions at least?", "how regular is φ at most?"
+
+
+def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    if numbers.box is not None:
+        return _of_box_spline(numbers.box.depth)
+    if numbers.parts:
+        return (_least_of(numbers.parts), _least_above(numbers.parts))
+    reason = None if numbers.lattice.is_isotropic else ANISOTROPIC
+    reason = reason if numbers.order else "no sum rule holds"
+    if reason is not None:
+        return (BELOW.skipped(_BELOW, reason), ABOVE.skipped(_ABOVE, reason))
+    if numbers.radius is None:
+        none = "no bound of the decay of differences is known"
+        return (_in_the_mean(numbers) or BELOW.undecided(_BELOW, none), ABOVE.undecided(_ABOVE, none))
+    stably = verdict(facts, "SD616") is Verdict.PROVED
+    return (_below(numbers, stably), _above(numbers, stably))
+
+
+def _of_box_spline(depth: int) -> tuple[Finding, ...]:
+    if depth < 2:
+        reason = "φ is a box spline that is not continuous"
+        return (BELOW.skipped(_BELOW, reason), ABOVE.skipped(_ABOVE, reason))
+    alpha = Fraction(depth - 1)
+    witness: dict[str, Data] = {"by": "SD603", "value": alpha}
+    below, above = f"α ≥ {alpha}: {spanning(depth - 1)}", f"α ≤ {alpha}: {not_spanning(depth)}"
+    return (BELOW.proved(below, witness, interval(alpha), alpha), ABOVE.proved(above, witness, interval(alpha), alpha))
+
+
+def _least_of(parts: tuple[Part, ...]) -> Finding:
+    found = tensor_products.least(parts, tensor_products.holder_lower)
+    if found is None:
+        return BELOW.undecided(_BELOW, "the exponents of the factors are not seen to be positive, or not compared")
+    part, exact = tensor_products.holder_lower(found.part), found.is_exact
+    value = part.value or Interval()
+    text = _shown(part) if exact else rounded_down(value.lower or 0.0)
+    statement = f"α {'=' if exact else '≥'} {text}, the least exponent of a factor: {found.part.name}"
+    return BELOW.proved(
+        statement, tensor_products.least_witness(found), value if exact else Interval(lower=value.lower), part.closed
+    )
+
+
+def _least_above(parts: tuple[Part, ...]) -> Finding:
+    part = tensor_products.least_upper(parts, tensor_products.holder_upper)
+    if part is None:
+        return ABOVE.undecided(_ABOVE, "no bound is known for a factor")
+    found = tensor_products.holder_upper(part)
+    assert found.value is not None
+    exact = tensor_products.holder_lower(part)
+    text = _shown(exact) if exact.closed is not None else rounded_up(found.value.upper or 0.0)
+    witness: dict[str, Data] = {"by": "SD609", "variables": part.variables}
+    return ABOVE.proved(f"α ≤ {text}, an exponent of a factor: {part.name}", witness, Interval(upper=found.value.upper))
+
+
+def _shown(found: Finding) -> str:
+    assert found.closed is not None
+    return readable(found.closed) or f"{rounded_down((found.value or Interval()).lower or 0.0)}…"
+
+
+def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
+    radius, m, s, k = numbers.radius, numbers.lattice.index, numbers.dimension, numbers.order
+    assert radius is not None
+    witness: dict[str, Data] = {"by": "SD605", "length": radius.upper[0]}
+    if radius.exact is not None and (exact := surface_exponent(m, s, *radius.exact)) is not None:
+        value = closed_interval(exact)
+        text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
+        witness["root"] = root_data(radius.exact[1])
+        if stable:
+            return BELOW.proved(f"α = {text}, as φ is stable and ρ_{k} = {shown(radius)}", witness, value, exact)
+        return BELOW.proved(f"α ≥ {text}, as ρ_{k} = {shown(radius)}", witness, Interval(lower=value.lower))
+    length, bound = radius.upper
+    lower = _exponent(numbers, length, bound)
+    statement = f"α ≥ {rounded_down(lower)}, from the bound of ρ_{k}"
+    return BELOW.proved(statement, {**witness, "bound": bound}, Interval(lower=lower))
+
+
+def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
+    """α >= s - dimension/2, for the bound of s that SD617 has."""
+    bound = numbers.mean_decay
+    if bound is None:
+        return None
+    lower = _exponent(numbers, 2, bound)
+    witness: dict[str, Data] = {"by": "SD617", "length": 2, "bound": bound}
+    statement = f"α ≥ {rounded_down(lower)}, from the mean squares of differences of order {numbers.order}"
+    return BELOW.proved(statement, witness, Interval(lower=lower), proof=growth_proof(numbers))
+
+
+def _exponent(numbers: MultivariateNumbers, length: int, bound: Fraction) -> float:
+    """-log_λ(bound)/length, rounded down."""
+    with ctx.workprec(128):
+        lower = interval(-ball(bound).log() * numbers.dimension / ball(numbers.lattice.index).log() / length).lower
+    assert lower is not None
+    return lower
+
+
+def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
+    product, m, s, k = numbers.product, numbers.lattice.index, numbers.dimension, numbers.order
+    if not stable:
+        return ABOVE.undecided(_ABOVE, "it is not proved that φ is stable")
+    if product is None:
+        return ABOVE.undecided(_ABOVE, "no product is known that bounds ρ_k from below")
+    bound, length = radius_bound(product), len(product.word)
+    base, divisor = unpowered(m, length)
+    upper = closed_interval(logarithm(base, (1 / bound) ** s, divisor)).upper
+    witness: dict[str, Data] = {"by": "SD605", "word": product.word, "length": length, "radius": bound}
+    exact = numbers.radius.exact if numbers.radius is not None else None
+    closed = surface_exponent(m, s, *exact) if exact is not None else None
+    text = (readable(closed) if closed is not None else None) or rounded_up(upper or 0.0)
+    statement = f"α ≤ {text}: φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
+    return ABOVE.proved(statement, witness, Interval(upper=upper))

@@ -1,0 +1,61 @@
+"""What these stages share: their type, and exponents to the base λ = |det M|^(1/s)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import gcd
+
+from subdiv_cli.exact.algebraic import isolated, number_of, power
+from subdiv_cli.exact.closed import exponent
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.model import ClosedForm, Data, Finding, Root, unpowered
+
+Facts = Mapping[str, tuple[Finding, ...]]
+Stage = Callable[[MultivariateNumbers, Facts], tuple[Finding, ...]]
+
+ANISOTROPIC = "smoothness is decided for isotropic dilations only"
+
+
+def spanning(count: int) -> str:
+    """Of the directions of a box spline: so many may go, whichever they are."""
+    return f"its directions span without any {'one' if count == 1 else count} of them"
+
+
+def not_spanning(count: int) -> str:
+    """Of the directions of a box spline: so many are too many."""
+    return f"its directions do not span without some {'one' if count == 1 else count} of them"
+
+
+def surface_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm | None:
+    """-log_λ(Λ)/length with λ^s = m: -log_m(Λ^s)/length, the power as small as the number m allows.
+
+    None where the minimal polynomial of the power is too large.
+    """
+    base, divisor = unpowered(m, length)
+    common = gcd(s, divisor)
+    if s == common:
+        return exponent(base, divisor // common, root)
+    raised = power(number_of(root), s // common)
+    return None if raised is None else exponent(base, divisor // common, isolated(raised))
+
+
+def growth_proof(numbers: MultivariateNumbers) -> dict[str, Data]:
+    """What certificates need to show of the growth Λ of mean squares, where that is known."""
+    found = numbers.mean_squares
+    assert found is not None
+    assert found.growth is not None
+    growth = found.growth
+    return {
+        "polynomial": tuple(int(c) for c in growth.radius.minimal_polynomial),
+        "low": growth.low,
+        "high": growth.high,
+        "cofactor": growth.cofactor_coefficients(),
+        "window": found.window,
+        "pairs": found.pairs,
+    }
+
+
+def verdict_of(facts: Facts, code: str) -> Finding | None:
+    """The only finding with this code."""
+    found = facts.get(code, ())
+    return found[0] if found else None

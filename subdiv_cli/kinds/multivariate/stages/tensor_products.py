@@ -1,0 +1,165 @@
+"""SD609: is the mask a tensor product? And what follows of φ from its factors.
+
+Theorem (Dyn 1992, Proposition 6.3; MULTIVARIATE.md): let M be block diagonal and a(z) the product of masks in the
+variables of the blocks, of sums |det M_j|. Then φ is the product of the φ_j. S converges uniformly iff all factors do;
+then φ is stable iff all φ_j are. φ is C^n iff all φ_j are; its Hölder and its Sobolev exponent are the least ones of
+the factors where these are positive, and never larger. M need not be isotropic. Hypotheses: checked. Coefficients that
+do not add up to |det M| and box splines (SD603) are not asked. There is a finding only where there are factors; then
+they alone decide.
+
+Witness: `parts`, the numbers of the variables, from 0, of each factor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from subdiv_cli.exact.closed import closed_interval
+from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.kinds.multivariate.numbers.tensor import Part
+from subdiv_cli.kinds.multivariate.stages.rule import Facts
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.kinds.scalar.stages.stage import Rule, series
+from subdiv_cli.model import Data, Finding, Verdict
+
+RULE = Rule("SD609", "tensor-product", "Dyn 1992, Proposition 6.3")
+
+Role = Callable[[Part], Finding]
+
+_LEAST_SPARE = Fraction(1, 1000)
+"""Exponents that are nearer to each other than four times this, and not rational, are not compared."""
+
+
+def convergence(part: Part) -> Finding:
+    return part.finding("SD201", "SD611")
+
+
+def stability(part: Part) -> Finding:
+    return part.finding("SD402", "SD616")
+
+
+def smoothness(part: Part) -> Finding:
+    return part.finding("SD302", "SD612")
+
+
+def holder_lower(part: Part) -> Finding:
+    return part.finding("SD311", "SD614")
+
+
+def holder_upper(part: Part) -> Finding:
+    return part.finding("SD312", "SD615")
+
+
+def sobolev(part: Part) -> Finding:
+    return part.finding("SD321", "SD617")
+
+
+def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    if not numbers.parts:
+        return ()
+    factors = "; ".join(f"in {part.name} {_mask(part)}" for part in numbers.parts)
+    witness: dict[str, Data] = {"parts": tuple(part.variables for part in numbers.parts)}
+    return (RULE.proved(f"φ is a tensor product of {len(numbers.parts)} factors: {factors}", witness),)
+
+
+def _mask(part: Part) -> str:
+    scheme = part.scheme
+    if isinstance(scheme, ScalarScheme):
+        arity = "" if scheme.arity == 2 else f" of arity {scheme.arity}"
+        return f"the mask {series(scheme.coefficients, number)} from {scheme.start}{arity}"
+    return f"a mask of {len(scheme.terms)} coefficients"
+
+
+def of_all(parts: tuple[Part, ...], role: Role) -> tuple[Verdict, Part]:
+    """PROVED where all are, else REFUTED where one is, with it; UNDECIDED with one that is not proved."""
+    findings = [(role(part).verdict, part) for part in parts]
+    for wanted in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SKIPPED):
+        for found, part in findings:
+            if found is wanted:
+                return (Verdict.REFUTED if wanted is Verdict.REFUTED else Verdict.UNDECIDED), part
+    return Verdict.PROVED, parts[0]
+
+
+def follows(rule: Rule, question: str, parts: tuple[Part, ...], role: Role, yes: str, no: str) -> Finding:
+    """A property that φ has iff all factors have it; `no` is a sentence with the name of one that has it not."""
+    found, part = of_all(parts, role)
+    if found is Verdict.PROVED:
+        return rule.proved(yes, {"by": RULE.code})
+    if found is Verdict.REFUTED:
+        return rule.refuted(no.format(part.name), {"by": RULE.code})
+    return rule.undecided(question, f"it is not decided for the factor in {part.name}")
+
+
+class Least(NamedTuple):
+    """The factor with the least exponent, as far as it is bounded from below."""
+
+    part: Part
+    is_exact: bool
+    """It is that of φ, and its finding has it in closed form."""
+    between: Fraction | None
+    """A number that the exponents of factors with other masks are not below, and that of this one not above."""
+
+
+def least(parts: tuple[Part, ...], role: Role) -> Least | None:
+    """By what the findings of a role prove from below; None where an exponent is not seen to be positive."""
+    lower = [_low(role(part)) for part in parts]
+    if any(x is None or x <= 0 for x in lower):
+        return None
+    for part in sorted(parts, key=lambda each: _low(role(each)) or 0):
+        others = [role(other) for other in parts if other.scheme != part.scheme]
+        if not others:
+            return Least(part, role(part).closed is not None, None)
+        if (between := _between(role(part), others)) is not None:
+            return Least(part, role(part).closed is not None, between)
+    return None
+
+
+def least_witness(found: Least) -> dict[str, Data]:
+    """As SD614 and SD617 have it."""
+    between = {} if found.between is None else {"between": found.between}
+    return {"by": "SD609", "variables": found.part.variables, **between}
+
+
+def _between(found: Finding, others: list[Finding]) -> Fraction | None:
+    """The simplest number from what the finding proves from below to what others do."""
+    high = min(x for other in others if (x := _low(other)) is not None)
+    if isinstance(found.closed, Fraction):
+        return _simplest(found.closed, high) if found.closed <= high else None
+    value = found.value if found.closed is None else closed_interval(found.closed)
+    if value is None or (low := value.lower if found.closed is None else value.upper) is None:
+        return None
+    spare = (high - Fraction(low)) / 4  # statements enclose the numbers less tightly
+    return _simplest(Fraction(low) + spare, high - spare) if spare > _LEAST_SPARE else None
+
+
+def _low(found: Finding) -> Fraction | None:
+    """What a finding proves of an exponent from below."""
+    if isinstance(found.closed, Fraction):
+        return found.closed
+    return _fraction(found.value.lower) if found.value is not None else None
+
+
+def _fraction(x: float | None) -> Fraction | None:
+    return None if x is None else Fraction(x)
+
+
+def _simplest(low: Fraction, high: Fraction) -> Fraction:
+    """The fraction of the least denominator in [low, high], 0 < low (Stern & Brocot)."""
+    whole = -(-low.numerator // low.denominator)
+    if whole <= high:
+        return Fraction(whole)
+    rest = _simplest(1 / (high - whole + 1), 1 / (low - whole + 1))
+    return whole - 1 + 1 / rest
+
+
+def least_upper(parts: tuple[Part, ...], role: Role) -> Part | None:
+    """The factor whose exponent has the least upper bound that is proved."""
+    known: Iterator[tuple[float, Part]] = (
+        (value.upper, part)
+        for part in parts
+        if role(part).verdict is Verdict.PROVED and (value := role(part).value) is not None and value.upper is not None
+    )
+    return min(known, key=lambda pair: pair[0], default=(0.0, None))[1]

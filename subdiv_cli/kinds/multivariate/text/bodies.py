@@ -1,0 +1,181 @@
+"""The forms of a multivariate mask as data, and the scheme of each at the values of the parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from itertools import product
+from math import prod
+from typing import NamedTuple
+
+from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme, multiple_of_identity
+from subdiv_cli.maskfile import laurent
+from subdiv_cli.maskfile.bodies import Coefficients, Symbol, too_precise, zero_mask
+from subdiv_cli.maskfile.bounds import MAX_INDEX, MAX_MASK_LENGTH
+from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
+from subdiv_cli.maskfile.laurent import Laurent, TooLargeError, Work, packed
+from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
+
+Nested = tuple["Expression | Nested", ...]
+
+
+class Grid(NamedTuple):
+    """coefficients[i][j]… = a_(start + (i, j, …)), as deep as there are variables; all lists of one depth as long."""
+
+    dilation: IntMatrix
+    start: Index
+    coefficients: Nested
+
+    def expressions(self) -> Iterable[Expression]:
+        return (entry for _, entry in self._entries())
+
+    def _entries(self) -> Iterator[tuple[Index, Expression]]:
+        return _walk(self.coefficients, self.start)
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
+        """SD007 to SD011."""
+        return _numbers(self.dilation, self._entries(), ("mask", "coefficients"), values, problems, work)
+
+
+class Terms(NamedTuple):
+    """index -> a_index; the indices are different, at least one."""
+
+    dilation: IntMatrix
+    terms: tuple[tuple[Index, Expression], ...]
+
+    def expressions(self) -> Iterable[Expression]:
+        return (entry for _, entry in self.terms)
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
+        """SD007 to SD011."""
+        return _numbers(self.dilation, self.terms, ("mask", "terms"), values, problems, work)
+
+
+class LaurentSymbol(NamedTuple):
+    """a(z1, z2, …) as one expression."""
+
+    dilation: IntMatrix
+    expression: Expression
+
+    def expressions(self) -> Iterable[Expression]:
+        return (self.expression,)
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
+        """SD007 to SD011."""
+        polynomial = polynomial_of(self.expression, values, problems, work)
+        if polynomial is None:
+            return None
+        terms = polynomial.terms(len(self.dilation))
+        return _scheme(self.dilation, terms, self.expression.path, values, problems)
+
+
+class BoxSpline(NamedTuple):
+    """c^(s-n) Π_ξ (1 + z^ξ + … + z^((c-1)ξ))^m, n = Σ m, for the dilation cI: the box spline of the directions ξ.
+
+    Dyn 1992, 6.54 for c = 2; de Boor, Höllig, Riemenschneider 1993, chapter VII.
+    """
+
+    dilation: IntMatrix
+    """c times the identity."""
+    directions: tuple[Index, ...]
+    """They span R^s."""
+    multiplicities: tuple[int, ...]
+
+    def expressions(self) -> Iterable[Expression]:
+        return ()
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
+        """SD010."""
+        path = ("mask", "box_spline")
+        s, c = len(self.dilation), self.dilation[0][0]
+        symbol = laurent.constant(Fraction(c**s, c ** sum(self.multiplicities)))
+        try:
+            for direction, multiplicity in zip(self.directions, self.multiplicities, strict=True):
+                factor = Laurent({packed((0, *(j * x for x in direction))): 1 for j in range(c)})
+                symbol = laurent.times(symbol, laurent.power(factor, multiplicity, work), work)
+        except TooLargeError as error:
+            problems.add(Fault("SD010", f"the box spline is too large: {error}", "use smaller multiplicities"), path)
+            return None
+        return _scheme(self.dilation, symbol.terms(s), path, values, problems)
+
+
+class Tensor(NamedTuple):
+    """a_(i, j, …) = a_i b_j …, a product of at least two scalar masks of one arity."""
+
+    factors: tuple[Coefficients | Symbol, ...]
+
+    def expressions(self) -> Iterable[Expression]:
+        return (entry for factor in self.factors for entry in factor.expressions())
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
+        """SD007 to SD011."""
+        path = ("mask", "tensor")
+        schemes = [factor.scheme(values, problems, work) for factor in self.factors]
+        factors = [
+            [(k, value) for k, value in enumerate(scheme.coefficients, scheme.start) if value]
+            for scheme in schemes
+            if scheme is not None
+        ]
+        if len(factors) < len(schemes):
+            return None
+        if (count := prod(map(len, factors))) > MAX_MASK_LENGTH:
+            problems.add(_too_many(count), path)
+            return None
+        terms = {
+            tuple(k for k, _ in pick): prod((value for _, value in pick), start=Fraction(1))
+            for pick in product(*factors)
+        }
+        dilation = multiple_of_identity(self.factors[0].arity, len(self.factors))
+        return _scheme(dilation, terms, path, values, problems)
+
+
+def _walk(entries: Nested, start: Index, above: Index = ()) -> Iterator[tuple[Index, Expression]]:
+    for k, entry in enumerate(entries, start[len(above)]):
+        index = (*above, k)
+        if isinstance(entry, Expression):
+            yield index, entry
+        else:
+            yield from _walk(entry, start, index)
+
+
+def _numbers(
+    dilation: IntMatrix,
+    entries: Iterable[tuple[Index, Expression]],
+    path: KeyPath,
+    values: Mapping[str, Fraction],
+    problems: Collector,
+    work: Work,
+) -> MultivariateScheme | None:
+    """The scheme of coefficients given one by one."""
+    numbers = [(index, number_of(entry, values, problems, work)) for index, entry in entries]
+    terms = {index: value for index, value in numbers if value is not None}
+    return _scheme(dilation, terms, path, values, problems) if len(terms) == len(numbers) else None
+
+
+def _scheme(
+    dilation: IntMatrix,
+    terms: Mapping[Index, Fraction],
+    path: KeyPath,
+    values: Mapping[str, Fraction],
+    problems: Collector,
+) -> MultivariateScheme | None:
+    """SD009 and SD010."""
+    terms = {index: value for index, value in terms.items() if value}
+    fault = _wrong_size(terms) if terms else zero_mask(values)
+    if fault:
+        problems.add(fault, path)
+        return None
+    return MultivariateScheme(dilation=dilation, terms=terms)
+
+
+def _wrong_size(terms: Mapping[Index, Fraction]) -> Fault | None:
+    if len(terms) > MAX_MASK_LENGTH:
+        return _too_many(len(terms))
+    if max(max(map(abs, index)) for index in terms) > MAX_INDEX:
+        return Fault("SD010", f"an index beyond {MAX_INDEX}", "shift the mask towards 0")
+    return too_precise(terms.values())
+
+
+def _too_many(count: int) -> Fault:
+    message = f"the mask has {count} coefficients that are not zero; the limit is {MAX_MASK_LENGTH}"
+    return Fault("SD010", message, "use a smaller mask")

@@ -1,0 +1,165 @@
+"""`start` with nested `coefficients`, and `terms`: a number for each index."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from subdiv_cli.kinds.multivariate.scheme import Index
+from subdiv_cli.kinds.multivariate.text.bodies import Grid, Nested, Terms
+from subdiv_cli.kinds.multivariate.text.dilation import Dilation
+from subdiv_cli.kinds.multivariate.text.integers import index_of_key, integer_list
+from subdiv_cli.maskfile.bounds import MAX_DIMENSION, MAX_GRID, MAX_MASK_LENGTH
+from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.expressions import Expression
+from subdiv_cli.maskfile.laurent import Work
+from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
+from subdiv_cli.maskfile.values import described
+
+_NESTED = 'write a list of rows: coefficients = [["1/4", "1/2"], ["1/2", 1]]'
+
+
+def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> Grid | None:
+    """None where something is wrong, which is recorded."""
+    problems = table.problems
+    start = _start(table)
+    path = (*table.path, "coefficients")
+    shape = _shape(table.data["coefficients"], path, problems)
+    if shape is None:
+        return None
+    matrix = dilation.of(len(shape))
+    if start is not None and len(start) != len(shape):
+        plural = "" if len(start) == 1 else "s"
+        message = f"start has {len(start)} component{plural}, and coefficients are nested {len(shape)} deep"
+        problems.add(Fault("SD023", message, "give both one for each variable"), (*table.path, "start"))
+        start = None
+    entries = _Rows(shape, parameters, problems).read(table.data["coefficients"], path)
+    if matrix is None or start is None or entries is None:
+        return None
+    return Grid(dilation=matrix, start=start, coefficients=entries)
+
+
+def _start(table: Table) -> Index | None:
+    mend = "write the index of the first coefficient: start = [-1, -1]"
+    if "start" not in table.data:
+        table.missing("start", "start is missing", mend)
+        return None
+    return integer_list(table.data["start"], (*table.path, "start"), table.problems, "start", mend)
+
+
+def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...] | None:
+    """The lengths of the lists on the way to the first number."""
+    shape: list[int] = []
+    first = value
+    while isinstance(first, list) and first:
+        shape.append(len(first))
+        first = first[0]
+    fault = None
+    if isinstance(first, list):
+        fault = Fault("SD009", "the mask is empty" if not shape else "the first row is empty", _NESTED)
+    elif not shape:
+        fault = Fault("SD006", f"coefficients must be a list of lists, not {described(value)}", _NESTED)
+    elif len(shape) == 1:
+        mend = f'{_NESTED}; a mask in one variable is of kind "scalar"'
+        fault = Fault("SD023", "coefficients are one flat list, and there are at least two variables", mend)
+    elif len(shape) > MAX_DIMENSION:
+        message = f"coefficients are nested {len(shape)} deep; there are 2 to {MAX_DIMENSION} variables"
+        fault = Fault("SD010", message, _NESTED)
+    if fault:
+        problems.add(fault, path)
+        return None
+    return tuple(shape)
+
+
+class _Rows:
+    """Lists of lists of the lengths that the first ones have; what is wrong is recorded."""
+
+    def __init__(self, shape: tuple[int, ...], parameters: Collection[str], problems: Collector) -> None:
+        self._shape, self._parameters, self._problems = shape, parameters, problems
+        self._work = Work()
+        self._left = MAX_GRID
+
+    def read(self, value: object, path: KeyPath, depth: int = 0) -> Nested | None:
+        expected = self._shape[depth]
+        fault = None
+        if not isinstance(value, list):
+            fault = Fault("SD023", f"a list of {expected} was expected, not {described(value)}", _NESTED)
+        elif len(value) != expected:
+            message = f"a list of {expected} was expected, as the first one is; this has {len(value)}"
+            fault = Fault("SD023", message, "write zeros where there is no coefficient")
+        if fault or not isinstance(value, list):
+            self._problems.add(fault or Fault("SD023", ""), path)
+            return None
+        last = depth == len(self._shape) - 1
+        found = [
+            self._entry(entry, (*path, i)) if last else self.read(entry, (*path, i), depth + 1)
+            for i, entry in enumerate(value)
+        ]
+        entries = tuple(entry for entry in found if entry is not None)
+        return entries if len(entries) == len(found) else None
+
+    def _entry(self, value: object, path: KeyPath) -> Expression | None:
+        self._left -= 1
+        if self._left < 0:
+            if self._left == -1:
+                mend = "give those that are not zero: terms = {…}"
+                self._problems.add(Fault("SD010", f"more than {MAX_GRID} coefficients, zeros included", mend), path)
+            return None
+        if isinstance(value, list):
+            message = f"coefficients are nested deeper here than at the first one, {len(self._shape)} deep"
+            self._problems.add(Fault("SD023", message, _NESTED), path)
+            return None
+        return read_number(value, path, self._parameters, self._problems, self._work)
+
+
+def read_number(
+    value: object, path: KeyPath, parameters: Collection[str], problems: Collector, work: Work
+) -> Expression | None:
+    """A coefficient; None where it is wrong, which is recorded."""
+    try:
+        entry = read_expression(value, path, parameters)
+        check_fixed(entry, work)
+    except Fault as fault:
+        problems.add(fault, path)
+        return None
+    return entry
+
+
+def read_terms(table: Table, dilation: Dilation, parameters: Collection[str]) -> Terms | None:
+    """None where something is wrong, which is recorded."""
+    problems, path = table.problems, (*table.path, "terms")
+    inner = table.table("terms", 'write terms = {"0,0" = 1, "1,0" = "1/2"}')
+    if inner is None:
+        return None
+    fault = None
+    if not inner.data:
+        fault = Fault("SD009", "the mask is empty", 'write its coefficients: terms = {"0,0" = 1, "1,0" = "1/2"}')
+    elif len(inner.data) > MAX_GRID:
+        fault = Fault(
+            "SD010", f"terms: {len(inner.data)} entries; the limit is {MAX_MASK_LENGTH}", "use a smaller mask"
+        )
+    if fault:
+        problems.add(fault, path)
+        return None
+    found: dict[Index, Expression | None] = {}
+    work = Work()
+    for key, value in inner.data.items():
+        entry = read_number(value, (*path, key), parameters, problems, work)
+        try:
+            index = index_of_key(key)
+            _fits(index, found)
+        except Fault as wrong:
+            problems.add(wrong, (*path, key), of_key=True)
+            continue
+        found[index] = entry
+    matrix = dilation.of(len(next(iter(found)))) if found else None
+    terms = tuple((index, entry) for index, entry in found.items() if entry is not None)
+    return Terms(dilation=matrix, terms=terms) if matrix is not None and len(terms) == len(inner.data) else None
+
+
+def _fits(index: Index, found: dict[Index, Expression | None]) -> None:
+    """Raises Fault for an index of another length than the first (SD023), and for one that was there (SD015)."""
+    if found and len(index) != len(first := next(iter(found))):
+        message = f"an index with {len(index)} components, and the first one has {len(first)}"
+        raise Fault("SD023", message, "give each index one for each variable")
+    if index in found:
+        raise Fault("SD015", f"the index {','.join(map(str, index))} is given twice", "keep one of the two")

@@ -1,0 +1,141 @@
+"""Findings on convergence, smoothness and the Hölder exponent as claims."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from math import lcm
+from typing import cast
+
+from subdiv_cli.certificate import radius
+from subdiv_cli.certificate.claims import rational
+from subdiv_cli.certificate.witness import as_integer, as_rational, as_word
+from subdiv_cli.kinds.scalar.claims.proof import Proof
+from subdiv_cli.kinds.scalar.claims.structure import eigen_condition, residue_sums
+from subdiv_cli.model import Data, Finding, Verdict
+
+
+def contractivity(proof: Proof, finding: Finding) -> list[int]:
+    if finding.verdict is Verdict.PROVED:
+        return proof.contraction(proof.last, finding.witness)
+    return [proof.obstacle(proof.last, as_integer(finding.witness["nu"]) - 1, finding.witness)]
+
+
+def convergence(proof: Proof, finding: Finding) -> list[int]:
+    if finding.verdict is Verdict.PROVED:
+        uses = proof.contraction(0, finding.witness)
+        return [proof.add("converges", {"holds": True}, uses=uses, name="convergent")]
+    by = finding.witness["by"]
+    if by == "SD301":
+        reason = proof.obstacle(0, 0, finding.witness)
+    else:
+        (reason,) = {"SD101": residue_sums, "SD202": eigen_condition}[str(by)](proof, proof.found[str(by)])
+    return [proof.add("diverges", {"holds": False}, uses=[reason], name="convergent")]
+
+
+def smoothness(proof: Proof, finding: Finding) -> list[int]:
+    if finding.verdict is Verdict.REFUTED:
+        return _not_smooth(proof, 0, finding.witness)
+    order = as_integer(finding.witness["order"])
+    if finding.witness["by"] == "SD201":
+        uses = proof.contraction(0, proof.found["SD201"].witness)
+    else:
+        uses = [*proof.contraction(proof.last, proof.contractions[-1].witness), *proof.reductions]
+    return [proof.add("smooth", {"order": order}, uses=uses)]
+
+
+def next_smoothness(proof: Proof, finding: Finding) -> list[int]:
+    return _not_smooth(proof, as_integer(finding.witness["order"]), finding.witness)
+
+
+def _not_smooth(proof: Proof, order: int, witness: Mapping[str, Data]) -> list[int]:
+    stable = proof.last_stable()
+    obstacle = proof.obstacle(proof.last, order, witness)
+    return [proof.add("not-smooth", {"order": order}, uses=[n, obstacle, *proof.reductions]) for n in stable]
+
+
+def joint_radius(proof: Proof, finding: Finding) -> list[int]:
+    mask = 0 if finding.witness["of"] == "S" else proof.last
+    claims = radius.claims(proof, mask)
+    if finding.proof["rule"] == "norm" and "root" in finding.witness:
+        word, length = as_word(finding.witness), as_integer(finding.witness["length"])
+        claims.append(proof.product(mask, *_fitting(word, length, as_rational(finding.proof["bound"]))))
+    return claims
+
+
+def holder_lower(proof: Proof, finding: Finding) -> list[int]:
+    data, length = radius.of_mask(proof, proof.last), as_integer(finding.witness["length"])
+    last, uses = proof.last, [*radius.claims(proof, proof.last), proof.sum_rules(proof.last)]
+    root = cast("Mapping[str, Data] | None", finding.witness.get("root"))
+    if root is not None and data["rule"] != "norm":
+        statement = {"length": length, **radius.root_fields(root)}
+        return [
+            proof.add("holder-root", statement, uses=[*uses, stable, *proof.reductions])
+            for stable in proof.last_stable()
+        ]
+    bound = as_rational(root["high"] if root is not None else finding.witness["bound"])
+    statement = {"level": length, "norm": rational(bound)}
+    below = proof.add("holder-lower", statement, uses=[*uses, *proof.reductions])
+    if root is None:
+        return [below]
+    word = as_word(proof.radii["S" if last == 0 else "S0"].witness)
+    above = _above(proof, *_fitting(word, length, bound))
+    return [proof.add("holder-exact", statement, uses=[below, n], name="holder") for n in above] or [below]
+
+
+def _fitting(word: tuple[int, ...], length: int, power: Fraction) -> tuple[tuple[int, ...], Fraction]:
+    """A power of the word of length n, a multiple of `length`, and x^(n/length) for x = `power`."""
+    total = lcm(len(word), length)
+    return word * (total // len(word)), power ** (total // length)
+
+
+def holder_upper(proof: Proof, finding: Finding) -> list[int]:
+    if "word" in finding.witness:
+        if (exactly := _exactly(proof)) is not None:
+            return [exactly]
+        return _above(proof, as_word(finding.witness), as_rational(finding.witness["radius"]))
+    k = as_integer(finding.witness["difference_order"])
+    statement = {"length": 1, "radius": rational(Fraction(1, proof.p**k))}
+    uses = [proof.sum_rules(proof.last), *proof.reductions]
+    return [proof.add("holder-upper", statement, uses=[n, *uses]) for n in proof.last_stable()]
+
+
+def _above(proof: Proof, word: Sequence[int], radius: Fraction) -> list[int]:
+    uses = [proof.product(proof.last, word, radius), *proof.reductions]
+    statement = {"length": len(word), "radius": rational(radius)}
+    return [proof.add("holder-upper", statement, uses=[n, *uses]) for n in proof.last_stable()]
+
+
+def attained(proof: Proof, finding: Finding) -> list[int]:
+    holder = _exactly(proof)
+    if holder is None:
+        return []
+    mask, nu, rules = proof.last, as_integer(finding.witness["nu"]), proof.sum_rules(proof.last)
+    statement = {"holds": finding.verdict is Verdict.PROVED}
+    if finding.verdict is Verdict.REFUTED:
+        family = proof.family(mask, nu)
+        uses = [radius.defective(proof, family, finding.witness), family, holder]
+        return [
+            proof.add("not-attained", statement, uses=[*uses, stable, *proof.reductions], name="attained")
+            for stable in proof.last_stable()
+        ]
+    if finding.witness["by"] == "norm":
+        norm = proof.norm(mask, nu, as_integer(finding.witness["level"]), as_rational(finding.witness["norm"]))
+        uses = [norm, holder, rules, *proof.reductions]
+        return [proof.add("attained-norm", statement, uses=uses, name="attained")]
+    if finding.proof:
+        bounded, family = radius.claims_of(proof, mask, nu, finding.proof)
+        uses = [bounded, holder, family, rules]
+    else:
+        uses = [*radius.claims(proof, mask), rules]
+    return [
+        proof.add("attained-bounded", statement, uses=[*uses, stable, *proof.reductions], name="attained")
+        for stable in proof.last_stable()
+    ]
+
+
+def _exactly(proof: Proof) -> int | None:
+    """The claim that says what α is."""
+    claims = holder_lower(proof, proof.found["SD311"])
+    name = proof.claims.statement(claims[0])["property"]
+    return claims[0] if name in ("holder", "holder-root") else None

@@ -1,0 +1,96 @@
+"""Findings on values of φ, on Q and on error bounds as claims."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from subdiv_cli.certificate.claims import Json, rational
+from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_rationals, as_tuple
+from subdiv_cli.kinds.scalar.claims import smoothness, structure
+from subdiv_cli.kinds.scalar.claims.proof import Proof
+from subdiv_cli.model import Data, Finding
+
+
+def integer_values(proof: Proof, finding: Finding) -> list[int]:
+    return [_values(proof, finding, order) for order in range(len(as_tuple(finding.witness["values"])))]
+
+
+def _values(proof: Proof, finding: Finding, order: int) -> int:
+    """Of φ^(order), for mask 0 itself where its own convergence proves that φ is continuous."""
+    found, by = finding.witness, proof.found["SD302"].witness["by"]
+    h = as_polynomial(as_tuple(found["starts"])[order], as_tuple(found["values"])[order])
+    own = as_polynomial(as_tuple(found["own_starts"])[order], as_tuple(found["own_values"])[order])
+    direct = by == "SD201" or not proof.last
+    mask = 0 if direct else proof.last
+    witness = proof.found["SD201"].witness if by == "SD201" else proof.contractions[-1].witness
+    uses = [*proof.contraction(mask, witness), *([] if direct else proof.reductions)]
+    length, most = proof.degrees[mask] + 1, len(h["coefficients"])
+    many = most if direct else len(own["coefficients"])
+    work = length * many + (order + 1) * many + (length + most) ** 2
+    return proof.add("values", {"order": order, "values": h}, {} if direct else {"values": own}, uses=uses, work=work)
+
+
+def stencils(proof: Proof, finding: Finding) -> list[int]:
+    return [_converges(proof), *integer_values(proof, proof.found["SD501"])]
+
+
+def _converges(proof: Proof) -> int:
+    (number,) = smoothness.convergence(proof, proof.found["SD201"])
+    return number
+
+
+def quasi_interpolation(proof: Proof, finding: Finding) -> list[int]:
+    found, values = finding.witness, proof.found["SD501"]
+    operator, degree = as_rationals(found["operator"]), as_integer(found["degree"])
+    stencil = as_polynomial(found["stencil_start"], found["stencil"])
+    statement = {"degree": degree, "operator": [rational(q) for q in operator], "stencil": stencil}
+    uses = [_converges(proof), _values(proof, values, 0), proof.sum_rules(0)]
+    many = len(as_tuple(as_tuple(values.witness["values"])[0])) + len(stencil["coefficients"])
+    return [proof.add("quasi-interpolation", statement, uses=uses, work=(degree + 2) * (many + degree + 2))]
+
+
+def approximation_order(proof: Proof, finding: Finding) -> list[int]:
+    return [
+        *quasi_interpolation(proof, proof.found["SD503"]),
+        *structure.reproduction(proof, proof.found["SD104"]),
+    ]
+
+
+def interpolatory_order(proof: Proof, finding: Finding) -> list[int]:
+    order = as_integer(finding.witness["order"])
+    stable = proof.stable(0, proof.found["SD402"].witness)
+    return [proof.add("not-smooth", {"order": order}, uses=[n, proof.sum_rules(0)]) for n in stable]
+
+
+def error_bound(proof: Proof, finding: Finding) -> list[int]:
+    bound = _bound(proof, finding.witness)
+    statement: Json = {
+        "tolerance": rational(as_rational(finding.witness["tolerance"])),
+        "levels": as_integer(finding.witness["levels"]),
+    }
+    return [bound, proof.add("levels", statement, uses=[bound])]
+
+
+def _bound(proof: Proof, found: Mapping[str, Data]) -> int:
+    """‖S_ν^∞ g - S_ν^k g‖ <= C μ^⌊k/L⌋ ‖Δg‖."""
+    p, k, nu, norms = proof.p, proof.orders[0], as_integer(found["nu"]), as_rationals(found["norms"])
+    uses = [proof.sum_rules(0), *(proof.norm(0, nu + 1, level, norm) for level, norm in enumerate(norms, 1))]
+    first = as_integer(proof.found["SD102"].witness["cofactor_start"]) + (p - 1) * nu
+    last = first + proof.degrees[0] - nu * (p - 1)
+    statement = {
+        "nu": nu,
+        "level": len(norms),
+        "norm": rational(norms[-1]),
+        "constant": rational(as_rational(found["constant"])),
+    }
+    work = (max(last, p - 1) - min(first, 1 - p) + 1) * (k + 1) * p
+    return proof.add("error-bound", statement, uses=uses, work=work)
+
+
+def hermite_bound(proof: Proof, finding: Finding) -> list[int]:
+    found = finding.witness
+    derived = {"nu": found["order"], "norms": found["norms"], "constant": found["derived_constant"]}
+    order, level = as_integer(found["order"]), as_integer(found["level"])
+    uses = [_bound(proof, derived), proof.norm(0, order, level, as_rational(found["norm"]))]
+    statement = {"order": order, "constant": rational(as_rational(found["constant"]))}
+    return [proof.add("hermite-bound", statement, uses=uses)]

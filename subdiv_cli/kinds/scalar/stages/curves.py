@@ -1,0 +1,94 @@
+"""Curves for pictures: φ, its derivatives, limits of polygons and their control polygons, exactly. No verdicts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.numbers.values import at_fractions, at_integers, iterated
+from subdiv_cli.kinds.scalar.numbers.values import support as support
+from subdiv_cli.model.blocks import Curve
+
+MOST_VALUES = 40_000
+"""Of one curve, about: what has more is drawn at a coarser level."""
+
+
+class TooFewPointsError(ValueError):
+    """An open polygon that determines no piece of the limit; `needed` is the number of points that would."""
+
+    def __init__(self, needed: int) -> None:
+        super().__init__(f"an open polygon needs {needed} points for this mask")
+        self.needed = needed
+
+
+def level_for(numbers: ScalarNumbers, length: Fraction | int, points: int) -> int:
+    """The smallest level at which an interval of this length has so many points, and no more values than are sane."""
+    level, p = 0, numbers.p
+    while length * p**level < points and length * p ** (level + 1) <= MOST_VALUES:
+        level += 1
+    return level
+
+
+def refinable(numbers: ScalarNumbers, order: int, points: int) -> tuple[Curve, ...]:
+    """φ, φ', …, φ^(order) at i/p^m. Needs φ ∈ C^order, proved by the stages."""
+    first, last = support(numbers)
+    level = level_for(numbers, last - first, points)
+    curves = []
+    for j in range(order + 1):
+        fine = at_fractions(numbers.symbol, numbers.p, at_integers(numbers, j), j, level)
+        curves.append(Curve(numbers.p, level, fine.low, fine.coefficients(), j))
+    return tuple(curves)
+
+
+def limit(
+    numbers: ScalarNumbers, columns: Sequence[Sequence[Fraction]], points: int, *, closed: bool
+) -> tuple[Curve, ...]:
+    """The limit of a polygon, one curve for each coordinate: (S^∞ f)(i/p^m) on the interval that it determines.
+
+    Point number i is f_i. A closed polygon of N points is continued periodically, and the interval is [0, N]; an open
+    one determines [b-1, a+N], where [a, b] is the support of φ. Needs S to converge. Raises TooFewPointsError.
+    """
+    count, (a, b) = len(columns[0]), support(numbers)
+    first, last = (Fraction(0), Fraction(count)) if closed else (b - 1, a + count)
+    if first >= last:
+        raise TooFewPointsError(int(b - a))
+    level, p = level_for(numbers, last - first, points), numbers.p
+    values = at_integers(numbers, 0)
+    reach = range(int(first - b) - 2, int(last - a) + 3) if closed else range(count)
+    low, high = -((-first * p**level) // 1), (last * p**level) // 1
+    curves = []
+    for column in columns:
+        data = Laurent.from_coefficients(reach[0], [column[i % count] for i in reach])
+        fine = at_fractions(numbers.symbol, p, values, 0, level, data)
+        curves.append(Curve(p, level, low, _between(fine, low, high)))
+    return tuple(curves)
+
+
+def polygons(
+    numbers: ScalarNumbers, columns: Sequence[Sequence[Fraction]], level: int, *, closed: bool
+) -> tuple[tuple[Fraction, ...], ...]:
+    """The vertices of S^level f, one sequence for each coordinate: those of a period, or all that f determines."""
+    count, p = len(columns[0]), numbers.p
+    power = iterated(numbers.symbol, p, level)
+    first, degree = power.low, power.degree
+    if closed:
+        low, high = 0, count * p**level - 1
+        reach = range((low - first - degree) // p**level - 1, (high - first) // p**level + 2)
+    else:
+        low, high = first + degree - p**level + 1, first + count * p**level - 1
+        reach = range(count)
+    found = []
+    for column in columns:
+        data = Laurent.from_coefficients(reach[0], [column[i % count] for i in reach])
+        found.append(_between(power * data.inflate(p**level), low, high))
+    return tuple(found)
+
+
+def _between(f: Laurent, low: int, high: int) -> tuple[Fraction, ...]:
+    """The coefficients of z^low, …, z^high."""
+    c = f.coefficients()
+    padding = [Fraction(0)] * max(f.low - low, 0)
+    inner = c[max(low - f.low, 0) : max(high + 1 - f.low, 0)]
+    return (*padding[: max(high + 1 - low, 0)], *inner, *[Fraction(0)] * (high + 1 - low - len(padding) - len(inner)))

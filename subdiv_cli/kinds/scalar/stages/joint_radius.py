@@ -1,0 +1,105 @@
+"""SD310: the joint spectral radius of D = S_(Δ^k), the last difference scheme.
+
+ρ = lim ‖D^L‖∞^(1/L) is that of the transition matrices T_0, …, T_(p-1) of D (Dyn 1992, section 4), and with it
+convergence, the order of smoothness and the Hölder exponent are decided: (1/p)S_ν contracts iff max(1/p, p^(ν-1) ρ) <
+1. A product Π of ℓ matrices has ρ(Π)^(1/ℓ) <= ρ; what bounds ρ from above, and where both meet is the number itself,
+is one of
+
+* a norm, ρ <= ‖D^L‖∞^(1/L);
+* a symbol >= 0 on |z| = 1 (quantities/positive.py): ρ is the spectral radius of one matrix;
+* an invariant polytope (jsr/closing.py): a convex body that the matrices, divided by x, map into itself: ρ <= x;
+* blocks (jsr/reduce.py): ρ is the largest of those of the diagonal blocks of a common block triangular form.
+
+No hypothesis beyond k >= 1, checked. For an unstable mask there is one finding for S itself, which decides convergence,
+and one for the reduced mask (SD403), which decides smoothness.
+
+Witness: `of`, S or S0; `difference_order`, k; `method`; where a product is known `word`; `length` and `bound`, or
+`length` and `root` (polynomial, lowest power first, low, high): ρ^length is at most the bound, or is the root;
+`vertices`, how many a polytope has. `proof`: the whole of it, as certificate/RADIUS.md says.
+"""
+
+from __future__ import annotations
+
+from flint import ctx
+
+from subdiv_cli.exact.algebraic import number_of
+from subdiv_cli.exact.enclosures import ball, interval
+from subdiv_cli.exact.text import certain, is_short, number, rounded_up
+from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.stages.obstacles import product_text
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference, power
+from subdiv_cli.model import Data, Finding, Interval
+
+RULE = Rule(
+    "SD310", "joint-spectral-radius", "Rota & Strang 1960; Guglielmi, Wirth & Zennaro 2005; Dyn 1992, section 4"
+)
+
+_QUESTION = "what is the joint spectral radius of the last difference scheme?"
+
+
+def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    each = [numbers] if numbers.reduced is numbers else [numbers, numbers.reduced]
+    if found := tuple(_finding(one) for one in each if one.order >= 1):
+        return found
+    return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
+
+
+def _finding(numbers: ScalarNumbers) -> Finding:
+    radius = numbers.radius
+    if radius is None:
+        return RULE.undecided(
+            _QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before a bound"
+        )
+    witness: dict[str, Data] = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
+    if radius.word is not None:
+        witness["word"] = radius.word
+    witness |= {key: radius.proof[key] for key in ("length", "root", "bound") if key in radius.proof}
+    if radius.vertices is not None:
+        witness["vertices"] = radius.vertices
+    name = f"ρ({last_difference(numbers)})"
+    value = enclosed(radius)
+    size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
+    return RULE.proved(f"{name} {size}: {_how(numbers, radius)}", witness, value, proof=radius.proof)
+
+
+def enclosed(radius: Radius) -> Interval:
+    """The radius in outward doubles; only from above where it is not known exactly."""
+    length, bound = radius.upper
+    with ctx.workprec(128):
+        power = ball(1) / length
+        if radius.exact is None:
+            return Interval(upper=interval(ball(bound) ** power if length > 1 else bound).upper)
+        root = radius.exact[1]
+        if root.low == root.high and length == 1:
+            return interval(root.low)
+        return interval(number_of(root).enclosure().real ** power)
+
+
+def shown(radius: Radius) -> str:
+    """The radius: exactly where it is a short rational, else its digits."""
+    assert radius.exact is not None
+    length, root = radius.exact
+    if root.low == root.high and is_short(root.low):
+        return number(root.low) + (f"^(1/{length})" if length > 1 else "")
+    return certain(lambda: number_of(root).enclosure().real ** (ball(1) / length))
+
+
+def _how(numbers: ScalarNumbers, radius: Radius) -> str:
+    """What proves it, in words."""
+    attains = (
+        f", and {product_text(numbers.product)} attains it" if numbers.product is not None and radius.exact else ""
+    )
+    rule, length = radius.method, radius.proof["length"]
+    operator = last_difference(numbers)
+    if rule == "norm":
+        return f"{power(operator, radius.upper[0])} = {number(radius.upper[1])}{attains}"
+    if rule == "positive-symbol":
+        return f"the symbol of {operator} is not negative on |z| = 1{attains}"
+    if rule == "blocks":
+        return f"it is the largest of the radii of {len(radius.proof['sizes'])} diagonal blocks{attains}"  # type: ignore[arg-type]
+    body = f"an invariant polytope of {radius.vertices} vertices"
+    if radius.exact is None:
+        return f"{body} bounds it"
+    assert length is not None
+    return f"{body} closes at exactly this radius{attains}"

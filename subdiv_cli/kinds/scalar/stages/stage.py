@@ -1,0 +1,130 @@
+"""What all stages share: their type, how they answer, and reading the findings of earlier ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import NamedTuple
+
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Verdict
+
+Facts = Mapping[str, tuple[Finding, ...]]
+"""The findings so far, by code; a code may have several (one for each ν)."""
+
+Witness = Mapping[str, Data]
+
+NOT_NORMALISED = "a(1) is not the arity, so there is no refinable function with integral 1"
+
+Stage = Callable[[ScalarNumbers, Facts], tuple[Finding, ...]]
+
+
+class Rule(NamedTuple):
+    """What all findings of a stage share, and the four answers it can give."""
+
+    code: str
+    name: str
+    source: str
+
+    def proved(
+        self,
+        statement: str,
+        witness: Witness,
+        value: Interval | None = None,
+        closed: ClosedForm | None = None,
+        proof: Witness | None = None,
+    ) -> Finding:
+        finding = self._finding(Verdict.PROVED, statement, witness=witness, value=value)
+        return replace(finding, closed=closed, proof=proof or {}) if closed is not None or proof else finding
+
+    def refuted(self, statement: str, witness: Witness) -> Finding:
+        return self._finding(Verdict.REFUTED, statement, witness=witness)
+
+    def undecided(self, question: str, reason: str, witness: Witness | None = None) -> Finding:
+        return self._finding(Verdict.UNDECIDED, question, reason=reason, witness=witness)
+
+    def skipped(self, question: str, reason: str) -> Finding:
+        return self._finding(Verdict.SKIPPED, question, reason=reason)
+
+    def _finding(
+        self,
+        verdict: Verdict,
+        statement: str,
+        reason: str | None = None,
+        witness: Witness | None = None,
+        value: Interval | None = None,
+    ) -> Finding:
+        return Finding(
+            code=self.code,
+            name=self.name,
+            verdict=verdict,
+            statement=statement,
+            source=self.source,
+            reason=reason,
+            value=value,
+            witness=witness or {},
+        )
+
+
+class ContradictionError(Exception):
+    """Two theorems disagree about one scheme: an error in this program, never in the input."""
+
+
+def verdict(facts: Facts, code: str) -> Verdict:
+    """Of the only finding with this code; UNDECIDED where there is none."""
+    found = facts.get(code, ())
+    return found[0].verdict if found else Verdict.UNDECIDED
+
+
+def scaled(numbers: ScalarNumbers, nu: int) -> str:
+    """(1/p) S_ν as text: `½S_1`, `(1/7)S_1`, `½S0_1` for a reduced scheme."""
+    return {2: "½", 3: "⅓", 4: "¼", 5: "⅕"}.get(numbers.p, f"(1/{numbers.p})") + f"{numbers.name}_{nu}"
+
+
+def last_difference(numbers: ScalarNumbers) -> str:
+    """D = S_(Δ^k) as text."""
+    return f"{numbers.name}_(Δ^{numbers.order})"
+
+
+def power(operator: str, level: int) -> str:
+    """`‖½S_1‖∞` or `‖(½S_1)^3‖∞`."""
+    return f"‖{operator}‖∞" if level == 1 else f"‖({operator})^{level}‖∞"
+
+
+def derived_names(last: int) -> str:
+    """`S_1`, `S_1 and S_2`, `S_1, …, S_4`."""
+    return {1: "S_1", 2: "S_1 and S_2"}.get(last, f"S_1, …, S_{last}")
+
+
+def product_name(word: tuple[int, ...]) -> str:
+    """The product T_(w_ℓ) … T_(w_1) of a word, runs as powers: `T_1T_0^12`."""
+    runs: list[list[int]] = []
+    for letter in reversed(word):
+        if runs and runs[-1][0] == letter:
+            runs[-1][1] += 1
+        else:
+            runs.append([letter, 1])
+    return "".join(f"T_{letter}" + (f"^{count}" if count > 1 else "") for letter, count in runs)
+
+
+def series(values: tuple[Fraction, ...], show: Callable[[Fraction], str]) -> str:
+    """Values separated by commas, the middle of a long series left out."""
+    texts = [show(value) for value in values]
+    return ", ".join(texts if len(texts) <= 6 else [*texts[:3], "…", texts[-1]])
+
+
+def text(finding: Finding, key: str) -> str:
+    """A text of a witness. Raises TypeError where there is none."""
+    value = finding.witness.get(key)
+    if not isinstance(value, str):
+        raise TypeError(f"{finding.code} has no text {key!r}")
+    return value
+
+
+def integer(finding: Finding, key: str) -> int:
+    """An integer of a witness. Raises TypeError where there is none: a stage that breaks its own docstring."""
+    value = finding.witness.get(key)
+    if not isinstance(value, int):
+        raise TypeError(f"{finding.code} has no integer {key!r}")
+    return value

@@ -1,1 +1,0 @@
-"""The mathematical objects: one file per kind of scheme. Constructors hold Fractions; flint is entered on first use."""
