@@ -1,4 +1,7 @@
-"""One scheme through the stages: findings, certified and checked, gathered into a result and held to expectations."""
+"""One scheme through its stages: findings, certified and checked, gathered into a result and held to expectations.
+
+It is the same for every kind, which is asked through its `Kind` object.
+"""
 
 from __future__ import annotations
 
@@ -7,17 +10,16 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from subdiv_cli.certificate import certificate, document_text, family_certificate
+from subdiv_cli.certificate import document_text, family_certificate
 from subdiv_cli.checker import check_document
-from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.kinds.scalar.stages.figures import digits, estimate
-from subdiv_cli.kinds.scalar.stages.judge import judge
-from subdiv_cli.kinds.scalar.stages.scalar import Analysis, analyse
-from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Judgement, Result, Smoothness, Verdict
-from subdiv_cli.model.judge import status
+from subdiv_cli.exact.closed import compare, digits
+from subdiv_cli.kinds import kind_of
+from subdiv_cli.kinds.kind import Analysis, Kind, Scheme, gather
+from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Judgement, Result
+from subdiv_cli.model.judge import judge, status
 
 if TYPE_CHECKING:
-    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+    from subdiv_cli.model.blocks import Portrait
     from subdiv_cli.model.family import FamilyRadius
 
 
@@ -36,47 +38,46 @@ class Checked(NamedTuple):
         return None if self.document is None else document_text(self.document)
 
 
-def check(scheme: ScalarScheme | MultivariateScheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:
+def check(scheme: Scheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:
     """Decide what the stages can decide within the effort, and have every verdict checked independently.
 
     The caller adds file, name and parameters to the result. Raises DisagreementError where the checker says no.
     """
-    if not isinstance(scheme, ScalarScheme):
-        from subdiv_cli.surfaces import check_surface  # no scalar mask needs it
-
-        return check_surface(scheme, expectations, effort)
-    return certified(scheme, analyse(scheme, effort), expectations, effort)
+    kind = kind_of(scheme)
+    assert kind.analyse is not None, "a mask of a kind that is not decided is not read"
+    return certified(kind, kind.analyse(scheme, effort), expectations, effort)
 
 
-def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort) -> Checked:
+def show(scheme: Scheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, Portrait]:
+    """What `check` finds and, certified and checked alike, what only `show` asks for; and the mask taken apart.
+
+    `tolerance` is that of error bounds. Raises DisagreementError where the checker says no.
+    """
+    kind = kind_of(scheme)
+    assert kind.portraits is not None, "a mask of a kind that is not taken apart is not read"
+    analysis = kind.portraits.analyse(scheme, effort, tolerance)
+    checked = certified(kind, analysis, (), effort)
+    return checked, kind.portraits.make(analysis, checked.result)
+
+
+def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort) -> Checked:
     """What the stages have found, with every verdict checked. Raises DisagreementError."""
+    assert kind.certificate is not None, "a kind that finds something proves it"
     findings = analysis.findings
-    written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
+    written = kind.certificate(analysis)
     if written is not None and not verified(written.document):
         written = None
     claims = written.claims if written is not None else [()] * len(findings)
-    findings = tuple(named(finding, numbers) for finding, numbers in zip(findings, claims, strict=True))
-    found = {finding.code: finding for finding in findings}
-    sharp = found["SD303"].verdict is Verdict.REFUTED
-    refinable = Smoothness(order=_integer(found, "SD302", "order"), sharp=sharp)
-    result = Result(
-        file="",
-        status="undecided",
-        kind="scalar",
+    findings = tuple(_named(finding, numbers) for finding, numbers in zip(findings, claims, strict=True))
+    gathered = gather(findings)
+    result = replace(
+        gathered,
+        kind=kind.name,
         stopped="budget" if effort.struck else None,
         facts=analysis.facts,
         hints=analysis.hints,
-        sum_rule_order=_integer(found, "SD102", "order"),
-        convergent=found["SD201"].verdict,
-        smoothness=refinable if found["SD201"].verdict is Verdict.PROVED else Smoothness(),
-        refinable=refinable,
-        holder=_holder(found, analysis),
-        sobolev=sobolev_exponent(found["SD321"]),
-        stable=found["SD402"].verdict,
-        linearly_independent=found["SD401"].verdict,
-        generation=_integer(found, "SD103", "degree"),
-        reproduction=_integer(found, "SD104", "degree"),
-        findings=findings,
+        holder=_with_digits(gathered.holder),
+        sobolev=_with_digits(gathered.sobolev),
     )
     judgements = judged(expectations, result)
     result = replace(result, expectations=judgements, status=status(result.convergent, judgements))
@@ -84,13 +85,20 @@ def certified(scheme: ScalarScheme, analysis: Analysis, expectations: Sequence[E
 
 
 def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgement, ...]:
-    """Every expectation against a result, closed forms compared exactly."""
-    return tuple(Judgement(expectation=e, verdict=judge(e, result)) for e in expectations)
+    """Every expectation against a result, closed forms compared exactly, however they are written."""
+    return tuple(Judgement(expectation=e, verdict=judge(compare, e, result)) for e in expectations)
 
 
-def named(finding: Finding, claims: tuple[int, ...]) -> Finding:
+def _named(finding: Finding, claims: tuple[int, ...]) -> Finding:
     """With the numbers of its claims; its proof is in them, and is long."""
     return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
+
+
+def _with_digits(exponent: Exponent | None) -> Exponent | None:
+    """With decimals of an exact irrational one."""
+    if exponent is None or exponent.exact is None:
+        return exponent
+    return exponent._replace(digits=digits(exponent.exact))
 
 
 class CheckedRadius(NamedTuple):
@@ -124,30 +132,3 @@ def verified(document: Mapping[str, Any]) -> bool:
     if not outcome.verified and not outcome.exhausted:
         raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
     return outcome.verified
-
-
-def _integer(found: dict[str, Finding], code: str, key: str) -> int | None:
-    value = found[code].witness.get(key)
-    return value if isinstance(value, int) else None
-
-
-def _holder(found: dict[str, Finding], analysis: Analysis) -> Exponent | None:
-    """None without sum rules. What is exact for D = S_(Δ^k) is the exponent of φ where φ is stable."""
-    below, above = found["SD311"], found["SD312"]
-    if below.verdict is Verdict.SKIPPED:
-        return None
-    lower = below.value.lower if below.value else None
-    upper = above.value.upper if above.value else None
-    if below.closed is None or above.verdict is not Verdict.PROVED:
-        return Exponent(lower=lower, upper=upper, estimate=estimate(analysis.numbers, lower, upper))
-    attained = {Verdict.PROVED: True, Verdict.REFUTED: False}.get(found["SD313"].verdict)
-    upper = below.value.upper if below.value else upper
-    return Exponent(lower=lower, upper=upper, exact=below.closed, attained=attained, digits=digits(below.closed))
-
-
-def sobolev_exponent(finding: Finding) -> Exponent | None:
-    """None without sum rules, or where the effort ended."""
-    value, exact = finding.value, finding.closed
-    if value is None:
-        return None
-    return Exponent(lower=value.lower, upper=value.upper, exact=exact, digits=None if exact is None else digits(exact))

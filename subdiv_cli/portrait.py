@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from subdiv_cli.kinds.scalar import KIND
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.kinds.scalar.stages import analyse
 from subdiv_cli.kinds.scalar.stages.anatomy import anatomy
 from subdiv_cli.kinds.scalar.stages.curves import TooFewPointsError, limit, polygons, refinable, support
-from subdiv_cli.kinds.scalar.stages.picture import stages
-from subdiv_cli.kinds.scalar.stages.scalar import analyse
 from subdiv_cli.model import Effort, Result, Verdict
 from subdiv_cli.model.blocks import Anatomy, Curve
 from subdiv_cli.pipeline import Checked, certified
@@ -27,8 +27,8 @@ def portrait(scheme: ScalarScheme, tolerance: Fraction, effort: Effort) -> tuple
 
     `tolerance` is that of the error bound. Raises DisagreementError where the checker says no.
     """
-    analysis = analyse(scheme, effort, stages(tolerance))
-    return certified(scheme, analysis, (), effort), anatomy(analysis)
+    analysis = analyse(scheme, effort, tolerance)
+    return certified(KIND, analysis, (), effort), anatomy(analysis)
 
 
 def drawn(
@@ -39,7 +39,7 @@ def drawn(
     No curves where φ is not proved continuous.
     """
     analysis = analyse(scheme, effort)
-    result = certified(scheme, analysis, (), effort).result
+    result = certified(KIND, analysis, (), effort).result
     order = result.refinable.order
     curves = () if order is None else refinable(analysis.numbers, order, points)
     return result, curves, support(analysis.numbers)
@@ -53,7 +53,7 @@ def traced(
     No curves where S is not proved to converge. Raises TooFewPointsError for an open polygon that determines no limit.
     """
     analysis = analyse(scheme, effort)
-    result = certified(scheme, analysis, (), effort).result
+    result = certified(KIND, analysis, (), effort).result
     if result.convergent is not Verdict.PROVED:
         return result, (), ()
     curves = limit(analysis.numbers, columns, points, closed=closed)

@@ -5,14 +5,14 @@ A module of its own, so that `check` does not load what it does not need.
 
 from __future__ import annotations
 
+from subdiv_cli.kinds.kind import Analysis
+from subdiv_cli.kinds.multivariate import KIND, rules
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.kinds.multivariate.stages import surfaces
-from subdiv_cli.kinds.multivariate.stages.analysis import Analysis, analyse
+from subdiv_cli.kinds.multivariate.stages import analyse, surfaces
 from subdiv_cli.kinds.multivariate.stages.surfaces import NoValuesError, net
 from subdiv_cli.model import Effort, Result, Verdict
 from subdiv_cli.model.blocks import Net, Surface, SurfaceAnatomy
-from subdiv_cli.pipeline import Checked
-from subdiv_cli.surfaces import certified_surface
+from subdiv_cli.pipeline import Checked, certified
 
 __all__ = ["NoValuesError", "drawn_surface", "graph_net", "net", "surface_portrait"]
 
@@ -35,8 +35,11 @@ def graph_net(scheme: MultivariateScheme, effort: Effort, levels: int) -> tuple[
 def surface_portrait(scheme: MultivariateScheme, effort: Effort) -> tuple[Checked, SurfaceAnatomy]:
     """What `check` finds, and the mask taken apart. Raises DisagreementError."""
     analysis = analyse(scheme, effort)
-    checked = certified_surface(scheme, analysis, (), effort)
-    inverted = any(found.code == "SD619" and found.verdict is Verdict.PROVED for found in checked.result.findings)
+    checked = certified(KIND, analysis, (), effort)
+    inverted = any(
+        found.code == rules.QUASI_INTERPOLATION.code and found.verdict is Verdict.PROVED
+        for found in checked.result.findings
+    )
     continuous = _is_continuous(checked.result)
     return checked, surfaces.anatomy(analysis.numbers, continuous=continuous, inverted=inverted)
 
@@ -53,9 +56,9 @@ def _continuity(scheme: MultivariateScheme, effort: Effort) -> tuple[Result, Ana
     for work in sorted({max(effort.work // share, 1) for share in (100, 10, 1)}):
         part = Effort(work)
         analysis = analyse(scheme, part)
-        result = certified_surface(scheme, analysis, (), part).result
+        result = certified(KIND, analysis, (), part).result
         if _is_continuous(result):
             return result, analysis
-        if any(found.code == "SD612" and found.verdict is Verdict.REFUTED for found in result.findings):
+        if any(found.code == rules.SMOOTHNESS.code and found.verdict is Verdict.REFUTED for found in result.findings):
             break
     return result, None

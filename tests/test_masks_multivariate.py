@@ -12,8 +12,9 @@ import pytest
 
 from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.kinds.multivariate.scheme import characteristic_polynomial, is_expanding
-from subdiv_cli.maskfile import from_scheme, read_path, read_text
-from subdiv_cli.maskfile.writer import write
+from subdiv_cli.kinds.writing import from_scheme
+from subdiv_cli.kinds.reading import read_path, read_text
+from subdiv_cli.kinds.writing import write
 
 HERE = Path(__file__).parent
 MASKS = HERE.parent / "masks" / "multivariate"

@@ -62,7 +62,7 @@ def test_the_number_of_shipped_masks():
 
 
 def test_the_symbol_in_the_readme_is_the_mask_in_the_readme(directory):
-    from subdiv_cli.maskfile import read_text
+    from subdiv_cli.kinds.reading import read_text
 
     text = README.read_text(encoding="utf-8")
     (mask,) = (body for body in TOML.findall(text) if body.startswith("name") and "[mask]" in body)

@@ -11,7 +11,8 @@ from subdiv_cli.catalog import ClusterError
 from subdiv_cli.catalog.ordered import Numbered, Order
 from subdiv_cli.catalog.pool import lost
 from subdiv_cli.catalog.task import Done, Settings, Task, invalid, perform
-from subdiv_cli.maskfile import MaskFileError, load_path
+from subdiv_cli.kinds.reading import load_path
+from subdiv_cli.maskfile import MaskFileError
 
 AHEAD = 4
 """Tasks under way for each thread of the cluster: enough that none waits for the network."""

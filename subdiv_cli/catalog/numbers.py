@@ -1,46 +1,83 @@
 """Whether the numbers of a result are those that a verified certificate states.
 
-The exponents -log_p(x)/L are compared in closed form, and the doubles beside them with rational enclosures; where the
-enclosures do not tell, the answer is no. Loads no flint.
+Exponents are -log_λ(x)/L with λ^s = m, s times those to the base m, (m, s) = (|det M|, s) or, in one variable, (p, 1);
+statements on factors are to the base of the block of M that is theirs. In one variable they are compared in closed
+form, otherwise by enclosures to 70 digits; the doubles beside them with rational enclosures. Where the enclosures do
+not tell, the answer is no. Loads no flint.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
+from subdiv_cli.kinds.kind import answering
 from subdiv_cli.maskfile.roots import roots_between
-from subdiv_cli.model import ClosedForm, Exponent, Finding, Interval, Result, Root, RootLog, logarithm, unpowered
+from subdiv_cli.model import ClosedForm, Exponent, Finding, Interval, Result, Root, RootLog, Rule, logarithm, unpowered
 from subdiv_cli.model.closed import root_log_text, spelled, spelled_terms
+from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV
 from subdiv_cli.model.order import enclosure
 
 Statement = Mapping[str, Any]
+Base = tuple[int, int]
+"""(m, s): exponents are to the base λ with λ^s = m."""
+
+_LOWER = {"holder-lower", "sobolev-lower"}
+_UPPER = {"holder-upper"}
 
 
-def numbers_are_proved(result: Result, statements: Sequence[Statement], p: int) -> bool:
-    """Whether claims of the certificate say each exponent and radius of the result, for arity p."""
-    found = {finding.code: finding for finding in result.findings}
-    about = {code: statements_of(found.get(code), statements) for code in ("SD311", "SD312", "SD321")}
+class Stated(NamedTuple):
+    """A statement on an exponent, to the base λ with λ^s = m."""
+
+    statement: Statement
+    m: int
+    s: int
+    only_above: bool = False
+    """It is of a factor and bounds that of φ only from above."""
+
+
+def numbers_are_proved(
+    result: Result,
+    statements: Sequence[Statement],
+    rules: Mapping[str, Rule],
+    base: Callable[[Sequence[int] | None], Base],
+) -> bool:
+    """Whether claims of the certificate say each exponent and radius of the result.
+
+    `base` gives (m, s) of the mask, or of its factor in these variables.
+    """
+    about: dict[str, tuple[Finding, list[Stated]]] = {}
+    for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV):
+        finding = answering(result.findings, question)
+        if finding is not None:
+            stated = [_stated(statements[number], base) for number in finding.claims]
+            about[question.name] = finding, stated
+    given = {name: stated for name, (_, stated) in about.items()}
+    holder = (*given.get(HOLDER_LOWER.name, ()), *given.get(HOLDER_UPPER.name, ()))
     exponents = (
-        (result.holder, (*about["SD311"], *about["SD312"])),
-        (result.sobolev, about["SD321"]),
-        *((of_finding(found[code]), said) for code, said in about.items() if said),
+        (result.holder, holder),
+        (result.sobolev, given.get(SOBOLEV.name, ())),
+        *((of_finding(finding), stated) for finding, stated in about.values() if stated),
     )
-    if not all(_is_proved(exponent, said, p) for exponent, said in exponents):
+    if not all(_is_proved(exponent, stated) for exponent, stated in exponents):
         return False
     if result.holder is not None and result.holder.attained is not None:
         holds = {s["holds"] for s in statements if s["property"] == "attained"}
         if holds != {result.holder.attained}:
             return False
-    return all(radius_is_proved(finding, statements, p) for finding in result.findings if finding.code == "SD310")
+    m, _ = base(None)
+    return all(radius_is_proved(f, statements, m) for f in result.findings if rules[f.code].radius)
 
 
-def statements_of(finding: Finding | None, statements: Sequence[Statement]) -> tuple[Statement, ...]:
-    """The statements that a finding names."""
-    return () if finding is None else tuple(statements[number] for number in finding.claims)
+def _stated(statement: Statement, base: Callable[[Sequence[int] | None], Base]) -> Stated:
+    """Statements of factors are to the base of the block of M that is theirs."""
+    if "variables" not in statement:
+        return Stated(statement, *base(None))
+    of_block = base(statement["variables"])
+    return Stated(statement["statement"], *of_block, only_above=statement["property"] == "at-most-factor")
 
 
 def of_finding(finding: Finding) -> Exponent:
@@ -53,29 +90,57 @@ def of_finding(finding: Finding) -> Exponent:
     return Exponent(lower=value.lower, upper=value.upper, exact=closed)
 
 
-def _is_proved(exponent: Exponent | None, said: Sequence[Statement], p: int) -> bool:
+def _is_proved(exponent: Exponent | None, stated: Sequence[Stated]) -> bool:
     """Whether statements give the exact exponent, and bounds as good as these."""
     if exponent is None:
         return True
     lower, upper, exact = exponent.lower, exponent.upper, exponent.exact
     if exponent.digits is not None and (exact is None or not _is_cut(exponent.digits, exact)):
         return False
-    known = [number for number in (of_statement(statement, p) for statement in said) if number is not None]
-    if exact is not None and not any(_same(exact, number) for number in known):
+    known = [(each, number) for each in stated if (number := _exact(each)) is not None]
+    if exact is not None and not any(_agree(exact, number, each) for each, number in known if not each.only_above):
         return False
-    ends = [enclosure(number) for number in known]
-    below = [low for low, _ in ends] + [low for low, _ in _bounds(said, "holder-lower", "level", "norm", p)]
-    above = [high for _, high in ends] + [high for _, high in _bounds(said, "holder-upper", "length", "radius", p)]
+    ends = [(each, _times(enclosure(number), each)) for each, number in known]
+    below = [low for each, (low, _) in ends if not each.only_above] + [low for low, _ in _bounds(stated, _LOWER)]
+    above = [high for _, (_, high) in ends] + [high for _, high in _bounds(stated, _UPPER)]
     return (lower is None or Fraction(lower) <= max(below)) and (upper is None or min(above) <= Fraction(upper))
 
 
-def _bounds(
-    said: Sequence[Statement], name: str, length: str, number: str, p: int
-) -> Iterator[tuple[Fraction, Fraction]]:
-    """Enclosures of the bounds of α by statements of a kind."""
-    for s in said:
-        if s["property"] == name:
-            yield enclosure(logarithm(p, 1 / Fraction(s[number]), s[length]))
+def _exact(each: Stated) -> ClosedForm | None:
+    """What a statement says exactly, to the base m; a value is to no base."""
+    statement = each.statement
+    return Fraction(statement["value"]) if "value" in statement else of_statement(statement, each.m)
+
+
+def _agree(exact: ClosedForm, number: ClosedForm, each: Stated) -> bool:
+    """Whether the exact exponent is s times this number."""
+    if each.s == 1:
+        return _same(exact, number)
+    (low, high), (lower, upper) = enclosure(exact, refined=True), _times(enclosure(number, refined=True), each)
+    return low <= upper and lower <= high
+
+
+def _bounds(stated: Iterable[Stated], names: set[str]) -> list[tuple[Fraction, Fraction]]:
+    """Enclosures of the bounds that statements of these kinds give."""
+    found = []
+    for each in stated:
+        statement = each.statement
+        if statement["property"] not in names:
+            continue
+        if statement["property"] == "sobolev-lower":
+            closed = of_statement({**statement, "property": "sobolev"}, each.m)
+            found += [_times(enclosure(closed), each)] if closed is not None else []
+        else:
+            bound = next(statement[key] for key in ("bound", "norm", "radius") if key in statement)
+            length = statement["level"] if "norm" in statement else statement["length"]
+            found.append(_times(enclosure(logarithm(each.m, 1 / Fraction(bound), length)), each))
+    return found
+
+
+def _times(ends: tuple[Fraction, Fraction], each: Stated) -> tuple[Fraction, Fraction]:
+    """To the base λ; values are not to a base."""
+    factor = 1 if "value" in each.statement else each.s
+    return factor * ends[0], factor * ends[1]
 
 
 def of_statement(s: Statement, p: int) -> ClosedForm | None:
@@ -142,7 +207,7 @@ def radius_is_proved(finding: Finding, statements: Sequence[Statement], p: int) 
     """Whether claims on a joint spectral radius bound it as well as the finding says."""
     value = finding.value or Interval()
     below, above = [], []
-    for s in statements_of(finding, statements):
+    for s in (statements[number] for number in finding.claims):
         if s["property"] in ("radius", "bounded"):
             below.append((Fraction(s["low"]), s["length"]))
             above.append((Fraction(s["high"]), s["length"]))

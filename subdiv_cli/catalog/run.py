@@ -10,7 +10,8 @@ from subdiv_cli.catalog.discovery import discover
 from subdiv_cli.catalog.files import CertificateDirectory
 from subdiv_cli.catalog.ordered import Numbered, Order, in_order
 from subdiv_cli.catalog.task import Done, Draw, Settings, Task, invalid, perform
-from subdiv_cli.maskfile import MaskFile, MaskFileError, load_path
+from subdiv_cli.kinds.reading import load_path
+from subdiv_cli.maskfile import MaskFile, MaskFileError
 from subdiv_cli.model import DEFAULT_EFFORT, Expectation, Problem, Result
 
 FEWEST = 4

@@ -12,7 +12,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from subdiv_cli.catalog.cache import Cache, Entry, key
-from subdiv_cli.maskfile import MaskFile, MaskFileError, load_path, read_bytes
+from subdiv_cli.kinds.reading import load_path, read_bytes
+from subdiv_cli.maskfile import MaskFile, MaskFileError
 from subdiv_cli.model import (
     DEFAULT_EFFORT,
     Drawing,
@@ -131,12 +132,12 @@ def _kept(data: bytes | None, scheme: Any, expectations: tuple[Expectation, ...]
     """From the cache if it has this, and then into it."""
     if settings.cache is None or data is None:
         return _computed(scheme, expectations, settings)
-    from subdiv_cli.catalog.trust import every_verdict_has_a_claim
+    from subdiv_cli.catalog.trust import every_verdict_has_a_claim, trusted
 
     cache = Cache(settings.cache)
     name = key(data, settings.overrides, settings.work, settings.required)
     entry = cache.find(name)
-    if entry is not None and _trusted(entry, scheme, expectations):
+    if entry is not None and trusted(entry.result, entry.certificate, scheme, expectations):
         return Done(entry.result, entry.certificate, cached=True)
     done = _computed(scheme, expectations, settings)
     if done.certificate is None or done.result.stopped or not every_verdict_has_a_claim(done.result):
@@ -146,17 +147,6 @@ def _kept(data: bytes | None, scheme: Any, expectations: tuple[Expectation, ...]
     except OSError as error:
         return done._replace(trouble=error.strerror or type(error).__name__)
     return done
-
-
-def _trusted(entry: Entry, scheme: Any, expectations: tuple[Expectation, ...]) -> bool:
-    from subdiv_cli.catalog.trust import trusted
-    from subdiv_cli.maskfile.canonical import canonical
-
-    try:
-        mask = canonical(scheme)
-    except ValueError:  # numbers too long to be printed: computed anew each time
-        return False
-    return trusted(entry.result, entry.certificate, mask, expectations)
 
 
 def _computed(scheme: Any, expectations: tuple[Expectation, ...], settings: Settings) -> Done:

@@ -9,60 +9,31 @@ statements proved. The wording alone rests on the digest of the entry.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from subdiv_cli.catalog.numbers import numbers_are_proved
 from subdiv_cli.checker import check_document
 from subdiv_cli.checker.json_text import parse
 from subdiv_cli.checker.reading import Rejected
-from subdiv_cli.model import ClosedForm, Expectation, Finding, Judgement, Result, Verdict
-from subdiv_cli.model.judge import judge_by, status
+from subdiv_cli.kinds import kind_of
+from subdiv_cli.kinds.kind import GATHERED, ContradictionError, Kind, Scheme, gather
+from subdiv_cli.model import (
+    DECIDED,
+    Answer,
+    ClosedForm,
+    Expectation,
+    Exponent,
+    Finding,
+    Interval,
+    Judgement,
+    Result,
+    Rule,
+    Smoothness,
+    Verdict,
+)
+from subdiv_cli.model.judge import judge, status
 from subdiv_cli.model.order import compare
-
-DECIDED = (Verdict.PROVED, Verdict.REFUTED)
-_PROPERTIES = {
-    "SD101": {"residue-sums"},
-    "SD102": {"sum-rules"},
-    "SD103": {"generation"},
-    "SD104": {"reproduction"},
-    "SD105": {"derived", "sum-rules"},
-    "SD201": {"convergent"},
-    "SD202": {"eigen-condition"},
-    "SD302": {"smooth", "not-smooth"},
-    "SD303": {"not-smooth"},
-    "SD304": {"eigen-condition", "sum-rules"},
-    "SD310": {"norm", "product", "family", "radius", "bounded", "radius-upper"},
-    "SD311": {"holder-lower", "holder", "holder-root"},
-    "SD312": {"holder-upper", "holder", "holder-root"},
-    "SD313": {"attained"},
-    "SD321": {"sobolev"},
-    "SD401": {"independent"},
-    "SD402": {"stable"},
-    "SD601": {"coset-sums"},
-    "SD602": {"total-sum-rules", "generation"},
-    "SD603": {"box-spline"},
-    "SD604": {"directional-norm"},
-    "SD605": {"family", "radius", "bounded", "radius-upper"},
-    "SD606": {"matrix-norm"},
-    "SD607": {"smooth"},
-    "SD608": {"convergent"},
-    "SD609": {"tensor-product"},
-    "SD611": {"convergent"},
-    "SD612": {"smooth", "not-smooth"},
-    "SD613": {"not-smooth"},
-    "SD614": {"holder-lower", "holder-root", "holder-value", "radius", "bounded", "radius-upper", "of-factor"},
-    "SD615": {"holder-upper", "holder-root", "holder-value", "of-factor", "at-most-factor"},
-    "SD616": {"stable"},
-    "SD617": {"sobolev", "sobolev-lower", "sobolev-value", "of-factor"},
-    "SD618": {"reproduction"},
-    "SD619": {"quasi-interpolation"},
-}
-"""What claims of these findings must be about; those of later codes must only be verified."""
-_HOLDS = {"SD201", "SD202", "SD313", "SD401", "SD402", "SD601", "SD608", "SD611", "SD616"}
-"""Findings whose claims say whether something holds, proved or refuted."""
-
-_ANSWERS = {"scalar": ("SD201", "SD402", "SD401"), "multivariate": ("SD611", "SD616")}
-"""The findings on convergence, stability and linear independence."""
 
 
 def every_verdict_has_a_claim(result: Result) -> bool:
@@ -70,59 +41,70 @@ def every_verdict_has_a_claim(result: Result) -> bool:
     return all(finding.claims for finding in result.findings if finding.verdict in DECIDED)
 
 
-def trusted(result: Result, certificate: str, mask: Mapping[str, Any], expectations: Sequence[Expectation]) -> bool:
-    """Whether the entry is proved for this mask, in its canonical spelling, and answers these expectations.
-
-    Never raises.
-    """
+def trusted(result: Result, certificate: str, scheme: Scheme, expectations: Sequence[Expectation]) -> bool:
+    """Whether the entry is proved for the mask of this scheme, and answers these expectations. Never raises."""
     try:
-        return _trusted(result, certificate, mask, expectations)
-    except (Rejected, KeyError, TypeError, ValueError, IndexError, AttributeError, ArithmeticError):
+        kind = kind_of(scheme)
+        return _trusted(result, certificate, kind, kind.canonical(scheme), expectations)
+    except (Rejected, KeyError, TypeError, ValueError, IndexError, AttributeError, ArithmeticError, ContradictionError):
         return False
 
 
-def _trusted(result: Result, certificate: str, mask: Mapping[str, Any], expectations: Sequence[Expectation]) -> bool:
+def _trusted(
+    result: Result, certificate: str, kind: Kind, mask: Mapping[str, Any], expectations: Sequence[Expectation]
+) -> bool:
     if result.stopped or result.problems or tuple(j.expectation for j in result.expectations) != tuple(expectations):
         return False
     document: Any = parse(certificate)
     if not check_document(document).verified or document["mask"] != mask:
         return False
     statements = [claim["statement"] for claim in document["claims"]]
-    if not all(_proved(finding, statements) for finding in result.findings):
+    rules = kind.rules()
+    if not all(_proved(finding, rules[finding.code], statements) for finding in result.findings):
         return False
-    return _numbers(result, statements, mask) and _follows(result, statements)
+    base = kind.base
+    if base is None or not numbers_are_proved(result, statements, rules, lambda variables: base(mask, variables)):
+        return False
+    return _is_gathered(result) and all(_orders(result, statements)) and _judged(result)
 
 
-def _numbers(result: Result, statements: Sequence[Mapping[str, Any]], mask: Mapping[str, Any]) -> bool:
-    if mask["kind"] == "scalar":
-        return numbers_are_proved(result, statements, mask["arity"])
-    from subdiv_cli.catalog.surface_numbers import surface_numbers_are_proved
-
-    return surface_numbers_are_proved(result, statements, mask)
-
-
-def _proved(finding: Finding, statements: Sequence[Mapping[str, Any]]) -> bool:
-    """Whether the claims that a decided finding names are there and say the same."""
+def _proved(finding: Finding, rule: Rule, statements: Sequence[Mapping[str, Any]]) -> bool:
+    """Whether a finding answers what its rule answers, and the claims that a decided one names say the same."""
+    if tuple(question for question, _ in finding.answers) != rule.answers:
+        return False
+    if not all(_answers(finding, answer) for _, answer in finding.answers):
+        return False
     if finding.verdict not in DECIDED:
         return True
-    said = [statements[number] for number in finding.claims if number >= 0]
-    fitting = _PROPERTIES.get(finding.code)
-    if not said or (fitting is not None and not all(statement["property"] in fitting for statement in said)):
+    stated = [statements[number] for number in finding.claims if number >= 0]
+    if not stated or not all(statement["property"] in rule.proves for statement in stated):
         return False
     holds = finding.verdict is Verdict.PROVED
-    return finding.code not in _HOLDS or all(statement["holds"] is holds for statement in said)
+    return not rule.holds or all(statement["holds"] is holds for statement in stated)
 
 
-def _follows(result: Result, statements: Sequence[Mapping[str, Any]]) -> bool:
-    """Whether the short answers are those of the findings, and the orders those of the statements."""
-    found = {finding.code: finding for finding in result.findings}
-    given = (result.convergent, result.stable, result.linearly_independent)
-    answers = dict(zip(_ANSWERS[result.kind or "scalar"], given, strict=False))
-    if any(code not in found or found[code].verdict is not verdict for code, verdict in answers.items()):
-        return False
-    if result.smoothness.order is not None and result.convergent is not Verdict.PROVED:
-        return False
-    return all(_orders(result, statements)) and _judged(result)
+def _answers(finding: Finding, answer: Answer) -> bool:
+    """Whether an answer is the verdict and the value of its finding, as far as these tell it."""
+    if isinstance(answer, Verdict):
+        return answer is finding.verdict
+    if isinstance(answer, Exponent):
+        value = finding.value or Interval()
+        return (answer.lower, answer.upper, answer.exact) == (value.lower, value.upper, finding.closed)
+    return answer is None or finding.verdict in DECIDED or answer == Smoothness()
+
+
+def _is_gathered(result: Result) -> bool:
+    """Whether the short answers are those of the findings."""
+    gathered = gather(result.findings)
+    of_findings = replace(gathered, holder=_plain(gathered.holder), sobolev=_plain(gathered.sobolev))
+    given = {name: getattr(result, name) for name in GATHERED}
+    given |= {"holder": _plain(result.holder), "sobolev": _plain(result.sobolev)}
+    return all(getattr(of_findings, name) == value for name, value in given.items())
+
+
+def _plain(exponent: Exponent | None) -> Exponent | None:
+    """Without the decimals, which are checked by themselves."""
+    return None if exponent is None else exponent._replace(digits=None)
 
 
 def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator[bool]:
@@ -153,7 +135,7 @@ def _judged(result: Result) -> bool:
 def _verdict(said: Judgement, result: Result) -> Verdict:
     """By enclosures; where these do not tell, as with equal numbers, exactly: only that loads flint."""
     try:
-        return judge_by(_sign, said.expectation, result)
+        return judge(_sign, said.expectation, result)
     except _UntoldError:
         from subdiv_cli.pipeline import judged
 

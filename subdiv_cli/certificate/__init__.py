@@ -1,9 +1,10 @@
-"""Findings' witnesses -> a certificate that an independent checker accepts. FORMAT.md in this folder specifies it.
+"""Findings' witnesses -> a certificate that an independent checker accepts: what every kind's claims have in common.
 
-Nothing is computed here that a stage has not found: the writer spells witnesses as claims, and says what each costs.
+FORMAT.md specifies the document, RADIUS.md the claims on joint spectral radii; each kind's folder the rules of its own.
+Nothing is computed here that a stage has not found: witnesses are spelled as claims, which say what each costs.
 """
 
-from subdiv_cli.certificate.claims import document_text
-from subdiv_cli.kinds.scalar.claims.writer import Certificate, certificate, family_certificate
+from subdiv_cli.certificate.claims import Certificate, document_text
+from subdiv_cli.certificate.radius import family_certificate
 
-__all__ = ["Certificate", "certificate", "document_text", "family_certificate"]
+__all__ = ["Certificate", "document_text", "family_certificate"]

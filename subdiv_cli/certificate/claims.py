@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
+
+from subdiv_cli.model import DECIDED, Finding
+from subdiv_cli.model.closed import rational
 
 Json = dict[str, Any]
+MOST_WORK = 50_000_000
+"""What the checker does for one certificate; a longer one is not written."""
 
 
 class Claims:
@@ -32,24 +37,39 @@ class Claims:
         return self.add(rule, {"property": rule, **statement}, witness or {}, uses, work)
 
     def statement(self, number: int) -> Json:
+        """What a claim states."""
         statement: Json = self.made[number]["statement"]
         return statement
 
+    def document(self, mask: Mapping[str, Any], goal: Iterable[int]) -> Json | None:
+        """The document as FORMAT.md has it, about this mask, with the statements of these claims as its goal.
 
-def rational(x: Fraction | int) -> str:
-    """`p/q`, or `p` for an integer. Huge integers are spelled piece by piece: Python refuses more than 4300 digits."""
-    x = Fraction(x)
-    return _integer(x.numerator) + ("" if x.denominator == 1 else f"/{_integer(x.denominator)}")
+        None without a goal, and where the claims ask more of the checker than it does.
+        """
+        statements = [self.statement(number) for number in dict.fromkeys(goal)]
+        if not statements or sum(claim["work"] for claim in self.made) > MOST_WORK:
+            return None
+        return {"format": "subdiv-certificate", "version": 1, "mask": mask, "goal": statements, "claims": self.made}
 
 
-def _integer(n: int) -> str:
-    if n.bit_length() < 13_000:
-        return str(n)
-    if n < 0:
-        return "-" + _integer(-n)
-    half = n.bit_length() * 15 // 100
-    high, low = divmod(n, 10**half)
-    return _integer(high) + _integer(low).zfill(half)
+class Certificate(NamedTuple):
+    """A document as FORMAT.md has it, and for each finding the numbers of the claims that say the same."""
+
+    document: Json
+    claims: tuple[tuple[int, ...], ...]
+
+
+def certificate_of(
+    claims: Claims, mask: Mapping[str, Any], findings: Iterable[Finding], claims_of: Callable[[Finding], Iterable[int]]
+) -> Certificate | None:
+    """The proof of the findings that are decided, its goal in their order.
+
+    `claims_of` makes the claims that say what a finding says; none where its witness was too costly to compute. None
+    where the whole asks more of the checker than it does.
+    """
+    numbers = tuple(tuple(claims_of(found)) if found.verdict in DECIDED else () for found in findings)
+    document = claims.document(mask, (number for several in numbers for number in several))
+    return None if document is None else Certificate(document, numbers)
 
 
 def polynomial(start: int, coefficients: Sequence[Fraction | int]) -> Json:
@@ -66,11 +86,3 @@ def document_text(document: Mapping[str, Any]) -> str:
         else:
             lines.append(f"{json.dumps(key)}: {json.dumps(value)}")
     return "{" + ",\n ".join(lines) + "}\n"
-
-
-def matrices_document(matrices: Sequence[Sequence[Sequence[Fraction]]]) -> Mapping[str, Any]:
-    return {"kind": "matrices", "matrices": [[[rational(x) for x in row] for row in rows] for rows in matrices]}
-
-
-def mask_document(arity: int, start: int, coefficients: Sequence[Fraction]) -> Mapping[str, Any]:
-    return {"kind": "scalar", "arity": arity, **polynomial(start, coefficients)}

@@ -1,56 +1,20 @@
-"""Joint spectral radii as claims (RADIUS.md): of the last difference scheme of a mask, or of any family of matrices."""
+"""Joint spectral radii of families of matrices as claims (RADIUS.md)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, cast
 
-from subdiv_cli.certificate.claims import Claims, Json, rational
-from subdiv_cli.certificate.witness import as_integer, as_rational, as_rationals, as_tuple
+from subdiv_cli.certificate.claims import Claims, Json
+from subdiv_cli.certificate.witness import as_integer, as_rational, as_rationals, as_tuple, as_word
 from subdiv_cli.model import Data
+from subdiv_cli.model.closed import rational
 
 if TYPE_CHECKING:
-    from subdiv_cli.kinds.scalar.claims.proof import Proof
+    from subdiv_cli.model.family import FamilyRadius
 
 Map = Mapping[str, Data]
-
-
-def claims(proof: Proof, mask: int) -> list[int]:
-    """What a conclusion on this mask uses of the radius of its D: a norm, or the radius and what family it is of."""
-    data, order = of_mask(proof, mask), proof.orders[mask]
-    if data["rule"] == "norm":
-        level = as_integer(data["length"])
-        scaled = as_rational(data["bound"]) * proof.p ** ((order - 1) * level)
-        return [proof.norm(mask, order, level, scaled)]
-    return claims_of(proof, mask, order, data)
-
-
-def claims_of(proof: Proof, mask: int, nu: int, data: Map) -> list[int]:
-    """The radius of S_(Δ^ν) of a mask, by a proof that is no norm, and what family it is of."""
-    family = proof.family(mask, nu)
-    number = as_integer(proof.claims.statement(family)["family"])
-    size = max(1, -(-(proof.degrees[mask] - nu * (proof.p - 1)) // (proof.p - 1)))
-    uses = [family, proof.sum_rules(mask)] if data["rule"] == "positive-symbol" else []
-    return [Radii(proof.claims, proof.families, proof.p, uses).claim(data, number, size), family]
-
-
-def defective(proof: Proof, family: int, witness: Map) -> int:
-    """A product of a family with a Jordan block."""
-    word, vector = [as_integer(x) for x in as_tuple(witness["word"])], as_rationals(witness["vector"])
-    statement = {
-        "family": proof.claims.statement(family)["family"],
-        "length": len(word),
-        "value": rational(as_rational(witness["value"])),
-    }
-    hints = {"word": word, "sign": witness["sign"], "vector": [rational(y) for y in vector]}
-    order = len(vector)
-    return proof.add("defective", statement, hints, work=len(word) * order**3 + 2 * order**2)
-
-
-def of_mask(proof: Proof, mask: int) -> Map:
-    """The proof that finding SD310 has for this mask."""
-    return proof.radii["S" if mask == 0 else "S0"].proof
 
 
 class Radii:
@@ -185,3 +149,19 @@ def spelled(data: Data) -> object:
     if isinstance(data, tuple):
         return [spelled(value) for value in data]
     return rational(data) if isinstance(data, Fraction) else data
+
+
+def family_certificate(matrices: Sequence[Sequence[Sequence[Fraction]]], radius: FamilyRadius) -> Json | None:
+    """The proof of the bounds of a joint spectral radius; None where there are none, or where it asks too much."""
+    if not radius.proof:
+        return None
+    claims = Claims()
+    goal = [Radii(claims, [None], radius.letters, []).claim(radius.proof, 0, radius.order)]
+    if radius.below:
+        word, order = as_word(radius.below), radius.order
+        statement = {"family": 0, "length": len(word), "bound": rational(as_rational(radius.below["bound"]))}
+        work = len(word) * order**3 + order**4
+        lower = {"property": "radius-lower", **statement}
+        goal.append(claims.add("word", lower, {"word": list(word)}, [], work))
+    rows = [[[rational(x) for x in row] for row in matrix] for matrix in matrices]
+    return claims.document({"kind": "matrices", "matrices": rows}, goal)

@@ -37,7 +37,8 @@ def complete_parameter(ctx: click.Context, param: click.Parameter, incomplete: s
     """`w=` for each parameter of the mask files named so far, with its default."""
     from click.shell_completion import CompletionItem
 
-    from subdiv_cli.maskfile import MaskFileError, read_path
+    from subdiv_cli.kinds.reading import read_path
+    from subdiv_cli.maskfile import MaskFileError
 
     told: dict[str, str] = {}
     for word in _words():

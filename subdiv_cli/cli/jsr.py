@@ -16,7 +16,7 @@ from subdiv_cli.model import DEFAULT_EFFORT, Effort, Problem
 from subdiv_cli.model.family import FamilyRadius
 
 if TYPE_CHECKING:
-    from subdiv_cli.kinds.matrices.text import MatrixFile
+    from subdiv_cli.maskfile import MaskFile
 
 _EPILOG = """\b
 Examples:
@@ -98,13 +98,13 @@ def command(
     return ExitCode.UNDECIDED if found.radius.upper is None or unwritten else ExitCode.PASSED
 
 
-def _read(file: str, parameters: tuple[str, ...]) -> tuple[MatrixFile, Any]:
-    from subdiv_cli.kinds.matrices.text import read_matrices
+def _read(file: str, parameters: tuple[str, ...]) -> tuple[MaskFile, Any]:
+    from subdiv_cli.kinds.reading import read_path
     from subdiv_cli.maskfile.option import parse_override
 
     overrides: dict[str, Fraction] = dict(parse_override(text) for text in parameters)
-    read = read_matrices(file)
-    return read, read.family(overrides)
+    read = read_path(file, kind="matrices")
+    return read, read.scheme(overrides).matrices
 
 
 def _complain(problems: tuple[Problem, ...]) -> ExitCode:
@@ -125,7 +125,7 @@ def _write(file: str, text: str) -> bool:
     return True
 
 
-def _as_json(_: MatrixFile, radius: FamilyRadius, proof: str | None) -> str:
+def _as_json(_: MaskFile, radius: FamilyRadius, proof: str | None) -> str:
     import json
 
     report = {
@@ -146,7 +146,7 @@ def _as_json(_: MatrixFile, radius: FamilyRadius, proof: str | None) -> str:
     return json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
 
 
-def _as_text(read: MatrixFile, radius: FamilyRadius, proof: str | None) -> str:
+def _as_text(read: MaskFile, radius: FamilyRadius, proof: str | None) -> str:
     from subdiv_cli.report.jsr import render
 
     return render(radius, look_of(sys.stdout), file=read.file, name=read.name, proof=proof)

@@ -88,8 +88,8 @@ def targets(asked: Asked, names: Collection[str]) -> list[str | MaskFile] | Resu
     if asked.mask is None:
         listed = () if asked.files_from is None else _listed(asked.files_from)
         return [*asked.targets, *listed]
+    from subdiv_cli.kinds.option import from_option
     from subdiv_cli.maskfile import MaskFileError
-    from subdiv_cli.maskfile.option import from_option
 
     try:
         start, arity = 0 if asked.start is None else asked.start, 2 if asked.arity is None else asked.arity

@@ -16,8 +16,8 @@ from subdiv_cli.cli.streams import UnwritableError, emit, look_of
 from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
 
 if TYPE_CHECKING:
+    from subdiv_cli.kinds.kind import Scheme
     from subdiv_cli.maskfile import MaskFile
-    from subdiv_cli.maskfile.bodies import Scheme
 
 Command = Callable[..., Any]
 
@@ -117,8 +117,10 @@ def read(named: Named) -> One:
 def read_family(named: Named) -> list[One]:
     """Every mask that is meant, at every combination of the values of its parameters. Exits with 2 as `read` does."""
     named.check()
-    from subdiv_cli.maskfile import MaskFileError, read_path
-    from subdiv_cli.maskfile.option import from_option, parse_override
+    from subdiv_cli.kinds.option import from_option
+    from subdiv_cli.kinds.reading import read_path
+    from subdiv_cli.maskfile import MaskFileError
+    from subdiv_cli.maskfile.option import parse_override
 
     try:
         values: dict[str, list[Fraction]] = {}

@@ -96,8 +96,9 @@ class _Asked(NamedTuple):
 def _asked(file: str, parameters: Sequence[str]) -> _Asked:
     """A plain file is read by the checker's own reader; parameters and symbols are expanded by subdiv's first."""
     from subdiv_cli.checker.plain import mask_of, plain_mask
-    from subdiv_cli.maskfile import MaskFileError, read_path
-    from subdiv_cli.maskfile.canonical import canonical
+    from subdiv_cli.kinds import kind_of
+    from subdiv_cli.kinds.reading import read_path
+    from subdiv_cli.maskfile import MaskFileError
     from subdiv_cli.maskfile.option import parse_override
     from subdiv_cli.report.problems import render
 
@@ -112,4 +113,6 @@ def _asked(file: str, parameters: Sequence[str]) -> _Asked:
         raise click.exceptions.Exit(ExitCode.ERROR) from None
     if (plain := plain_mask(read.source.text)) is not None:
         return _Asked(plain, f"the mask of {file}")
-    return _Asked(mask_of(canonical(scheme)), f"the mask of {file}, its parameters and symbol expanded by subdiv")
+    return _Asked(
+        mask_of(kind_of(scheme).canonical(scheme)), f"the mask of {file}, its parameters and symbol expanded by subdiv"
+    )

@@ -9,12 +9,13 @@ from flint import arb, ctx, fmpz_poly
 
 from subdiv_cli.exact.algebraic import isolated, isolating_interval, number_of, only_root, same_powers
 from subdiv_cli.exact.enclosures import ball, decide, interval
-from subdiv_cli.exact.text import decimal, polynomial
+from subdiv_cli.exact.text import certain, decimal, polynomial
 from subdiv_cli.model import ClosedForm, Interval, Root, RootLog, logarithm, unpowered
 from subdiv_cli.model.closed import root_log_text, spelled
 
 _LONGEST = 160
 """Characters of a closed form that is still read with profit."""
+_DIGITS = 40
 _SIGNIFICANT = 5
 _PRECISION = 256
 
@@ -113,3 +114,8 @@ def _canonical(x: ClosedForm) -> ClosedForm:
     if (rational := number.rational) is not None:
         return logarithm(x.base, 1 / rational, x.divisor)
     return exponent(x.base, x.divisor, isolated(number))
+
+
+def digits(x: ClosedForm) -> str | None:
+    """Decimals of an irrational number, all of them certain; None for a rational one."""
+    return None if isinstance(x, Fraction) else certain(lambda: closed_ball(x), _DIGITS)

@@ -1,14 +1,13 @@
-"""Text <-> scheme: TOML mask files, expressions, expectations and positions; all errors of a file at once.
+"""Text of mask files: TOML, expressions, expectations and positions; all errors of a file at once. It knows no kind.
 
-Reading keeps expressions (`read_text`, `read_path`); `MaskFile.scheme` substitutes parameters. Numbers are Fractions,
-sizes are bounded before anything is computed (`bounds`), and nothing but `MaskFileError` is raised. What the command
-line spells is in `option`, the way back to text in `writer`: they are imported from there, where they are needed.
+Reading keeps expressions; `MaskFile.scheme` substitutes parameters. Numbers are Fractions, sizes are bounded before
+anything is computed (`bounds`), and nothing but `MaskFileError` is raised. Which kinds there are, and what the files of
+each say, is in `kinds`.
 """
 
 from __future__ import annotations
 
-from subdiv_cli.maskfile.mask import MaskFile, from_scheme
+from subdiv_cli.maskfile.mask import MaskFile
 from subdiv_cli.maskfile.problems import MaskFileError
-from subdiv_cli.maskfile.reader import load_path, read_bytes, read_path, read_text
 
-__all__ = ["MaskFile", "MaskFileError", "from_scheme", "load_path", "read_bytes", "read_path", "read_text"]
+__all__ = ["MaskFile", "MaskFileError"]

@@ -1,69 +1,27 @@
-"""What [mask] says, as data: the forms of a scalar mask, and what the forms of every kind can do."""
+"""What a mask file says of its mask, as data: what the forms of every kind can do."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from math import lcm
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import Any, Protocol
 
-from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH
+from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.evaluate import is_fixed
-from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
+from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
-
-if TYPE_CHECKING:
-    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-
-    Scheme = ScalarScheme | MultivariateScheme
+from subdiv_cli.maskfile.problems import Collector, Fault
 
 
 class Body(Protocol):
     """What [mask] says, not yet at values of the parameters."""
 
     def expressions(self) -> Iterable[Expression]:
-        """All in it."""
+        """All in it, for what can be evaluated without parameters and for the names that stand in it."""
 
-    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> Scheme | None:
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> Any | None:
         """The scheme at these values of the parameters; None where something is wrong, which is recorded."""
-
-
-class Coefficients(NamedTuple):
-    """a_start, a_(start+1), …, one expression without z each; at least one."""
-
-    arity: int
-    start: int
-    entries: tuple[Expression, ...]
-
-    def expressions(self) -> Iterable[Expression]:
-        return self.entries
-
-    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
-        """SD007 to SD011."""
-        numbers = [number_of(entry, values, problems, work) for entry in self.entries]
-        if None in numbers:
-            return None
-        found = {k: value for k, value in enumerate(numbers, self.start) if value}
-        return _scheme(self.arity, found, self.entries[0].path[:-1], values, problems)
-
-
-class Symbol(NamedTuple):
-    """a(z) = Σ a_k z^k as one expression in z."""
-
-    arity: int
-    expression: Expression
-
-    def expressions(self) -> Iterable[Expression]:
-        return (self.expression,)
-
-    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
-        """SD007 to SD011."""
-        polynomial = polynomial_of(self.expression, values, problems, work)
-        if polynomial is None:
-            return None
-        return _scheme(self.arity, polynomial.coefficients, self.expression.path, values, problems)
 
 
 def check_fixed_mask(body: Body, problems: Collector) -> None:
@@ -72,32 +30,10 @@ def check_fixed_mask(body: Body, problems: Collector) -> None:
         body.scheme({}, problems, Work())
 
 
-def _scheme(
-    arity: int, coefficients: Mapping[int, Fraction], path: KeyPath, values: Mapping[str, Fraction], problems: Collector
-) -> ScalarScheme | None:
-    fault = zero_mask(values) if not coefficients else _too_long(coefficients) or too_precise(coefficients.values())
-    if fault:
-        problems.add(fault, path)
-        return None
-    start = min(coefficients)
-    dense = tuple(coefficients.get(k, Fraction(0)) for k in range(start, max(coefficients) + 1))
-    return ScalarScheme(arity=arity, start=start, coefficients=dense)
-
-
 def zero_mask(values: Mapping[str, Fraction]) -> Fault:
     """All coefficients are zero, at these values of the parameters."""
     mend = "at least one coefficient must not be zero" + ("; try other parameters" if values else "")
     return Fault("SD009", "all coefficients of the mask are zero", mend)
-
-
-def _too_long(coefficients: Mapping[int, Fraction]) -> Fault | None:
-    first, last = min(coefficients), max(coefficients)
-    if last - first >= MAX_MASK_LENGTH:
-        message = f"the mask has {last - first + 1} coefficients; the limit is {MAX_MASK_LENGTH}"
-        return Fault("SD010", message, "use a shorter mask")
-    if max(-first, last) > 2 * MAX_EXPONENT:
-        return Fault("SD010", f"an index beyond {2 * MAX_EXPONENT}", "shift the mask towards 0")
-    return None
 
 
 def too_precise(coefficients: Iterable[Fraction]) -> Fault | None:

@@ -94,6 +94,14 @@ class Table:
         return value
 
 
+def mask_table(top: Table) -> Table | None:
+    """The table [mask] of a file; None where it is missing or something else, which is recorded."""
+    if "mask" not in top.data:
+        top.missing("mask", "the table [mask] is missing", "add [mask] with start and coefficients, or symbol")
+        return None
+    return top.table("mask", 'write [mask] and below it start = 0 and coefficients = ["1/2", 1, "1/2"]')
+
+
 def text_at(table: Table, key: str) -> str | None:
     """The string at `key`, None where there is none; another type is recorded (SD006)."""
     value = table.data.get(key)

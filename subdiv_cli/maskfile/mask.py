@@ -5,20 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import Any
 
-from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.maskfile.bodies import Body, Coefficients
+from subdiv_cli.maskfile.bodies import Body
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
-from subdiv_cli.maskfile.expressions import Expression, literal, number_of
+from subdiv_cli.maskfile.expressions import Expression, number_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, Source, near, shown
 from subdiv_cli.model import Expectation
-
-if TYPE_CHECKING:
-    from subdiv_cli.maskfile.bodies import Scheme
-
-_SCALAR = 'name a mask of kind "scalar"'
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,7 +52,7 @@ class MaskFile:
         spot = scan(self.source.text).spots.get(path)
         return None if spot is None else line_and_column(self.source.text, spot.key)[0]
 
-    def scheme(self, overrides: Mapping[str, Fraction] | None = None) -> Scheme:
+    def scheme(self, overrides: Mapping[str, Fraction] | None = None) -> Any:
         """The scheme at the parameters' values. Raises MaskFileError as `values` does, SD009 for an all-zero mask."""
         problems = Collector(self.source)
         work = Work()
@@ -67,16 +61,6 @@ class MaskFile:
         scheme = self.body.scheme(values, problems, work)
         problems.raise_any()
         assert scheme is not None, "what keeps a mask from being expanded is a problem"
-        return scheme
-
-    def scalar_scheme(self, overrides: Mapping[str, Fraction] | None = None) -> ScalarScheme:
-        """The scheme of a scalar mask. Raises MaskFileError as `scheme` does, SD013 for another kind."""
-        scheme = self.scheme(overrides)
-        if not isinstance(scheme, ScalarScheme):
-            problems = Collector(self.source)
-            problems.add(Fault("SD013", f"masks of kind {self.kind} cannot be taken here yet", _SCALAR), ("kind",))
-            problems.raise_any()
-        assert isinstance(scheme, ScalarScheme)
         return scheme
 
 
@@ -111,24 +95,3 @@ def _no_parameter(name: str, parameters: Mapping[str, object]) -> Fault:
     if parameters:
         return Fault("SD011", message, "its parameters: " + ", ".join(shown(p) for p in list(parameters)[:8]))
     return Fault("SD011", message, "it has none: leave -p out, or declare it in [parameters]")
-
-
-def from_scheme(
-    scheme: Scheme,
-    *,
-    file: str = "-",
-    name: str | None = None,
-    reference: str | None = None,
-    expectations: tuple[Expectation, ...] = (),
-) -> MaskFile:
-    """The file of a scheme with literal coefficients, for `write`."""
-    body: Body
-    if isinstance(scheme, ScalarScheme):
-        kind, entries = "scalar", tuple(map(literal, scheme.coefficients))
-        body = Coefficients(arity=scheme.arity, start=scheme.start, entries=entries)
-    else:
-        from subdiv_cli.kinds.multivariate.text.bodies import Terms
-
-        kind, terms = "multivariate", tuple((index, literal(value)) for index, value in scheme.terms.items())
-        body = Terms(dilation=scheme.dilation, terms=terms)
-    return MaskFile(file=file, body=body, name=name, reference=reference, kind=kind, expectations=expectations)

@@ -1,168 +1,22 @@
-"""Masks, parameter values and properties from the command line: `--mask`, `-p`, `--require`."""
+"""Values of parameters and properties from the command line: `-p`, `--require`; properties that reports state."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import cast
 
-from subdiv_cli.maskfile.bodies import Body, Coefficients, Symbol, check_fixed_mask
-from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH, MAX_NESTING
-from subdiv_cli.maskfile.entries import fault_of_name
-from subdiv_cli.maskfile.evaluate import evaluate, names_in
-from subdiv_cli.maskfile.expressions import Expression
-from subdiv_cli.maskfile.grammar import Parser, parse
+from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
+from subdiv_cli.maskfile.evaluate import evaluate
+from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import MaskFile
-from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum, product_of
-from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
+from subdiv_cli.maskfile.problems import Fault, MaskFileError, near, shown
 from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.model import Expectation, ExpectationKey, Problem
 
-if TYPE_CHECKING:
-    from subdiv_cli.kinds.multivariate.text.bodies import Nested
-
-_SEVERAL = re.compile(r"(?<![A-Za-z0-9_])z[0-9]")
-"""A symbol with this in it is one in several variables."""
 _ORDER = re.compile(r"C\^?([0-9]+)")
 _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
-
-
-def from_option(text: str, *, start: int | Sequence[int] = 0, arity: int = 2, names: Collection[str] = ()) -> MaskFile:
-    """The mask of `--mask`: "[-1,0,9,16,9,0,-1]/16", its first index `start`, or a symbol, "(1+z)^2/2".
-
-    In several variables lists in lists, "[[1,2,1],[2,4,2],[1,2,1]]/4" with an index for each, or a symbol in z1, z2,
-    …; the dilation is then `arity` times the identity.
-
-    `names`: parameters that -p gives. Those that stand in the mask are declared, without a default; `MaskFile.values`
-    refuses a value for another. Raises MaskFileError; positions count in the text.
-    """
-    source = Source("--mask", text, toml=False)
-    problems = Collector(source)
-    try:
-        if len(text) > MAX_FILE_BYTES:
-            raise Fault("SD010", "the mask is too long", "write it to a file")
-        if not 2 <= arity <= MAX_ARITY:
-            raise Fault("SD010", f"the arity must be between 2 and {MAX_ARITY}, not {shown(str(arity))}", "--arity 2")
-        for name in names:
-            if fault_there := fault_of_name(name):
-                raise fault_there
-        body = _body(text, (start,) if isinstance(start, int) else tuple(start), arity, names)
-        check_fixed_mask(body, problems)
-    except Fault as fault:
-        _explain(fault, text, names)
-        problems.add(fault)
-    problems.raise_any()
-    used = frozenset().union(*(names_in(entry.node) for entry in body.expressions()))
-    parameters = {name: None for name in names if name in used}
-    kind = "scalar" if isinstance(body, Coefficients | Symbol) else "multivariate"
-    return MaskFile(file="--mask", body=body, kind=kind, parameters=parameters, source=source)
-
-
-def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str]) -> Body:
-    """Raises Fault."""
-    if not text.lstrip().startswith("["):
-        if any(start):
-            raise Fault("SD015", "--start and a symbol both say where the mask begins", "leave --start out")
-        if _SEVERAL.search(text):
-            from subdiv_cli.kinds.multivariate.text.option import symbol
-
-            return symbol(text, arity, names)
-        return Symbol(arity=arity, expression=Expression(text=text.strip(), node=parse(text, ("z", *names))))
-    entries = _list(text, names)
-    flat = tuple(entry for entry in entries if isinstance(entry, Expression))
-    if len(flat) < len(entries):
-        from subdiv_cli.kinds.multivariate.text.option import grid
-
-        return grid(entries, start if len(start) > 1 or any(start) else (), arity)
-    if len(start) > 1:
-        raise Fault("SD023", f"--start has {len(start)} components, and the mask has one variable", "--start 0")
-    if not -MAX_EXPONENT <= start[0] <= MAX_EXPONENT:
-        raise Fault("SD010", f"start must be between -{MAX_EXPONENT} and {MAX_EXPONENT}", "--start 0")
-    return Coefficients(arity=arity, start=start[0], entries=flat)
-
-
-def _explain(fault: Fault, text: str, names: Collection[str]) -> None:
-    """Mends of files, in the words of the command line."""
-    if fault.message.endswith("is not declared") and fault.help and "[parameters]" in fault.help:
-        name = shown(fault.about or "w")
-        fault.help = f"give it a value: -p {name}=1/16"
-    elif fault.message.startswith('","') and not text.lstrip().startswith("["):
-        try:
-            _list(f"[{text}]", names)
-            mend = f"[{shown(text.strip(), 100)}]"
-        except Fault:
-            mend = "[1, 2, 1]/2"
-        fault.message, fault.help = "a list of coefficients stands in brackets", f"put the list in brackets: {mend}"
-
-
-def _list(text: str, names: Collection[str]) -> Nested:
-    """list = rows { ("*" | "/") factor }; the factors go into every coefficient"""
-    parser = Parser(text, names)
-    rows = _rows(parser, text, 1)
-    start = parser.token.at
-    tail = []
-    while parser.token.kind in ("*", "/"):
-        divides = parser.advance().kind == "/"
-        at = parser.token.at
-        tail.append(Factor(parser.factor(), divides, at))
-    if parser.token.kind != "end":
-        raise parser.unexpected("* or / or the end")
-    return _scaled_rows(rows, tail, text[start:].strip())
-
-
-class _Span(NamedTuple):
-    """A coefficient and its text."""
-
-    node: Node
-    said: str
-
-
-_Rows = list["_Span | _Rows"]
-
-
-def _rows(parser: Parser, text: str, depth: int) -> _Rows:
-    """rows = "[" (rows | sum) { "," (rows | sum) } "]\""""
-    opening = parser.advance()
-    if depth > MAX_NESTING:
-        raise Fault("SD010", f"lists are nested more than {MAX_NESTING} deep", "write [[1, 2], [2, 1]]/2", opening.at)
-    spans: _Rows = []
-    while True:
-        start = parser.token.at
-        if parser.token.kind == "]" and not spans:
-            raise Fault("SD009", "the mask is empty", "write its coefficients: [1, 2, 1]/2", start)
-        if parser.token.kind == "[":
-            spans.append(_rows(parser, text, depth + 1))
-        else:
-            node = parser.sum()
-            spans.append(_Span(node, text[start : parser.token.at].strip()))
-        if parser.token.kind == "end":
-            raise Fault("SD008", 'this "[" is never closed', 'add the missing "]"', opening.at)
-        if parser.token.kind not in (",", "]"):
-            raise parser.unexpected('a comma or "]"')
-        if parser.advance().kind == "]":
-            return spans
-        if len(spans) > MAX_MASK_LENGTH:
-            raise Fault("SD010", f"more than {MAX_MASK_LENGTH} coefficients", "use a shorter mask", opening.at)
-
-
-def _scaled_rows(rows: _Rows, tail: list[Factor], scale: str) -> Nested:
-    return tuple(
-        _scaled(entry.node, entry.said, tail, scale) if isinstance(entry, _Span) else _scaled_rows(entry, tail, scale)
-        for entry in rows
-    )
-
-
-def _scaled(node: Node, said: str, tail: list[Factor], scale: str) -> Expression:
-    """A coefficient times the factors behind the list, as reading its text again gives it."""
-    if not tail:
-        return Expression(text=said, node=node)
-    if isinstance(node, Sum) and len(node.terms) > 1:
-        said = f"({said})"
-    factors = node.factors if isinstance(node, Product) else (Factor(node),)
-    return Expression(text=said + scale, node=product_of((*factors, *tail), node.at))
 
 
 def parse_override(text: str) -> tuple[str, Fraction]:

@@ -11,9 +11,8 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from enum import Enum
 from fractions import Fraction
-from typing import Literal, NamedTuple, NoReturn
+from typing import Literal, NamedTuple
 
 from subdiv_cli.model.closed import ClosedForm as ClosedForm
 from subdiv_cli.model.closed import Log as Log
@@ -23,81 +22,18 @@ from subdiv_cli.model.closed import RootLog as RootLog
 from subdiv_cli.model.closed import exact_root as exact_root
 from subdiv_cli.model.closed import logarithm as logarithm
 from subdiv_cli.model.closed import unpowered as unpowered
-
-Data = None | bool | int | str | Fraction | tuple["Data", ...] | Mapping[str, "Data"]
-"""Exact plain data, as facts and witnesses hold it. Floats are left out on purpose."""
-
-
-class Verdict(Enum):
-    """The answer to a question. Three of the four are not yes, so it refuses to be used as a bool."""
-
-    PROVED = "proved"
-    REFUTED = "refuted"
-    UNDECIDED = "undecided"
-    SKIPPED = "skipped"
-
-    def __bool__(self) -> NoReturn:
-        raise TypeError("a Verdict is not a bool: compare it with `is`")
-
-
-class Interval(NamedTuple):
-    """A real number enclosed: lower <= x <= upper, certified doubles rounded outward; None is unknown."""
-
-    lower: float | None = None
-    upper: float | None = None
-    exact: str | None = None
-    """The number itself as text, where it is known: a rational or a closed form."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Finding:
-    """One question asked of a scheme, and its answer."""
-
-    code: str
-    """SDnnn; `subdiv explain` has a page for it."""
-    name: str
-    """The code in words, for instance `residue-sums`."""
-    verdict: Verdict
-    statement: str
-    """What was decided, with its numbers; for UNDECIDED and SKIPPED what was asked."""
-    source: str
-    """Paper and theorem."""
-    reason: str | None = None
-    """Why it is undecided or skipped."""
-    value: Interval | None = None
-    witness: Mapping[str, Data] = field(default_factory=dict)
-    """Enough to recheck the verdict without a search; the stage's docstring says what its keys mean."""
-    proof: Mapping[str, Data] = field(default_factory=dict)
-    """What the certificate needs besides, too long for reports: the polytope of a joint spectral radius."""
-    closed: ClosedForm | None = None
-    """The number that the finding is about, where it is known exactly."""
-    claims: tuple[int, ...] = ()
-    """The claims of the certificate that say the same, checked independently."""
-
-
-class Smoothness(NamedTuple):
-    """`order`: the largest n with C^n proved for all limit functions, None where convergence is not proved."""
-
-    order: int | None = None
-    sharp: bool = False
-    """C^(order+1) is refuted."""
-
+from subdiv_cli.model.findings import DECIDED as DECIDED
+from subdiv_cli.model.findings import Answer as Answer
+from subdiv_cli.model.findings import Data as Data
+from subdiv_cli.model.findings import Exponent as Exponent
+from subdiv_cli.model.findings import Finding as Finding
+from subdiv_cli.model.findings import Interval as Interval
+from subdiv_cli.model.findings import Question as Question
+from subdiv_cli.model.findings import Rule as Rule
+from subdiv_cli.model.findings import Smoothness as Smoothness
+from subdiv_cli.model.findings import Verdict as Verdict
 
 UNKNOWN = Smoothness()
-
-
-class Exponent(NamedTuple):
-    """A Hölder or Sobolev exponent of the refinable function: certified outward doubles, exact where it is known."""
-
-    lower: float | None = None
-    upper: float | None = None
-    exact: ClosedForm | None = None
-    attained: bool | None = None
-    digits: str | None = None
-    """Decimals of an exact irrational one, all certain: `2.83007…`."""
-    estimate: str | None = None
-    """Of one that is only enclosed, extrapolated from norms: it proves nothing."""
-
 
 ExpectationKey = Literal["convergent", "smoothness", "holder", "sobolev", "generation", "reproduction", "stable"]
 

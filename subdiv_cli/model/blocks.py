@@ -118,3 +118,20 @@ class SurfaceAnatomy:
     """t with Q f(α) = Σ t_j f(α + j) on polynomials."""
     surface: Surface | None
     """φ, for a picture."""
+
+
+class Section(NamedTuple):
+    """A headed part of a page."""
+
+    title: str
+    blocks: tuple[object, ...]
+
+
+class Portrait(NamedTuple):
+    """A mask taken apart."""
+
+    sections: tuple[Section, ...]
+
+
+class Drawing(NamedTuple):
+    """To come."""

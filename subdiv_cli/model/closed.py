@@ -137,3 +137,19 @@ def _exact_log(n: int, base: int) -> int | None:
     while n > 1 and n % base == 0:
         n, e = n // base, e + 1
     return e if n == 1 else None
+
+
+def rational(x: Fraction | int) -> str:
+    """`p/q`, or `p` for an integer. Huge integers are spelled piece by piece: Python refuses more than 4300 digits."""
+    x = Fraction(x)
+    return _integer_text(x.numerator) + ("" if x.denominator == 1 else f"/{_integer_text(x.denominator)}")
+
+
+def _integer_text(n: int) -> str:
+    if n.bit_length() < 13_000:
+        return str(n)
+    if n < 0:
+        return "-" + _integer_text(-n)
+    half = n.bit_length() * 15 // 100
+    high, low = divmod(n, 10**half)
+    return _integer_text(high) + _integer_text(low).zfill(half)

@@ -15,7 +15,7 @@ Compare = Callable[[ClosedForm, ClosedForm], int | None]
 """The sign of a - b, or None where that is not known."""
 
 
-def judge_by(compare: Compare, expectation: Expectation, found: Result) -> Verdict:
+def judge(compare: Compare, expectation: Expectation, found: Result) -> Verdict:
     """Whether the findings prove or refute an expectation."""
     match expectation.key:
         case "convergent":

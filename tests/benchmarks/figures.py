@@ -102,7 +102,7 @@ class Checking(NamedTuple):
 
 def times_of_checking(times: int = 5) -> list[Checking]:
     """Of every scalar mask that ships, the ratios falling."""
-    from subdiv_cli.maskfile import read_path
+    from subdiv_cli.kinds.reading import read_path
 
     found = []
     for file in sorted(SCALAR.rglob("*.toml")):

@@ -12,7 +12,7 @@ from support import corner_cutting, four_point, scheme, six_point
 
 from subdiv_cli.catalog.run import check_all
 from subdiv_cli.checker import check_document, check_text
-from subdiv_cli.maskfile import read_path
+from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import check
 from subdiv_cli.portrait import portrait

@@ -9,9 +9,11 @@ import pytest
 
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.maskfile import MaskFileError, read_text
-from subdiv_cli.maskfile.option import from_option, parse_override
-from subdiv_cli.maskfile.writer import write
+from subdiv_cli.maskfile import MaskFileError
+from subdiv_cli.kinds.reading import read_text
+from subdiv_cli.kinds.option import from_option
+from subdiv_cli.maskfile.option import parse_override
+from subdiv_cli.kinds.writing import write
 
 
 def four_point(w: Q) -> ScalarScheme:

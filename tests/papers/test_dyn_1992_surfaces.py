@@ -14,7 +14,7 @@ from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.kinds.multivariate.numbers.box_spline import divided, multiplied
 from subdiv_cli.kinds.multivariate.numbers.directional import norms
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.maskfile import read_path
+from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort, Verdict
 
 F = Fraction

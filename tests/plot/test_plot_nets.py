@@ -10,7 +10,7 @@ from subdiv_cli.kinds.multivariate.numbers import nets
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError
 from subdiv_cli.kinds.multivariate.stages.surfaces import graph, net
-from subdiv_cli.maskfile import read_path
+from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort
 from subdiv_cli.model.blocks import Net
 from subdiv_cli.plot.obj import faces, obj

@@ -18,7 +18,7 @@ from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbe
 from subdiv_cli.kinds.multivariate.numbers.reproduction import reproduction
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.multivariate.stages import coset_sums, sobolev
-from subdiv_cli.maskfile import read_path
+from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import check
 

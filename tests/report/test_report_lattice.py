@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.maskfile import read_path
+from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.report.lattice import put_stencils, stencils
 from subdiv_cli.report.layout import paint
 from subdiv_cli.report.letters import width

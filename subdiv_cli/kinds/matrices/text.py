@@ -1,81 +1,79 @@
-"""Families of square matrices, `matrices = [A_0, …, A_(p-1)]`, each a list of rows: what `subdiv jsr` reads."""
+"""The text of a family of square matrices: `matrices = [A_0, …, A_(p-1)]`, each a list of rows."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
+from typing import Any, NamedTuple
 
 from subdiv_cli.maskfile.bounds import MAX_MATRICES, MAX_MATRIX_ORDER
-from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression, read_parameters, text_at
-from subdiv_cli.maskfile.expressions import Expression, number_of
+from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.expressions import Expression, literal, number_of
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.mask import parameter_values
-from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, Source
-from subdiv_cli.maskfile.reader import load_path, text_of
-from subdiv_cli.maskfile.toml import load
+from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
+from subdiv_cli.maskfile.spelling import listed, nested
 from subdiv_cli.maskfile.values import described
+from subdiv_cli.model.closed import rational
 
-_KEYS = ("format", "name", "reference", "kind", "parameters", "matrices")
 _MEND = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
 
 Matrix = tuple[tuple[Fraction, ...], ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class MatrixFile:
-    """A family as its file spells it."""
+@dataclass(frozen=True, slots=True)
+class MatrixFamily:
+    """Square matrices of one order, by rows; at least one."""
 
-    file: str
+    matrices: tuple[Matrix, ...]
+
+    @property
+    def kind(self) -> str:
+        """`matrices`."""
+        return "matrices"
+
+
+class Matrices(NamedTuple):
+    """The matrices of a file, all square and of one order."""
+
     matrices: tuple[tuple[tuple[Expression, ...], ...], ...]
-    """All square, of one order."""
-    parameters: Mapping[str, Expression | None]
-    source: Source
-    name: str | None = None
-    reference: str | None = None
 
-    def family(self, overrides: Mapping[str, Fraction] | None = None) -> tuple[Matrix, ...]:
-        """The matrices at the parameters' values. Raises MaskFileError as `MaskFile.scheme` does."""
-        problems, work = Collector(self.source), Work()
-        values = parameter_values(self.parameters, overrides or {}, problems, work)
-        problems.raise_any()
+    def expressions(self) -> Iterable[Expression]:
+        return (entry for matrix in self.matrices for row in matrix for entry in row)
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MatrixFamily | None:
+        """SD007 to SD011."""
         found = [
             [[number_of(entry, values, problems, work) for entry in row] for row in matrix] for matrix in self.matrices
         ]
-        problems.raise_any()
-        return tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in found)
+        if any(entry is None for matrix in found for row in matrix for entry in row):
+            return None
+        return MatrixFamily(tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in found))
 
 
-def read_matrices(path: str | Path) -> MatrixFile:
-    """Reads a file with `matrices`; "-" is standard input. Raises MaskFileError with everything that is wrong."""
-    return read_matrices_text(text_of(load_path(path), str(path)), file=str(path))
-
-
-def read_matrices_text(text: str, *, file: str) -> MatrixFile:
-    """Reads the text of such a file. Raises MaskFileError and nothing else, whatever the text."""
-    source = Source(file, text.removeprefix("\ufeff"))
-    problems = Collector(source)
-    document = load(source)
-    kind = document.get("kind", "matrices")
-    if kind != "matrices" or "mask" in document:
-        mend = "`subdiv check` decides the smoothness of masks; `subdiv jsr` takes matrices = [[[…], …], …]"
-        problems.add(Fault("SD013", "this is no family of matrices", mend), ("mask" if "mask" in document else "kind",))
-        problems.raise_any()
-    top = Table(document, (), problems)
-    top.only(_KEYS)
-    parameters = read_parameters(top.table("parameters"), problems)
-    matrices = None
-    if "matrices" in document:
-        matrices = _Reader(parameters, problems).family(document["matrices"], ("matrices",))
-    else:
+def read_matrices(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
+    """The family at the top of a file; None where something is wrong, which is recorded."""
+    if "matrices" not in top.data:
         top.missing("matrices", "matrices are missing", _MEND)
-    name, reference = text_at(top, "name"), text_at(top, "reference")
-    problems.raise_any()
-    assert matrices is not None, "missing matrices are a problem"
-    return MatrixFile(
-        file=file, matrices=matrices, parameters=parameters, source=source, name=name, reference=reference
-    )
+        return None
+    found = _Reader(parameters, problems).family(top.data["matrices"], ("matrices",))
+    return None if found is None else Matrices(found)
+
+
+def body_of(family: MatrixFamily) -> Matrices:
+    """The literal entries of a family."""
+    return Matrices(tuple(tuple(tuple(map(literal, row)) for row in matrix) for matrix in family.matrices))
+
+
+def spell(body: Matrices) -> list[str]:
+    """The lines of the file that say it."""
+    return listed("matrices", map(nested, body.matrices))
+
+
+def canonical(family: MatrixFamily) -> Mapping[str, Any]:
+    """The family as certificates embed it."""
+    rows = [[[rational(x) for x in row] for row in matrix] for matrix in family.matrices]
+    return {"kind": family.kind, "matrices": rows}
 
 
 class _Reader:

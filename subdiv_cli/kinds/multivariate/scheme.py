@@ -23,6 +23,11 @@ class MultivariateScheme:
     terms: Mapping[Index, Fraction]
     """α -> a_α."""
 
+    @property
+    def kind(self) -> str:
+        """`multivariate`."""
+        return "multivariate"
+
     def __post_init__(self) -> None:
         if not is_expanding(self.dilation):
             raise ValueError("the dilation matrix is not square or not expanding")

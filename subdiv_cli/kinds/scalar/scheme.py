@@ -18,6 +18,11 @@ class ScalarScheme:
     start: int
     coefficients: tuple[Fraction, ...]
 
+    @property
+    def kind(self) -> str:
+        """`scalar`."""
+        return "scalar"
+
     def __post_init__(self) -> None:
         if self.arity < 2:
             raise ValueError(f"the arity must be at least 2, not {self.arity}")

@@ -1,16 +1,21 @@
-"""The [mask] table of kind scalar: arity, and start with coefficients, or symbol."""
+"""The text of a scalar mask: the [mask] table with arity, and start with coefficients, or symbol; the way back."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Mapping
+from fractions import Fraction
+from typing import Any, NamedTuple
 
-from subdiv_cli.maskfile.bodies import Coefficients, Symbol
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.maskfile.bodies import too_precise, zero_mask
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
-from subdiv_cli.maskfile.expressions import Expression
+from subdiv_cli.maskfile.expressions import Expression, literal, number_of, polynomial_of
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.problems import Collector, Fault
+from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
+from subdiv_cli.maskfile.spelling import listed, number, quoted
 from subdiv_cli.maskfile.values import described
+from subdiv_cli.model.closed import rational
 
 _KEYS = ("arity", "start", "coefficients", "symbol")
 _MULTIVARIATE = 'it is for kind = "multivariate"; a scalar mask has start and coefficients, or symbol'
@@ -25,6 +30,42 @@ _ELSEWHERE = {
     "box_spline": (_MULTIVARIATE, "coefficients"),
     "tensor": (_MULTIVARIATE, "coefficients"),
 } | dict.fromkeys(("kind", "name", "reference", "format"), ("it belongs at the top, above [mask]", ""))
+
+
+class Coefficients(NamedTuple):
+    """a_start, a_(start+1), …, one expression without z each; at least one."""
+
+    arity: int
+    start: int
+    entries: tuple[Expression, ...]
+
+    def expressions(self) -> Iterable[Expression]:
+        return self.entries
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
+        """SD007 to SD011."""
+        numbers = [number_of(entry, values, problems, work) for entry in self.entries]
+        if None in numbers:
+            return None
+        found = {k: value for k, value in enumerate(numbers, self.start) if value}
+        return _scheme(self.arity, found, self.entries[0].path[:-1], values, problems)
+
+
+class Symbol(NamedTuple):
+    """a(z) = Σ a_k z^k as one expression in z."""
+
+    arity: int
+    expression: Expression
+
+    def expressions(self) -> Iterable[Expression]:
+        return (self.expression,)
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
+        """SD007 to SD011."""
+        polynomial = polynomial_of(self.expression, values, problems, work)
+        if polynomial is None:
+            return None
+        return _scheme(self.arity, polynomial.coefficients, self.expression.path, values, problems)
 
 
 def read_scalar(table: Table, parameters: Collection[str], problems: Collector) -> Coefficients | Symbol | None:
@@ -93,3 +134,53 @@ def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression
         except Fault as error:
             table.problems.add(error, (*path, i))
     return tuple(entries) if len(entries) == len(values) else None
+
+
+def _scheme(
+    arity: int, coefficients: Mapping[int, Fraction], path: KeyPath, values: Mapping[str, Fraction], problems: Collector
+) -> ScalarScheme | None:
+    fault = zero_mask(values) if not coefficients else _too_long(coefficients) or too_precise(coefficients.values())
+    if fault:
+        problems.add(fault, path)
+        return None
+    start = min(coefficients)
+    dense = tuple(coefficients.get(k, Fraction(0)) for k in range(start, max(coefficients) + 1))
+    return ScalarScheme(arity=arity, start=start, coefficients=dense)
+
+
+def _too_long(coefficients: Mapping[int, Fraction]) -> Fault | None:
+    first, last = min(coefficients), max(coefficients)
+    if last - first >= MAX_MASK_LENGTH:
+        message = f"the mask has {last - first + 1} coefficients; the limit is {MAX_MASK_LENGTH}"
+        return Fault("SD010", message, "use a shorter mask")
+    if max(-first, last) > 2 * MAX_EXPONENT:
+        return Fault("SD010", f"an index beyond {2 * MAX_EXPONENT}", "shift the mask towards 0")
+    return None
+
+
+def body_of(scheme: ScalarScheme) -> Coefficients:
+    """The literal coefficients of a scheme."""
+    return Coefficients(scheme.arity, scheme.start, tuple(map(literal, scheme.coefficients)))
+
+
+def spell(body: Coefficients | Symbol) -> list[str]:
+    """The lines of [mask]."""
+    return ["[mask]", *spelled_entries(body)]
+
+
+def spelled_entries(body: Coefficients | Symbol) -> list[str]:
+    """The keys of [mask], or of a factor of a tensor product."""
+    lines = [f"arity = {body.arity}"]
+    if isinstance(body, Coefficients):
+        return [*lines, f"start = {body.start}", *listed("coefficients", map(number, body.entries))]
+    return [*lines, f"symbol = {quoted(body.expression.text)}"]
+
+
+def canonical(scheme: ScalarScheme) -> Mapping[str, Any]:
+    """The mask as certificates embed it, in one spelling, so that two masks are the same iff these are equal."""
+    return {
+        "kind": scheme.kind,
+        "arity": scheme.arity,
+        "start": scheme.start,
+        "coefficients": [rational(c) for c in scheme.coefficients],
+    }

@@ -1,1 +1,3 @@
-"""To be said."""
+"""The claims on masks in several variables, as FORMAT.md in this kind's folder says."""
+
+from subdiv_cli.kinds.multivariate.claims.multivariate import certificate as certificate

@@ -6,10 +6,11 @@ from fractions import Fraction
 from math import comb, prod
 from typing import cast
 
-from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.claims import Claims, Json
 from subdiv_cli.certificate.radius import spelled
 from subdiv_cli.certificate.witness import as_integer, as_tuple
 from subdiv_cli.model import Data, Finding
+from subdiv_cli.model.closed import rational
 
 
 class BoxSplineClaims:

@@ -7,44 +7,51 @@ from fractions import Fraction
 from math import comb
 from typing import Any, cast
 
-from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.claims import Certificate, Claims, Json, certificate_of
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
+from subdiv_cli.kinds.kind import Analysis, Facts, Part
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.claims.box_splines import BoxSplineClaims
 from subdiv_cli.kinds.multivariate.claims.gram import gram_sequence
 from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, matrix_norm, pairs
 from subdiv_cli.kinds.multivariate.claims.tensor import Factors, PartCertificate
-from subdiv_cli.kinds.scalar.claims.writer import MOST_WORK, Certificate
+from subdiv_cli.kinds.multivariate.text import canonical
+from subdiv_cli.kinds.scalar.claims import certificate as univariate_certificate
 from subdiv_cli.model import Data, Finding, Verdict, exact_root
+from subdiv_cli.model.closed import rational
 
-_DECIDED = (Verdict.PROVED, Verdict.REFUTED)
 Map = Mapping[str, Data]
 
 
-def surface_certificate(
-    mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate] = ()
-) -> Certificate | None:
-    """The proof of the proved and refuted findings on a mask, given as certificates embed it; of a tensor product by
+def certificate(analysis: Analysis) -> Certificate | None:
+    """The proof of what was found of a mask in several variables, with those of its factors inside.
 
-    the certificates of its factors.
-
-    None where the whole asks more of the checker than it does.
+    None where it asks more of the checker than it does, or where a factor's does.
     """
-    proof = _Proof(mask, findings, parts)
-    claims = tuple(tuple(proof.claims_of(found)) if found.verdict in _DECIDED else () for found in findings)
-    if sum(claim["work"] for claim in proof.claims.made) > MOST_WORK:
+    parts = [_of_part(part) for part in analysis.parts]
+    known = [part for part in parts if part is not None]
+    if len(known) < len(parts):
         return None
-    goal = [proof.claims.statement(number) for number in dict.fromkeys(n for numbers in claims for n in numbers)]
-    if not goal:
+    mask = dict(canonical(analysis.scheme))
+    proof = _Proof(mask, analysis.findings, known)
+    return certificate_of(proof.claims, mask, analysis.findings, proof.claims_of)
+
+
+def _of_part(part: Part) -> PartCertificate | None:
+    """The certificate of a factor, and what it states of each question."""
+    make = univariate_certificate if part.scheme.kind == "scalar" else certificate
+    written = make(part.analysis)
+    if written is None:
         return None
-    document = {
-        "format": "subdiv-certificate",
-        "version": 1,
-        "mask": mask,
-        "goal": goal,
-        "claims": proof.claims.made,
+    claims = written.document["claims"]
+    stated = {
+        question: [claims[number]["statement"] for number in numbers]
+        for finding, numbers in zip(part.analysis.findings, written.claims, strict=True)
+        for question, _ in finding.answers
+        if numbers
     }
-    return Certificate(document, claims)
+    return PartCertificate(part.variables, written.document, stated)
 
 
 class _Proof:
@@ -52,64 +59,68 @@ class _Proof:
 
     def __init__(self, mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate]) -> None:
         self.claims = Claims()
-        self.found = {finding.code: finding for finding in findings}
+        self.found = Facts(findings)
         self.s = len(mask["dilation"])
         self.terms = len(mask["terms"])
-        self.m = len(as_tuple(self.found["SD601"].witness["cosets"]))
+        self.m = len(as_tuple(self.found[rules.COSET_SUMS].witness["cosets"]))
         self.factors = Factors(self.claims, parts, self.terms * (self.s + 1))
-        self.box = BoxSplineClaims(self.claims, self.found.get("SD603"), self.terms)
+        self.box = BoxSplineClaims(self.claims, self.found.find(rules.BOX_SPLINE), self.terms)
         self._families: list[None] = []
         self._family: int | None = None
         self._radius_claim: int | None = None
 
     def claims_of(self, finding: Finding) -> list[int]:
         """Those that say what a decided finding says; none where the certificate of a factor leaves it out."""
-        if finding.witness.get("by") == "SD609":
+        if finding.witness.get("by") == rules.TENSOR_PRODUCT.code:
             return self._of_factors(finding)
-        rules: dict[str, Callable[[Finding], list[int]]] = {
-            "SD601": lambda _: [self._coset_sums()],
-            "SD602": self._sum_rules_and_generation,
-            "SD603": lambda _: [self.box.spline()],
-            "SD604": self._norms,
-            "SD605": lambda _: [self._radius(), self._differences()],
-            "SD606": lambda _: [self._matrix_norm()],
-            "SD607": lambda _: [self._pairs()],
-            "SD608": lambda _: [self._positive()],
-            "SD609": lambda _: [self.factors.product()],
-            "SD611": lambda _: [self._convergent()],
-            "SD612": lambda found: [self._smooth(found)],
-            "SD613": lambda found: [self._not_smooth(found)],
-            "SD614": self._lower,
-            "SD615": self._upper,
-            "SD616": lambda _: [self._stable()],
-            "SD617": lambda found: [self._sobolev(found)],
-            "SD618": lambda found: [self._reproduction(found)],
-            "SD619": lambda found: [self._quasi_interpolation(found)],
+        makers: dict[str, Callable[[Finding], list[int]]] = {
+            rules.COSET_SUMS.code: lambda _: [self._coset_sums()],
+            rules.SUM_RULES.code: self._sum_rules_and_generation,
+            rules.BOX_SPLINE.code: lambda _: [self.box.spline()],
+            rules.DIRECTIONAL_NORMS.code: self._norms,
+            rules.DIFFERENCE_RADIUS.code: lambda _: [self._radius(), self._differences()],
+            rules.MATRIX_NORMS.code: lambda _: [self._matrix_norm()],
+            rules.DIRECTIONAL_SMOOTHNESS.code: lambda _: [self._pairs()],
+            rules.POSITIVE_MASK.code: lambda _: [self._positive()],
+            rules.TENSOR_PRODUCT.code: lambda _: [self.factors.product()],
+            rules.CONVERGENCE.code: lambda _: [self._convergent()],
+            rules.SMOOTHNESS.code: lambda found: [self._smooth(found)],
+            rules.NEXT_SMOOTHNESS.code: lambda found: [self._not_smooth(found)],
+            rules.HOLDER_LOWER.code: self._lower,
+            rules.HOLDER_UPPER.code: self._upper,
+            rules.STABILITY.code: lambda _: [self._stable()],
+            rules.SOBOLEV.code: lambda found: [self._sobolev(found)],
+            rules.REPRODUCTION.code: lambda found: [self._reproduction(found)],
+            rules.QUASI_INTERPOLATION.code: lambda found: [self._quasi_interpolation(found)],
         }
-        return rules[finding.code](finding)
+        return makers[finding.code](finding)
 
     def _of_factors(self, finding: Finding) -> list[int]:
         """What follows of a tensor product."""
         code, holds = finding.code, finding.verdict is Verdict.PROVED
-        if code in ("SD612", "SD613"):
-            smooth = code == "SD612" and holds
+        if code in (rules.SMOOTHNESS.code, rules.NEXT_SMOOTHNESS.code):
+            smooth = code == rules.SMOOTHNESS.code and holds
             statement = {"property": "smooth" if smooth else "not-smooth", "order": finding.witness["order"]}
             return self.factors.say("smooth" if smooth else "not-smooth", statement)
-        if code == "SD614":
+        if code == rules.HOLDER_LOWER.code:
             return self.factors.holder_lower(finding)
-        if code == "SD615":
-            return self.factors.holder_upper(finding, self.found["SD614"])
-        if code == "SD617":
+        if code == rules.HOLDER_UPPER.code:
+            return self.factors.holder_upper(finding, self.found[rules.HOLDER_LOWER])
+        if code == rules.SOBOLEV.code:
             return self.factors.sobolev(finding)
         statement = {"property": "stable", "holds": holds}
-        return [self._convergent()] if code == "SD611" else self.factors.say("stable", statement, self._convergent())
+        return (
+            [self._convergent()]
+            if code == rules.CONVERGENCE.code
+            else self.factors.say("stable", statement, self._convergent())
+        )
 
     def _coset_sums(self) -> int:
-        holds = self.found["SD601"].verdict is Verdict.PROVED
+        holds = self.found[rules.COSET_SUMS].verdict is Verdict.PROVED
         return self.claims.prove("coset-sums", {"holds": holds}, work=self.terms + self.m)
 
     def _sum_rules(self) -> int:
-        k = as_integer(self.found["SD602"].witness["order"])
+        k = as_integer(self.found[rules.SUM_RULES].witness["order"])
         return self.claims.prove("total-sum-rules", {"order": k}, work=(self.terms + self.m) * comb(k + self.s, self.s))
 
     def _sum_rules_and_generation(self, finding: Finding) -> list[int]:
@@ -120,10 +131,12 @@ class _Proof:
         return directional_norms(self.claims, finding, self._factor())
 
     def _matrix_norm(self) -> int:
-        return matrix_norm(self.claims, self.found["SD606"], self._sum_rules())
+        return matrix_norm(self.claims, self.found[rules.MATRIX_NORMS], self._sum_rules())
 
     def _pairs(self, order: int = 1) -> int:
-        return pairs(self.claims, self.found["SD607"], order, self._coset_sums(), self.s, self._factor())
+        return pairs(
+            self.claims, self.found[rules.DIRECTIONAL_SMOOTHNESS], order, self._coset_sums(), self.s, self._factor()
+        )
 
     def _positive(self) -> int:
         uses, work = [self._coset_sums()], self.terms * self.s
@@ -137,7 +150,7 @@ class _Proof:
 
     def _differences(self) -> int:
         """The claim that introduces the transition operators on V_k."""
-        space = cast(Map, self.found["SD605"].proof["space"])
+        space = cast(Map, self.found[rules.DIFFERENCE_RADIUS].proof["space"])
         if self._family is None:
             k, n, w = as_integer(space["order"]), len(as_tuple(space["basis"])), len(as_tuple(space["window"]))
             s, m = self.s, self.m
@@ -152,7 +165,7 @@ class _Proof:
     def _radius(self) -> int:
         """The claim on its joint spectral radius from above, or on the number itself."""
         if self._radius_claim is None:
-            proof = self.found["SD605"].proof
+            proof = self.found[rules.DIFFERENCE_RADIUS].proof
             self._differences()
             order = len(as_tuple(cast(Map, proof["space"])["basis"]))
             self._radius_claim = Radii(self.claims, self._families, self.m, []).claim(
@@ -162,33 +175,36 @@ class _Proof:
 
     def _word(self, word: Sequence[int], bound: Fraction) -> int:
         self._differences()
-        order = len(as_tuple(cast(Map, self.found["SD605"].proof["space"])["basis"]))
+        order = len(as_tuple(cast(Map, self.found[rules.DIFFERENCE_RADIUS].proof["space"])["basis"]))
         statement = {"property": "radius-lower", "family": 0, "length": len(word), "bound": rational(bound)}
         return self.claims.prove("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
 
     def _convergent(self) -> int:
-        found = self.found["SD611"]
+        found = self.found[rules.CONVERGENCE]
         holds, by = found.verdict is Verdict.PROVED, found.witness["by"]
-        if by == "SD608":
+        if by == rules.POSITIVE_MASK.code:
             return self._positive()
         rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
-        if by == "SD604":
-            rule, uses = "directional-converges", [self._coset_sums(), *self._norms(self.found["SD604"])]
-        elif by == "SD609":
+        if by == rules.DIRECTIONAL_NORMS.code:
+            rule, uses = (
+                "directional-converges",
+                [self._coset_sums(), *self._norms(self.found[rules.DIRECTIONAL_NORMS])],
+            )
+        elif by == rules.TENSOR_PRODUCT.code:
             return self.factors.say("converges", {"property": "convergent", "holds": holds})[0]
-        elif by == "SD606":
+        elif by == rules.MATRIX_NORMS.code:
             uses = [self._matrix_norm()]
-        elif by == "SD617":
+        elif by == rules.SOBOLEV.code:
             uses = [self._mean_squares(found, lower=True)]
-        elif by == "SD605":
+        elif by == rules.DIFFERENCE_RADIUS.code:
             word = () if holds else as_word(found.witness)
             uses = [self._radius() if holds else self._word(word, Fraction(1)), self._differences()]
         return self.claims.prove(rule, {"property": "convergent", "holds": holds}, uses=uses)
 
     def _stable(self) -> int:
-        found = self.found["SD616"]
+        found = self.found[rules.STABILITY]
         statement = {"property": "stable", "holds": found.verdict is Verdict.PROVED}
-        if found.witness["by"] == "SD603":
+        if found.witness["by"] == rules.BOX_SPLINE.code:
             return self.box.stable(statement)
         if found.proof:
             return gram_sequence(self.claims, found, statement, self._convergent(), self.terms)
@@ -198,33 +214,33 @@ class _Proof:
         if finding.verdict is Verdict.REFUTED:
             return self._not_smooth(finding)
         n = as_integer(finding.witness["order"])
-        if finding.witness["by"] == "SD603":
+        if finding.witness["by"] == rules.BOX_SPLINE.code:
             return self.box.smooth(n)
-        if finding.witness["by"] == "SD607":
+        if finding.witness["by"] == rules.DIRECTIONAL_SMOOTHNESS.code:
             return self._pairs(n)
         return self.claims.prove("smooth", {"order": n}, uses=self._decay(finding))
 
     def _decay(self, finding: Finding) -> list[int]:
         """What bounds the radius from above: that of a family, or mean squares."""
-        if finding.witness["by"] == "SD617":
+        if finding.witness["by"] == rules.SOBOLEV.code:
             return [self._mean_squares(finding, lower=True)]
-        if finding.witness["by"] == "SD606":
+        if finding.witness["by"] == rules.MATRIX_NORMS.code:
             return [self._matrix_norm()]
         return [self._radius(), self._differences()]
 
     def _not_smooth(self, finding: Finding) -> int:
         n, by = as_integer(finding.witness["order"]), finding.witness["by"]
         statement: Json = {"property": "not-smooth", "order": n}
-        if by == "SD603":
+        if by == rules.BOX_SPLINE.code:
             return self.box.not_smooth(n)
-        if by == "SD602":
+        if by == rules.SUM_RULES.code:
             return self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
         below = self._reaching(n)
         return self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])
 
     def _reaching(self, n: int) -> int:
         """ρ_k >= λ^-n: by the number itself where it is known and tells, else by a product."""
-        found = self.found["SD605"].witness
+        found = self.found[rules.DIFFERENCE_RADIUS].witness
         root = cast("Map | None", found.get("root"))
         if root is not None and as_rational(root["low"]) ** self.s * self.m ** (n * as_integer(found["length"])) >= 1:
             return self._radius()
@@ -232,10 +248,10 @@ class _Proof:
         return self._word(word * self.s, Fraction(1, self.m ** (n * len(word))))
 
     def _lower(self, finding: Finding) -> list[int]:
-        if finding.witness["by"] == "SD603":
+        if finding.witness["by"] == rules.BOX_SPLINE.code:
             return [self.box.holder(as_rational(finding.witness["value"]))]
         root = cast("Map | None", finding.witness.get("root"))
-        if root is not None and self.found["SD616"].verdict is Verdict.PROVED:
+        if root is not None and self.found[rules.STABILITY].verdict is Verdict.PROVED:
             return [self._exponent(finding, root)]
         bound = rational(as_rational(root["high"] if root is not None else finding.witness["bound"]))
         statement = {"length": finding.witness["length"], "bound": bound}
@@ -243,11 +259,11 @@ class _Proof:
         return [self.claims.prove("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
 
     def _upper(self, finding: Finding) -> list[int]:
-        if finding.witness["by"] == "SD603":
+        if finding.witness["by"] == rules.BOX_SPLINE.code:
             return [self.box.holder(as_rational(finding.witness["value"]))]
-        root = cast("Map | None", self.found["SD614"].witness.get("root"))
+        root = cast("Map | None", self.found[rules.HOLDER_LOWER].witness.get("root"))
         if root is not None:
-            return [self._exponent(self.found["SD614"], root)]
+            return [self._exponent(self.found[rules.HOLDER_LOWER], root)]
         bound = as_rational(finding.witness["radius"])
         statement = {"length": finding.witness["length"], "bound": rational(bound)}
         below = self._word(as_word(finding.witness), bound)
@@ -264,7 +280,7 @@ class _Proof:
 
     def _sobolev(self, finding: Finding) -> int:
         found = finding.witness
-        if found["by"] == "SD603":
+        if found["by"] == rules.BOX_SPLINE.code:
             return self.box.sobolev(as_rational(found["value"]))
         return self._mean_squares(finding, lower=not found["holds"])
 
@@ -272,7 +288,7 @@ class _Proof:
         """The claim on s by the growth of mean squares, or on its bound from below."""
         found = finding.proof
         f, cofactor = as_tuple(found["polynomial"]), as_tuple(found["cofactor"])
-        degree, k = len(f) + len(cofactor) - 2, as_integer(self.found["SD602"].witness["order"])
+        degree, k = len(f) + len(cofactor) - 2, as_integer(self.found[rules.SUM_RULES].witness["order"])
         size = as_integer(found["pairs"]) + 4 * as_integer(found["window"])
         of_root: Json = {
             "property": "sobolev-lower" if lower else "sobolev",
@@ -289,7 +305,7 @@ class _Proof:
         )
 
     def _reproduction(self, finding: Finding) -> int:
-        r, k = as_integer(finding.witness["degree"]), as_integer(self.found["SD602"].witness["order"])
+        r, k = as_integer(finding.witness["degree"]), as_integer(self.found[rules.SUM_RULES].witness["order"])
         work = self.terms * comb(min(r + 1, k - 1) + self.s, self.s)
         return self.claims.prove("reproduction", {"degree": r}, uses=[self._sum_rules()], work=work)
 

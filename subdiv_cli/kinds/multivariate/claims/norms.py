@@ -5,10 +5,11 @@ from __future__ import annotations
 from math import prod
 from typing import cast
 
-from subdiv_cli.certificate.claims import Claims, rational
+from subdiv_cli.certificate.claims import Claims
 from subdiv_cli.certificate.radius import spelled
 from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple
 from subdiv_cli.model import Data, Finding
+from subdiv_cli.model.closed import rational
 
 
 def matrix_norm(claims: Claims, finding: Finding, sum_rules: int) -> int:

@@ -6,9 +6,11 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple, cast
 
-from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.claims import Claims, Json
 from subdiv_cli.certificate.witness import as_rational
-from subdiv_cli.model import Finding
+from subdiv_cli.model import Finding, Question
+from subdiv_cli.model.closed import rational
+from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV
 
 
 class PartCertificate(NamedTuple):
@@ -16,8 +18,8 @@ class PartCertificate(NamedTuple):
 
     variables: tuple[int, ...]
     document: Json
-    said: Mapping[str, Sequence[Json]]
-    """The statements of each finding, by its code."""
+    stated: Mapping[Question, Sequence[Json]]
+    """The statements that answer each question."""
 
 
 class Factors:
@@ -43,7 +45,7 @@ class Factors:
 
     def holder_lower(self, finding: Finding) -> list[int]:
         """The exponent, or the bound from below, of the factor that the finding names."""
-        return self._of_one("of-factor", finding, ("SD311", "SD614"))
+        return self._of_one("of-factor", finding, HOLDER_LOWER)
 
     def holder_upper(self, finding: Finding, below: Finding) -> list[int]:
         """By the exponent itself, where that is what the finding from below says."""
@@ -52,16 +54,16 @@ class Factors:
             said = [self._claims.statement(number)["statement"]["property"] for number in claims]
             if said and said[0] != "holder-lower":
                 return claims
-        return self._of_one("at-most-factor", finding, ("SD312", "SD615"))
+        return self._of_one("at-most-factor", finding, HOLDER_UPPER)
 
     def sobolev(self, finding: Finding) -> list[int]:
         """As `holder_lower`."""
-        return self._of_one("of-factor", finding, ("SD321", "SD617"))
+        return self._of_one("of-factor", finding, SOBOLEV)
 
-    def _of_one(self, rule: str, finding: Finding, codes: Sequence[str]) -> list[int]:
+    def _of_one(self, rule: str, finding: Finding, question: Question) -> list[int]:
         """Nothing where a certificate that is asked does not say it."""
         between = finding.witness.get("between")
-        said = {part.variables: [s for code in codes for s in part.said.get(code, ())] for part in self._parts}
+        said = {part.variables: part.stated.get(question, ()) for part in self._parts}
         variables = cast("tuple[int, ...]", finding.witness["variables"])
         if not said[variables] or (between is not None and not all(said.values())):
             return []

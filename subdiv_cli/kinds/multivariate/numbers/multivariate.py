@@ -9,6 +9,7 @@ from math import prod
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import Product
 from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.kind import Part
 from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import BoxSpline, box_spline
 from subdiv_cli.kinds.multivariate.numbers.coset_sums import coset_sums, sum_rule_order
@@ -21,7 +22,6 @@ from subdiv_cli.kinds.multivariate.numbers.mean_squares import MeanSquares, mean
 from subdiv_cli.kinds.multivariate.numbers.quasi_interpolation import QuasiInterpolation, quasi_interpolation
 from subdiv_cli.kinds.multivariate.numbers.reproduction import Reproduction, reproduction
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
-from subdiv_cli.kinds.multivariate.numbers.tensor import Part
 from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
 from subdiv_cli.model import Effort
 

@@ -14,7 +14,6 @@ from typing import NamedTuple
 from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.model import Finding
 
 Variables = tuple[int, ...]
 Terms = Mapping[Index, Fraction]
@@ -25,28 +24,6 @@ class Factor(NamedTuple):
 
     variables: Variables
     scheme: ScalarScheme | MultivariateScheme
-
-
-class Part(NamedTuple):
-    """A factor and what its own stages have found, by code: the first finding of each."""
-
-    variables: Variables
-    scheme: ScalarScheme | MultivariateScheme
-    found: Mapping[str, Finding]
-
-    def finding(self, univariate: str, multivariate: str) -> Finding:
-        """The one with the code that its kind has."""
-        return self.found[univariate if isinstance(self.scheme, ScalarScheme) else multivariate]
-
-    def following(self) -> Finding | None:
-        """On the first C^n that is not proved, where there is one."""
-        return self.found.get("SD303" if isinstance(self.scheme, ScalarScheme) else "SD613")
-
-    @property
-    def name(self) -> str:
-        """`z1`, `(z2, z3)`."""
-        names = ", ".join(f"z{i + 1}" for i in self.variables)
-        return names if len(self.variables) == 1 else f"({names})"
 
 
 def tensor_factors(scheme: MultivariateScheme, lattice: Lattice) -> tuple[Factor, ...]:

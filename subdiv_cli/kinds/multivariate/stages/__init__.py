@@ -1,1 +1,78 @@
-"""The stages of schemes in several variables, SD6xx: one theorem, or one family of conditions, per file."""
+"""The stages of schemes in several variables: a function `run(numbers, facts)` for each theorem, in order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from subdiv_cli.kinds.kind import Analysis, Part, Stage, run_stages
+from subdiv_cli.kinds.multivariate.lattice import Lattice
+from subdiv_cli.kinds.multivariate.numbers.box_spline import box_spline
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.kinds.multivariate.numbers.symmetries import facts
+from subdiv_cli.kinds.multivariate.numbers.tensor import Factor, tensor_factors
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.kinds.multivariate.stages import (
+    box_splines,
+    convergence,
+    coset_sums,
+    difference_radius,
+    directional_norms,
+    directional_smoothness,
+    exponent,
+    matrix_norms,
+    positive_mask,
+    quasi_interpolation,
+    reproduction,
+    smoothness,
+    sobolev,
+    stability,
+    tensor_products,
+    total_sum_rules,
+)
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.kinds.scalar.stages import analyse as analyse_univariate
+from subdiv_cli.model import Effort
+
+STAGES: tuple[Stage, ...] = (
+    coset_sums.run,
+    total_sum_rules.run,
+    box_splines.run,
+    tensor_products.run,
+    directional_norms.run,
+    difference_radius.run,
+    positive_mask.run,
+    directional_smoothness.run,
+    matrix_norms.run,
+    convergence.run,
+    stability.run,
+    smoothness.run,
+    exponent.run,
+    sobolev.run,
+    reproduction.run,
+    quasi_interpolation.run,
+)
+
+
+def analyse(scheme: MultivariateScheme, effort: Effort) -> Analysis:
+    """What all stages find under the effort, of each factor of a tensor product first."""
+    lattice = Lattice(scheme.dilation)
+    parts: tuple[Part, ...] = ()
+    if box_spline(scheme, lattice) is None:
+        parts = _analysed(tensor_factors(scheme, lattice), effort)
+    numbers = MultivariateNumbers(scheme, effort, parts)
+    return Analysis(scheme, facts(numbers), run_stages(numbers, STAGES), numbers, parts=parts)
+
+
+def _analysed(factors: Sequence[Factor], effort: Effort) -> tuple[Part, ...]:
+    """Equal ones once."""
+    done: list[Part] = []
+    for variables, scheme in factors:
+        known = next((part.analysis for part in done if part.scheme == scheme), None)
+        done.append(Part(variables, known or _of_factor(scheme, effort)))
+    return tuple(done)
+
+
+def _of_factor(scheme: ScalarScheme | MultivariateScheme, effort: Effort) -> Analysis:
+    if isinstance(scheme, MultivariateScheme):
+        return analyse(scheme, effort)
+    return analyse_univariate(scheme, effort)

@@ -12,13 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.scheme import Index
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD603", "box-spline", "de Boor, Höllig & Riemenschneider 1993, chapters I and II")
+RULE = rules.BOX_SPLINE
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -14,31 +14,38 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.stages import tensor_products
-from subdiv_cli.kinds.multivariate.stages.rule import Facts, growth_proof, verdict_of
-from subdiv_cli.kinds.scalar.stages.stage import ContradictionError, Rule, product_name
+from subdiv_cli.kinds.multivariate.stages.rule import growth_proof
+from subdiv_cli.kinds.scalar.stages.stage import product_name
 from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD611", "surface-convergence", "Han & Jia 1998, Theorem 4.3; Dyn 1992, section 6")
+RULE = rules.CONVERGENCE
 
 _QUESTION = "does S converge uniformly?"
 _NORMS = {
-    "SD604": "the directional differences contract",
-    "SD608": "the mask is positive on a box",
-    "SD606": "a matrix scheme of differences contracts",
+    rules.DIRECTIONAL_NORMS.code: "the directional differences contract",
+    rules.POSITIVE_MASK.code: "the mask is positive on a box",
+    rules.MATRIX_NORMS.code: "a matrix scheme of differences contracts",
 }
 """What proves it with a few numbers."""
 
 
 def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    sums, found = (verdict_of(facts, code) for code in ("SD601", "SD605"))
+    sums, found = (facts.find(rule) for rule in (rules.COSET_SUMS, rules.DIFFERENCE_RADIUS))
     norms = next((code for code in _NORMS if code in facts), None)
     if sums is not None and sums.verdict is Verdict.REFUTED:
-        return (RULE.refuted(f"S does not converge uniformly to a non-zero limit: {sums.statement}", {"by": "SD601"}),)
+        return (
+            RULE.refuted(
+                f"S does not converge uniformly to a non-zero limit: {sums.statement}", {"by": rules.COSET_SUMS.code}
+            ),
+        )
     if numbers.parts:
         yes, no = "S converges uniformly: its factors do", "S does not converge uniformly: its factor in {} does not"
-        return (tensor_products.follows(RULE, _QUESTION, numbers.parts, tensor_products.convergence, yes, no),)
+        return (tensor_products.follows(RULE, _QUESTION, numbers.parts, questions.CONVERGENCE, yes, no),)
     radius, product = (numbers.radius, numbers.product) if found and found.verdict is Verdict.PROVED else (None, None)
     diverges = product is not None and product.compare(Fraction(1)) >= 0
     k = numbers.order
@@ -47,14 +54,18 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
             raise ContradictionError(f"S converges and ρ_{k} is at least 1")
         if norms is not None:
             return (RULE.proved(f"S converges uniformly: {_NORMS[norms]}", {"by": norms}),)
-        return (RULE.proved(f"S converges uniformly: the coset sums are 1 and ρ_{k} < 1", {"by": "SD605"}),)
+        return (
+            RULE.proved(
+                f"S converges uniformly: the coset sums are 1 and ρ_{k} < 1", {"by": rules.DIFFERENCE_RADIUS.code}
+            ),
+        )
     if (mean := numbers.mean_decay) is not None and mean < 1:
         statement = (
             f"S converges uniformly: the mean squares of differences of order {k} decay fast enough for ρ_{k} < 1"
         )
-        return (RULE.proved(statement, {"by": "SD617"}, proof=growth_proof(numbers)),)
+        return (RULE.proved(statement, {"by": rules.SOBOLEV.code}, proof=growth_proof(numbers)),)
     if diverges and product is not None:
         statement = f"S does not converge uniformly: {product_name(product.word)} keeps ρ_{k} ≥ 1"
-        return (RULE.refuted(statement, {"by": "SD605", "word": product.word}),)
+        return (RULE.refuted(statement, {"by": rules.DIFFERENCE_RADIUS.code, "word": product.word}),)
     reason = "no bound of ρ_k below 1 is proved, and no product is known that keeps it above"
     return (RULE.undecided(_QUESTION, (found.reason if found is not None else None) or reason),)

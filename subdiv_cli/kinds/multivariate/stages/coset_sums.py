@@ -12,12 +12,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule, series
+from subdiv_cli.kinds.scalar.stages.stage import series
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD601", "coset-sums", "Dyn 1992, Proposition 6.1")
+RULE = rules.COSET_SUMS
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -17,14 +17,15 @@ from typing import Any
 from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import rounded_up
 from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.difference_space import DifferenceSpace
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
 from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, shown
-from subdiv_cli.kinds.scalar.stages.stage import Rule, product_name
+from subdiv_cli.kinds.scalar.stages.stage import product_name
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD605", "difference-radius", "Jia 1998; Han & Jia 1998; Guglielmi, Wirth & Zennaro 2005")
+RULE = rules.DIFFERENCE_RADIUS
 
 _QUESTION = "how fast do differences decay?"
 

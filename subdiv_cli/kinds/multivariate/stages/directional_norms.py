@@ -13,12 +13,12 @@ Witness: `directions`, `levels`, `norms`.
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD604", "directional-norms", "Dyn 1992, (6.52), (6.53) and Proposition 6.10")
+RULE = rules.DIRECTIONAL_NORMS
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -18,12 +18,12 @@ Witness: `directions`, pairs; `levels`, `norms`. `proof`: `quotients`, a/(G_i G_
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD607", "directional-smoothness", "Dyn 1992, Corollary 7.9 and Proposition 6.10")
+RULE = rules.DIRECTIONAL_SMOOTHNESS
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

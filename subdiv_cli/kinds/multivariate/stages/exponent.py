@@ -24,23 +24,24 @@ from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import rounded_down, rounded_up
 from subdiv_cli.jsr.products import radius_bound
 from subdiv_cli.jsr.result import root_data
+from subdiv_cli.kinds.kind import Facts, Part
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.numbers.tensor import Part
 from subdiv_cli.kinds.multivariate.stages import tensor_products
 from subdiv_cli.kinds.multivariate.stages.rule import (
     ANISOTROPIC,
-    Facts,
     growth_proof,
     not_spanning,
     spanning,
     surface_exponent,
 )
 from subdiv_cli.kinds.scalar.stages.joint_radius import shown
-from subdiv_cli.kinds.scalar.stages.stage import Rule, product_name, verdict
+from subdiv_cli.kinds.scalar.stages.stage import product_name
 from subdiv_cli.model import Data, Finding, Interval, Verdict, logarithm, unpowered
+from subdiv_cli.model import findings as questions
 
-BELOW = Rule("SD614", "surface-holder-lower", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
-ABOVE = Rule("SD615", "surface-holder-upper", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
+BELOW = rules.HOLDER_LOWER
+ABOVE = rules.HOLDER_UPPER
 
 _BELOW, _ABOVE = "how regular are the limit functions at least?", "how regular is φ at most?"
 
@@ -57,7 +58,7 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if numbers.radius is None:
         none = "no bound of the decay of differences is known"
         return (_in_the_mean(numbers) or BELOW.undecided(_BELOW, none), ABOVE.undecided(_ABOVE, none))
-    stably = verdict(facts, "SD616") is Verdict.PROVED
+    stably = facts.verdict(rules.STABILITY) is Verdict.PROVED
     return (_below(numbers, stably), _above(numbers, stably))
 
 
@@ -66,16 +67,16 @@ def _of_box_spline(depth: int) -> tuple[Finding, ...]:
         reason = "φ is a box spline that is not continuous"
         return (BELOW.skipped(_BELOW, reason), ABOVE.skipped(_ABOVE, reason))
     alpha = Fraction(depth - 1)
-    witness: dict[str, Data] = {"by": "SD603", "value": alpha}
+    witness: dict[str, Data] = {"by": rules.BOX_SPLINE.code, "value": alpha}
     below, above = f"α ≥ {alpha}: {spanning(depth - 1)}", f"α ≤ {alpha}: {not_spanning(depth)}"
     return (BELOW.proved(below, witness, interval(alpha), alpha), ABOVE.proved(above, witness, interval(alpha), alpha))
 
 
 def _least_of(parts: tuple[Part, ...]) -> Finding:
-    found = tensor_products.least(parts, tensor_products.holder_lower)
+    found = tensor_products.least(parts, questions.HOLDER_LOWER)
     if found is None:
         return BELOW.undecided(_BELOW, "the exponents of the factors are not seen to be positive, or not compared")
-    part, exact = tensor_products.holder_lower(found.part), found.is_exact
+    part, exact = found.part.finding(questions.HOLDER_LOWER), found.is_exact
     value = part.value or Interval()
     text = _shown(part) if exact else rounded_down(value.lower or 0.0)
     statement = f"α {'=' if exact else '≥'} {text}, the least exponent of a factor: {found.part.name}"
@@ -85,14 +86,14 @@ def _least_of(parts: tuple[Part, ...]) -> Finding:
 
 
 def _least_above(parts: tuple[Part, ...]) -> Finding:
-    part = tensor_products.least_upper(parts, tensor_products.holder_upper)
+    part = tensor_products.least_upper(parts, questions.HOLDER_UPPER)
     if part is None:
         return ABOVE.undecided(_ABOVE, "no bound is known for a factor")
-    found = tensor_products.holder_upper(part)
+    found = part.finding(questions.HOLDER_UPPER)
     assert found.value is not None
-    exact = tensor_products.holder_lower(part)
+    exact = part.finding(questions.HOLDER_LOWER)
     text = _shown(exact) if exact.closed is not None else rounded_up(found.value.upper or 0.0)
-    witness: dict[str, Data] = {"by": "SD609", "variables": part.variables}
+    witness: dict[str, Data] = {"by": rules.TENSOR_PRODUCT.code, "variables": part.variables}
     return ABOVE.proved(f"α ≤ {text}, an exponent of a factor: {part.name}", witness, Interval(upper=found.value.upper))
 
 
@@ -104,7 +105,7 @@ def _shown(found: Finding) -> str:
 def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
     radius, m, s, k = numbers.radius, numbers.lattice.index, numbers.dimension, numbers.order
     assert radius is not None
-    witness: dict[str, Data] = {"by": "SD605", "length": radius.upper[0]}
+    witness: dict[str, Data] = {"by": rules.DIFFERENCE_RADIUS.code, "length": radius.upper[0]}
     if radius.exact is not None and (exact := surface_exponent(m, s, *radius.exact)) is not None:
         value = closed_interval(exact)
         text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
@@ -124,7 +125,7 @@ def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
     if bound is None:
         return None
     lower = _exponent(numbers, 2, bound)
-    witness: dict[str, Data] = {"by": "SD617", "length": 2, "bound": bound}
+    witness: dict[str, Data] = {"by": rules.SOBOLEV.code, "length": 2, "bound": bound}
     statement = f"α ≥ {rounded_down(lower)}, from the mean squares of differences of order {numbers.order}"
     return BELOW.proved(statement, witness, Interval(lower=lower), proof=growth_proof(numbers))
 
@@ -146,7 +147,12 @@ def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
     bound, length = radius_bound(product), len(product.word)
     base, divisor = unpowered(m, length)
     upper = closed_interval(logarithm(base, (1 / bound) ** s, divisor)).upper
-    witness: dict[str, Data] = {"by": "SD605", "word": product.word, "length": length, "radius": bound}
+    witness: dict[str, Data] = {
+        "by": rules.DIFFERENCE_RADIUS.code,
+        "word": product.word,
+        "length": length,
+        "radius": bound,
+    }
     exact = numbers.radius.exact if numbers.radius is not None else None
     closed = surface_exponent(m, s, *exact) if exact is not None else None
     text = (readable(closed) if closed is not None else None) or rounded_up(upper or 0.0)

@@ -18,14 +18,14 @@ multiply it out.
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
 from subdiv_cli.kinds.multivariate.stages.smoothness import proved_by, reaches, threshold
-from subdiv_cli.kinds.scalar.stages.stage import Rule
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD606", "matrix-norms", "Dyn 1992, Propositions 6.8 and 6.10, Theorems 6.9 and 7.5")
+RULE = rules.MATRIX_NORMS
 
 _MORE_ORDERS = 2
 """Orders of differences above n + 1 that are tried for C^n."""

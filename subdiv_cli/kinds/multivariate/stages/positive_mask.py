@@ -13,12 +13,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule
 from subdiv_cli.model import Finding
 
-RULE = Rule("SD608", "positive-mask", "Dyn 1992, Theorem 6.4")
+RULE = rules.POSITIVE_MASK
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -20,14 +20,14 @@ from math import comb
 
 from subdiv_cli.exact.formulas import partial_operator
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.quasi_interpolation import Point, QuasiInterpolation
 from subdiv_cli.kinds.multivariate.scheme import Index
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule, verdict
 from subdiv_cli.model import Data, Finding, Verdict
 
-RULE = Rule("SD619", "surface-quasi-interpolation", "Levin 2003, Corollary 2.4 and section 2.5")
+RULE = rules.QUASI_INTERPOLATION
 
 _QUESTION = "which data have a given polynomial as limit?"
 _MOST_TERMS = 12
@@ -35,7 +35,7 @@ _MOST_TERMS = 12
 
 
 def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if verdict(facts, "SD611") is not Verdict.PROVED:
+    if facts.verdict(rules.CONVERGENCE) is not Verdict.PROVED:
         return (RULE.skipped(_QUESTION, "S is not proved to converge"),)
     d, s = numbers.order - 1, numbers.dimension
     if not numbers.effort.allows(comb(d + s, s) ** 2):

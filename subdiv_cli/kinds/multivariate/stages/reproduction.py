@@ -12,12 +12,13 @@ Witness: `degree`; `shift`, τ; `defect`, a μ of degree r + 1 with another sum 
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule
 from subdiv_cli.model import Data, Finding
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD618", "surface-reproduction", "Levin 2003, section 2; Conti & Hormann 2011; Charina & Conti 2013")
+RULE = rules.REPRODUCTION
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -31,4 +32,5 @@ def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
         why = f"Σ a_α α^μ is not m τ^μ for μ = ({', '.join(map(str, defect))})"
     tau = ", ".join(map(number, shift))
     statement = f"S reproduces the polynomials of total degree {degree} with parameter shift τ = ({tau})"
-    return (RULE.proved(f"{statement}, not {degree + 1}: {why}", witness),)
+    answers = {questions.REPRODUCTION: degree}
+    return (RULE.proved(f"{statement}, not {degree + 1}: {why}", witness, answers=answers),)

@@ -1,17 +1,13 @@
-"""What these stages share: their type, and exponents to the base λ = |det M|^(1/s)."""
+"""What these stages share: words on box splines, and exponents to the base λ = |det M|^(1/s)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from math import gcd
 
 from subdiv_cli.exact.algebraic import isolated, number_of, power
 from subdiv_cli.exact.closed import exponent
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.model import ClosedForm, Data, Finding, Root, unpowered
-
-Facts = Mapping[str, tuple[Finding, ...]]
-Stage = Callable[[MultivariateNumbers, Facts], tuple[Finding, ...]]
+from subdiv_cli.model import ClosedForm, Data, Root, unpowered
 
 ANISOTROPIC = "smoothness is decided for isotropic dilations only"
 
@@ -53,9 +49,3 @@ def growth_proof(numbers: MultivariateNumbers) -> dict[str, Data]:
         "window": found.window,
         "pairs": found.pairs,
     }
-
-
-def verdict_of(facts: Facts, code: str) -> Finding | None:
-    """The only finding with this code."""
-    found = facts.get(code, ())
-    return found[0] if found else None

@@ -18,15 +18,17 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.jsr.products import Product
+from subdiv_cli.kinds.kind import Facts, Part
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.numbers.tensor import Part
 from subdiv_cli.kinds.multivariate.stages import tensor_products
-from subdiv_cli.kinds.multivariate.stages.rule import ANISOTROPIC, Facts, growth_proof, not_spanning, spanning
-from subdiv_cli.kinds.scalar.stages.stage import Rule, integer, product_name, verdict
-from subdiv_cli.model import Finding, Verdict, exact_root
+from subdiv_cli.kinds.multivariate.stages.rule import ANISOTROPIC, growth_proof, not_spanning, spanning
+from subdiv_cli.kinds.scalar.stages.stage import integer, product_name
+from subdiv_cli.model import Data, Finding, Smoothness, Verdict, exact_root
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD612", "surface-smoothness", "Jia 1998; Han 2003; de Boor, Höllig & Riemenschneider 1993, I.36")
-NEXT = Rule("SD613", "surface-next-smoothness", "Jia 1998; de Boor, Höllig & Riemenschneider 1993, I.36")
+RULE = rules.SMOOTHNESS
+NEXT = rules.NEXT_SMOOTHNESS
 
 _QUESTION = "how smooth is φ?"
 
@@ -41,17 +43,21 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if not numbers.lattice.is_isotropic:
         return (RULE.skipped(_QUESTION, ANISOTROPIC),)
     k = numbers.order
-    if numbers.radius is None and numbers.mean_decay is None and not {"SD606", "SD607"} & facts.keys():
+    if (
+        numbers.radius is None
+        and numbers.mean_decay is None
+        and not (rules.MATRIX_NORMS in facts or rules.DIRECTIONAL_SMOOTHNESS in facts)
+    ):
         return (RULE.undecided(_QUESTION, "no bound of the decay of differences is known"),)
     proved = [(n, by) for n in range(k) if (by := proved_by(numbers, facts, n)) is not None]
-    stably = verdict(facts, "SD616") is Verdict.PROVED
+    stably = facts.verdict(rules.STABILITY) is Verdict.PROVED
     if not proved:
         if stably and (obstacle := _obstacle(numbers, 0)) is not None:
             return (RULE.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)
         return (RULE.undecided(_QUESTION, "it is not proved that φ is continuous"),)
     n, by = proved[-1]
-    proof = growth_proof(numbers) if by == "SD617" else None
-    first = RULE.proved(f"φ is C^{n}: {_reason(numbers, n, by)}", _by(n, by), proof=proof)
+    proof = growth_proof(numbers) if by == rules.SOBOLEV.code else None
+    first = _proved(n, _reason(numbers, n, by), by, proof)
     obstacle = _obstacle(numbers, n + 1)
     if obstacle is None or not stably:
         why = "it is not proved that φ is stable" if obstacle else "no product is known that excludes it"
@@ -63,28 +69,35 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
 def _of_box_spline(depth: int) -> tuple[Finding, ...]:
     enough, few = spanning(depth - 1), not_spanning(depth)
     if depth < 2:
-        return (RULE.refuted(f"φ is not continuous: {few}", _by(0, "SD603")),)
+        return (RULE.refuted(f"φ is not continuous: {few}", _by(0, rules.BOX_SPLINE.code)),)
     return (
-        RULE.proved(f"φ is C^{depth - 2}: {enough}", _by(depth - 2, "SD603")),
-        NEXT.refuted(f"φ is not C^{depth - 1}: {few}", _by(depth - 1, "SD603")),
+        _proved(depth - 2, enough, rules.BOX_SPLINE.code),
+        NEXT.refuted(f"φ is not C^{depth - 1}: {few}", _by(depth - 1, rules.BOX_SPLINE.code)),
     )
 
 
 def _of_parts(parts: tuple[Part, ...]) -> tuple[Finding, ...]:
-    found, part = tensor_products.of_all(parts, tensor_products.smoothness)
+    found, part = tensor_products.of_all(parts, questions.SMOOTHNESS)
     if found is Verdict.REFUTED:
-        return (RULE.refuted(f"φ is not continuous: its factor in {part.name} is not", _by(0, "SD609")),)
+        return (
+            RULE.refuted(f"φ is not continuous: its factor in {part.name} is not", _by(0, rules.TENSOR_PRODUCT.code)),
+        )
     if found is Verdict.UNDECIDED:
         return (RULE.undecided(_QUESTION, f"it is not decided for the factor in {part.name}"),)
-    orders = [(_order(tensor_products.smoothness(part)), part) for part in parts]
+    orders = [(_order(part.finding(questions.SMOOTHNESS)), part) for part in parts]
     n = min(order for order, _ in orders)
-    first = RULE.proved(f"φ is C^{n}: its factors are", _by(n, "SD609"))
+    first = _proved(n, "its factors are", rules.TENSOR_PRODUCT.code)
     for order, part in orders:
-        following = part.following()
+        following = part.find(questions.NEXT_SMOOTHNESS)
         if order == n and following is not None and following.verdict is Verdict.REFUTED:
             statement = f"φ is not C^{n + 1}: its factor in {part.name} is not"
-            return (first, NEXT.refuted(statement, _by(n + 1, "SD609")))
+            return (first, NEXT.refuted(statement, _by(n + 1, rules.TENSOR_PRODUCT.code)))
     return (first, NEXT.undecided(f"is φ C^{n + 1}?", "it is not excluded for any factor"))
+
+
+def _proved(n: int, why: str, by: str, proof: dict[str, Data] | None = None) -> Finding:
+    answers = {questions.SMOOTHNESS: Smoothness(n)}
+    return RULE.proved(f"φ is C^{n}: {why}", _by(n, by), proof=proof, answers=answers)
 
 
 def _order(found: Finding) -> int:
@@ -98,11 +111,11 @@ def _by(order: int, code: str) -> dict[str, int | str]:
 
 
 def _reason(numbers: MultivariateNumbers, n: int, by: str) -> str:
-    if by == "SD607":
+    if by == rules.DIRECTIONAL_SMOOTHNESS.code:
         return "the quotients by two directional factors contract"
-    if by == "SD606":
+    if by == rules.MATRIX_NORMS.code:
         return "a matrix scheme of differences contracts"
-    mean = ", by the mean squares of differences" if by == "SD617" else ""
+    mean = ", by the mean squares of differences" if by == rules.SOBOLEV.code else ""
     return f"ρ_{numbers.order} < {threshold(numbers, n)}{mean}"
 
 
@@ -117,15 +130,22 @@ def threshold(numbers: MultivariateNumbers, n: int) -> str:
 
 def proved_by(numbers: MultivariateNumbers, facts: Facts, n: int) -> str | None:
     """The code of what proves C^n: ρ_k < λ^-n, by x^s m^(n length) < 1 for ρ_k^length <= x; or norms."""
-    bounds = {"SD605": numbers.radius and numbers.radius.upper, "SD617": (2, numbers.mean_decay)}
+    bounds = {
+        rules.DIFFERENCE_RADIUS.code: numbers.radius and numbers.radius.upper,
+        rules.SOBOLEV.code: (2, numbers.mean_decay),
+    }
     for code, pair in bounds.items():
         if pair is not None and (bound := pair[1]) is not None:
             length = pair[0]
             if bound**numbers.dimension * numbers.lattice.index ** (n * length) < 1:
                 return code
-    if "SD607" in facts and n <= 1:
-        return "SD607"
-    return "SD606" if "SD606" in facts and n <= integer(facts["SD606"][0], "smooth") else None
+    if rules.DIRECTIONAL_SMOOTHNESS in facts and n <= 1:
+        return rules.DIRECTIONAL_SMOOTHNESS.code
+    return (
+        rules.MATRIX_NORMS.code
+        if rules.MATRIX_NORMS in facts and n <= integer(facts[rules.MATRIX_NORMS], "smooth")
+        else None
+    )
 
 
 def reaches(numbers: MultivariateNumbers, product: Product, n: int) -> bool:
@@ -145,4 +165,4 @@ def _obstacle(numbers: MultivariateNumbers, n: int) -> str | None:
 
 
 def _witness(numbers: MultivariateNumbers, n: int) -> dict[str, int | str]:
-    return _by(n, "SD602" if n >= numbers.order else "SD605")
+    return _by(n, rules.SUM_RULES.code if n >= numbers.order else rules.DIFFERENCE_RADIUS.code)

@@ -21,15 +21,16 @@ from flint import arb, ctx
 from subdiv_cli.exact.closed import closed_ball, closed_interval, readable
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, number, rounded_down
+from subdiv_cli.kinds.kind import Facts, Part
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.numbers.tensor import Part
 from subdiv_cli.kinds.multivariate.stages import tensor_products
-from subdiv_cli.kinds.multivariate.stages.rule import ANISOTROPIC, Facts, growth_proof, surface_exponent
+from subdiv_cli.kinds.multivariate.stages.rule import ANISOTROPIC, growth_proof, surface_exponent
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth
-from subdiv_cli.kinds.scalar.stages.stage import Rule, verdict
 from subdiv_cli.model import Data, Finding, Interval, Root, Verdict
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD617", "surface-sobolev", "Jia 1999; Han 2003; de Boor, Höllig & Riemenschneider 1993, chapter I")
+RULE = rules.SOBOLEV
 
 _QUESTION = "how regular is φ in L2?"
 
@@ -48,20 +49,20 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (RULE.undecided(_QUESTION, "the operator on correlations is too large for this effort"),)
     if found.growth is None:
         return (RULE.undecided(_QUESTION, "the growth of the mean squares is a multiple zero of its polynomial"),)
-    return (_found(numbers, found.growth, verdict(facts, "SD616") is Verdict.PROVED),)
+    return (_found(numbers, found.growth, facts.verdict(rules.STABILITY) is Verdict.PROVED),)
 
 
 def _of_box_spline(depth: int) -> Finding:
     s = depth - Fraction(1, 2)
     statement = f"s = {s}: {depth} directions must go until the others do not span"
-    return RULE.proved(statement, {"by": "SD603", "value": s}, interval(s), s)
+    return RULE.proved(statement, {"by": rules.BOX_SPLINE.code, "value": s}, interval(s), s)
 
 
 def _least_of(parts: tuple[Part, ...]) -> Finding:
-    found = tensor_products.least(parts, tensor_products.sobolev)
+    found = tensor_products.least(parts, questions.SOBOLEV)
     if found is None:
         return RULE.undecided(_QUESTION, "the exponents of the factors are not seen to be positive, or not compared")
-    part, witness = tensor_products.sobolev(found.part), tensor_products.least_witness(found)
+    part, witness = found.part.finding(questions.SOBOLEV), tensor_products.least_witness(found)
     value = part.value or Interval()
     if not found.is_exact:
         statement = f"s ≥ {rounded_down(value.lower or 0.0)}, the least exponent of a factor: {found.part.name}"
@@ -76,7 +77,7 @@ def _found(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Findin
     m, dimension, k = numbers.lattice.index, numbers.dimension, numbers.order
     root = Root(tuple(int(c) for c in growth.radius.minimal_polynomial), growth.low, growth.high)
     witness: dict[str, Data] = {
-        "by": "SD602",
+        "by": rules.SUM_RULES.code,
         "polynomial": root.coefficients,
         "low": growth.low,
         "high": growth.high,

@@ -16,14 +16,15 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.gram import LEAF, Gram
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.stages import tensor_products
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule, verdict
 from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD616", "surface-stability", "Jia & Micchelli 1991; de Boor, Höllig & Riemenschneider 1993, II.57")
+RULE = rules.STABILITY
 
 _QUESTION = "are the integer translates of φ stable?"
 
@@ -34,15 +35,21 @@ def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if (box := numbers.box) is not None:
         if box.is_unimodular:
             statement = "φ is stable: the directions of the box spline are unimodular"
-            return (RULE.proved(statement, {"by": "SD603"}),)
-        return (RULE.refuted("φ is not stable: some directions have a determinant beyond ±1", {"by": "SD603"}),)
-    if verdict(facts, "SD611") is not Verdict.PROVED:
+            return (RULE.proved(statement, {"by": rules.BOX_SPLINE.code}),)
+        return (
+            RULE.refuted(
+                "φ is not stable: some directions have a determinant beyond ±1", {"by": rules.BOX_SPLINE.code}
+            ),
+        )
+    if facts.verdict(rules.CONVERGENCE) is not Verdict.PROVED:
         return (RULE.undecided(_QUESTION, "φ is no box spline, and it is not proved that the scheme converges"),)
     if numbers.parts:
         yes, no = "φ is stable: its factors are", "φ is not stable: its factor in {} is not"
-        return (tensor_products.follows(RULE, _QUESTION, numbers.parts, tensor_products.stability, yes, no),)
+        return (tensor_products.follows(RULE, _QUESTION, numbers.parts, questions.STABILITY, yes, no),)
     if numbers.is_interpolatory:
-        return (RULE.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": "SD611"}),)
+        return (
+            RULE.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": rules.CONVERGENCE.code}),
+        )
     return (_of_gram_sequence(numbers.gram),)
 
 
@@ -54,10 +61,10 @@ def _of_gram_sequence(found: Gram | None) -> Finding:
         k, n = found.zero
         at = f"2π({', '.join(str(Fraction(x, n)) for x in k)})"
         statement = f"φ is not stable: Σ ∫φφ(·−α) e^(iα·ω) is zero at ω = {at}"
-        return replace(RULE.refuted(statement, {"by": "SD611", "zero": k, "order": n}), proof=proof)
+        return replace(RULE.refuted(statement, {"by": rules.CONVERGENCE.code, "zero": k, "order": n}), proof=proof)
     if found.tree is None:
         return RULE.undecided(_QUESTION, "the symbol of the Gram sequence is not seen to be positive or to have a zero")
     boxes = found.tree.count(LEAF)
     statement = f"φ is stable: Σ ∫φφ(·−α) e^(iα·ω) is positive for all ω, on each of {boxes} boxes"
     proof |= {"tree": found.tree}
-    return RULE.proved(statement, {"by": "SD611", "boxes": boxes}, proof=proof)
+    return RULE.proved(statement, {"by": rules.CONVERGENCE.code, "boxes": boxes}, proof=proof)

@@ -12,49 +12,22 @@ Witness: `parts`, the numbers of the variables, from 0, of each factor.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
 from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts, Part
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.numbers.tensor import Part
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.kinds.scalar.stages.stage import Rule, series
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.scalar.stages.stage import series
+from subdiv_cli.model import Data, Finding, Question, Rule, Verdict
 
-RULE = Rule("SD609", "tensor-product", "Dyn 1992, Proposition 6.3")
-
-Role = Callable[[Part], Finding]
+RULE = rules.TENSOR_PRODUCT
 
 _LEAST_SPARE = Fraction(1, 1000)
 """Exponents that are nearer to each other than four times this, and not rational, are not compared."""
-
-
-def convergence(part: Part) -> Finding:
-    return part.finding("SD201", "SD611")
-
-
-def stability(part: Part) -> Finding:
-    return part.finding("SD402", "SD616")
-
-
-def smoothness(part: Part) -> Finding:
-    return part.finding("SD302", "SD612")
-
-
-def holder_lower(part: Part) -> Finding:
-    return part.finding("SD311", "SD614")
-
-
-def holder_upper(part: Part) -> Finding:
-    return part.finding("SD312", "SD615")
-
-
-def sobolev(part: Part) -> Finding:
-    return part.finding("SD321", "SD617")
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -67,15 +40,15 @@ def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
 
 def _mask(part: Part) -> str:
     scheme = part.scheme
-    if isinstance(scheme, ScalarScheme):
+    if scheme.kind == "scalar":
         arity = "" if scheme.arity == 2 else f" of arity {scheme.arity}"
         return f"the mask {series(scheme.coefficients, number)} from {scheme.start}{arity}"
     return f"a mask of {len(scheme.terms)} coefficients"
 
 
-def of_all(parts: tuple[Part, ...], role: Role) -> tuple[Verdict, Part]:
+def of_all(parts: tuple[Part, ...], question: Question) -> tuple[Verdict, Part]:
     """PROVED where all are, else REFUTED where one is, with it; UNDECIDED with one that is not proved."""
-    findings = [(role(part).verdict, part) for part in parts]
+    findings = [(part.finding(question).verdict, part) for part in parts]
     for wanted in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SKIPPED):
         for found, part in findings:
             if found is wanted:
@@ -83,14 +56,14 @@ def of_all(parts: tuple[Part, ...], role: Role) -> tuple[Verdict, Part]:
     return Verdict.PROVED, parts[0]
 
 
-def follows(rule: Rule, question: str, parts: tuple[Part, ...], role: Role, yes: str, no: str) -> Finding:
+def follows(rule: Rule, asked: str, parts: tuple[Part, ...], question: Question, yes: str, no: str) -> Finding:
     """A property that φ has iff all factors have it; `no` is a sentence with the name of one that has it not."""
-    found, part = of_all(parts, role)
+    found, part = of_all(parts, question)
     if found is Verdict.PROVED:
         return rule.proved(yes, {"by": RULE.code})
     if found is Verdict.REFUTED:
         return rule.refuted(no.format(part.name), {"by": RULE.code})
-    return rule.undecided(question, f"it is not decided for the factor in {part.name}")
+    return rule.undecided(asked, f"it is not decided for the factor in {part.name}")
 
 
 class Least(NamedTuple):
@@ -103,24 +76,24 @@ class Least(NamedTuple):
     """A number that the exponents of factors with other masks are not below, and that of this one not above."""
 
 
-def least(parts: tuple[Part, ...], role: Role) -> Least | None:
-    """By what the findings of a role prove from below; None where an exponent is not seen to be positive."""
-    lower = [_low(role(part)) for part in parts]
+def least(parts: tuple[Part, ...], question: Question) -> Least | None:
+    """By what the answers to a question prove from below; None where an exponent is not seen to be positive."""
+    lower = [_low(part.finding(question)) for part in parts]
     if any(x is None or x <= 0 for x in lower):
         return None
-    for part in sorted(parts, key=lambda each: _low(role(each)) or 0):
-        others = [role(other) for other in parts if other.scheme != part.scheme]
+    for part in sorted(parts, key=lambda each: _low(each.finding(question)) or 0):
+        others = [other.finding(question) for other in parts if other.scheme != part.scheme]
         if not others:
-            return Least(part, role(part).closed is not None, None)
-        if (between := _between(role(part), others)) is not None:
-            return Least(part, role(part).closed is not None, between)
+            return Least(part, part.finding(question).closed is not None, None)
+        if (between := _between(part.finding(question), others)) is not None:
+            return Least(part, part.finding(question).closed is not None, between)
     return None
 
 
 def least_witness(found: Least) -> dict[str, Data]:
     """As SD614 and SD617 have it."""
     between = {} if found.between is None else {"between": found.between}
-    return {"by": "SD609", "variables": found.part.variables, **between}
+    return {"by": rules.TENSOR_PRODUCT.code, "variables": found.part.variables, **between}
 
 
 def _between(found: Finding, others: list[Finding]) -> Fraction | None:
@@ -155,11 +128,13 @@ def _simplest(low: Fraction, high: Fraction) -> Fraction:
     return whole - 1 + 1 / rest
 
 
-def least_upper(parts: tuple[Part, ...], role: Role) -> Part | None:
+def least_upper(parts: tuple[Part, ...], question: Question) -> Part | None:
     """The factor whose exponent has the least upper bound that is proved."""
     known: Iterator[tuple[float, Part]] = (
         (value.upper, part)
         for part in parts
-        if role(part).verdict is Verdict.PROVED and (value := role(part).value) is not None and value.upper is not None
+        if part.finding(question).verdict is Verdict.PROVED
+        and (value := part.finding(question).value) is not None
+        and value.upper is not None
     )
     return min(known, key=lambda pair: pair[0], default=(0.0, None))[1]

@@ -9,17 +9,21 @@ Witness: `order`, the largest k.
 
 from __future__ import annotations
 
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages.rule import Facts
-from subdiv_cli.kinds.scalar.stages.stage import Rule
 from subdiv_cli.model import Finding
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD602", "total-sum-rules", "Jia 1998; Levin 2003, section 2")
+RULE = rules.SUM_RULES
 
 
 def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     k = numbers.order
     if not k:
-        return (RULE.refuted("no sum rules: the coset sums are not all 1", {"order": 0}),)
+        return (
+            RULE.refuted("no sum rules: the coset sums are not all 1", {"order": 0}, answers={questions.SUM_RULES: 0}),
+        )
     generated = {1: "constants", 2: "polynomials of total degree 1"}.get(k, f"polynomials of total degree {k - 1}")
-    return (RULE.proved(f"sum rules of order {k}: {generated} are generated", {"order": k}),)
+    answers = {questions.SUM_RULES: k, questions.GENERATION: k - 1}
+    return (RULE.proved(f"sum rules of order {k}: {generated} are generated", {"order": k}, answers=answers),)

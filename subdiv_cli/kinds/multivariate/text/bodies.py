@@ -9,8 +9,9 @@ from math import prod
 from typing import NamedTuple
 
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme, multiple_of_identity
+from subdiv_cli.kinds.scalar.text import Coefficients, Symbol
 from subdiv_cli.maskfile import laurent
-from subdiv_cli.maskfile.bodies import Coefficients, Symbol, too_precise, zero_mask
+from subdiv_cli.maskfile.bodies import too_precise, zero_mask
 from subdiv_cli.maskfile.bounds import MAX_INDEX, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
 from subdiv_cli.maskfile.laurent import Laurent, TooLargeError, Work, packed

@@ -7,11 +7,9 @@ from pathlib import Path
 
 from subdiv_cli.kinds.multivariate.text.bodies import Tensor
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
-from subdiv_cli.kinds.scalar.text import read_scalar
-from subdiv_cli.maskfile.bodies import Coefficients, Symbol
+from subdiv_cli.kinds.scalar.text import Coefficients, Symbol, body_of, read_scalar
 from subdiv_cli.maskfile.bounds import MAX_COSETS, MAX_DIMENSION
 from subdiv_cli.maskfile.entries import Table
-from subdiv_cli.maskfile.expressions import literal
 from subdiv_cli.maskfile.problems import Fault, KeyPath, MaskFileError, shown
 from subdiv_cli.maskfile.values import described
 
@@ -53,7 +51,7 @@ def _factor(value: object, path: KeyPath, table: Table, parameters: Collection[s
 
 def _file(name: str, beside: str | None) -> Coefficients:
     """The mask of another file at the defaults of its parameters. Raises Fault, the first of what is wrong there."""
-    from subdiv_cli.maskfile.reader import read_path
+    from subdiv_cli.kinds.reading import read_path
 
     file = Path(beside or "-").parent / name
     try:
@@ -63,13 +61,12 @@ def _file(name: str, beside: str | None) -> Coefficients:
     if special:
         raise Fault("SD002", f'"{shown(name)}" is no regular file', "name a mask file, relative to this one")
     try:
-        scheme = read_path(file, kind="scalar").scalar_scheme()
+        return body_of(read_path(file, kind="scalar").scheme())
     except MaskFileError as error:
         first = error.problems[0]
         where = "" if first.line is None else f" on its line {first.line}"
         mend = "name a mask file, relative to this one" if first.code == "SD002" else first.help
         raise Fault(first.code, f'in "{shown(name)}"{where}: {first.message}', mend) from None
-    return Coefficients(arity=scheme.arity, start=scheme.start, entries=tuple(map(literal, scheme.coefficients)))
 
 
 def _agree(factors: tuple[Coefficients | Symbol, ...], dilation: Dilation, table: Table) -> bool:

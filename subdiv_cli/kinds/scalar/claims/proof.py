@@ -10,10 +10,13 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import cast
 
-from subdiv_cli.certificate import radius
-from subdiv_cli.certificate.claims import Claims, Json, rational
+from subdiv_cli.certificate.claims import Claims, Json
 from subdiv_cli.certificate.witness import as_cofactors, as_integer, as_polynomial, as_rational, as_tuple, as_word
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
+from subdiv_cli.kinds.scalar.claims import radius
 from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model.closed import rational
 
 
 class Proof:
@@ -25,16 +28,18 @@ class Proof:
     def __init__(self, p: int, degree: int, findings: Sequence[Finding]) -> None:
         self.p = p
         self.claims = Claims()
-        self.found = {finding.code: finding for finding in findings}
-        self.contractions = [f for f in findings if f.code == "SD301" and f.verdict is Verdict.PROVED]
+        self.found = Facts(findings)
+        self.contractions = [f for f in self.found.all(rules.CONTRACTIVITY) if f.verdict is Verdict.PROVED]
         self.degrees = [degree]
         self.reductions: list[int] = []
-        self.radii = {f.witness["of"]: f for f in findings if f.code == "SD310" and f.verdict is Verdict.PROVED}
+        self.radii = {
+            f.witness["of"]: f for f in findings if f.code == rules.JOINT_RADIUS.code and f.verdict is Verdict.PROVED
+        }
         self.families: list[None] = []
         """One entry for each family that has a number."""
         self._family_claims: dict[tuple[int, int], int] = {}
-        self.orders = {0: as_integer(self.found["SD102"].witness.get("order", 0))}
-        if (reduction := self.found.get("SD403")) is not None:
+        self.orders = {0: as_integer(self.found[rules.SUM_RULES].witness.get("order", 0))}
+        if (reduction := self.found.find(rules.REDUCTION)) is not None:
             self._reduce(reduction.witness)
         self.last = len(self.degrees) - 1
 
@@ -51,7 +56,7 @@ class Proof:
         return self.claims.add(rule, {"property": name or rule, **statement}, witness or {}, uses, work)
 
     def sum_rules(self, mask: int) -> int:
-        witness = self.found["SD102" if mask == 0 else "SD403"].witness
+        witness = self.found[rules.SUM_RULES if mask == 0 else rules.REDUCTION].witness
         quotient = as_polynomial(witness["cofactor_start"], witness["cofactor"])
         order = self.orders[mask]
         work = (self.degrees[mask] + 1) * (order + 1) * self.p
@@ -100,7 +105,9 @@ class Proof:
 
         serves all orders; else the least one that is needed.
         """
-        witness = self.found["SD312"].witness if "SD312" in self.found and mask == self.last else {}
+        witness = (
+            self.found[rules.HOLDER_UPPER].witness if rules.HOLDER_UPPER in self.found and mask == self.last else {}
+        )
         if "radius" not in witness or as_word(witness) != tuple(word):
             return least
         return max(least, as_rational(witness["radius"]))
@@ -122,8 +129,8 @@ class Proof:
 
     def last_stable(self) -> list[int]:
         if not self.last:
-            return self.stable(0, self.found["SD402"].witness)
-        return self.stable(self.last, cast(Mapping[str, Data], self.found["SD403"].witness["stable"]))
+            return self.stable(0, self.found[rules.STABILITY].witness)
+        return self.stable(self.last, cast(Mapping[str, Data], self.found[rules.REDUCTION].witness["stable"]))
 
     def _reduce(self, witness: Mapping[str, Data]) -> None:
         steps = zip(*(as_tuple(witness[key]) for key in ("factors", "starts", "masks")), strict=True)

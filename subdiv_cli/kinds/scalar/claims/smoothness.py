@@ -7,12 +7,14 @@ from fractions import Fraction
 from math import lcm
 from typing import cast
 
-from subdiv_cli.certificate import radius
-from subdiv_cli.certificate.claims import rational
+from subdiv_cli.certificate.radius import root_fields
 from subdiv_cli.certificate.witness import as_integer, as_rational, as_word
+from subdiv_cli.kinds.scalar import rules
+from subdiv_cli.kinds.scalar.claims import radius
 from subdiv_cli.kinds.scalar.claims.proof import Proof
 from subdiv_cli.kinds.scalar.claims.structure import eigen_condition, residue_sums
 from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model.closed import rational
 
 
 def contractivity(proof: Proof, finding: Finding) -> list[int]:
@@ -26,10 +28,12 @@ def convergence(proof: Proof, finding: Finding) -> list[int]:
         uses = proof.contraction(0, finding.witness)
         return [proof.add("converges", {"holds": True}, uses=uses, name="convergent")]
     by = finding.witness["by"]
-    if by == "SD301":
+    if by == rules.CONTRACTIVITY.code:
         reason = proof.obstacle(0, 0, finding.witness)
     else:
-        (reason,) = {"SD101": residue_sums, "SD202": eigen_condition}[str(by)](proof, proof.found[str(by)])
+        (reason,) = {rules.RESIDUE_SUMS.code: residue_sums, rules.EIGEN_CONDITION.code: eigen_condition}[str(by)](
+            proof, proof.found[str(by)]
+        )
     return [proof.add("diverges", {"holds": False}, uses=[reason], name="convergent")]
 
 
@@ -37,8 +41,8 @@ def smoothness(proof: Proof, finding: Finding) -> list[int]:
     if finding.verdict is Verdict.REFUTED:
         return _not_smooth(proof, 0, finding.witness)
     order = as_integer(finding.witness["order"])
-    if finding.witness["by"] == "SD201":
-        uses = proof.contraction(0, proof.found["SD201"].witness)
+    if finding.witness["by"] == rules.CONVERGENCE.code:
+        uses = proof.contraction(0, proof.found[rules.CONVERGENCE].witness)
     else:
         uses = [*proof.contraction(proof.last, proof.contractions[-1].witness), *proof.reductions]
     return [proof.add("smooth", {"order": order}, uses=uses)]
@@ -68,7 +72,7 @@ def holder_lower(proof: Proof, finding: Finding) -> list[int]:
     last, uses = proof.last, [*radius.claims(proof, proof.last), proof.sum_rules(proof.last)]
     root = cast("Mapping[str, Data] | None", finding.witness.get("root"))
     if root is not None and data["rule"] != "norm":
-        statement = {"length": length, **radius.root_fields(root)}
+        statement = {"length": length, **root_fields(root)}
         return [
             proof.add("holder-root", statement, uses=[*uses, stable, *proof.reductions])
             for stable in proof.last_stable()
@@ -136,6 +140,6 @@ def attained(proof: Proof, finding: Finding) -> list[int]:
 
 def _exactly(proof: Proof) -> int | None:
     """The claim that says what α is."""
-    claims = holder_lower(proof, proof.found["SD311"])
+    claims = holder_lower(proof, proof.found[rules.HOLDER_LOWER])
     name = proof.claims.statement(claims[0])["property"]
     return claims[0] if name in ("holder", "holder-root") else None

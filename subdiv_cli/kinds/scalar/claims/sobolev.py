@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from subdiv_cli.certificate.claims import rational
 from subdiv_cli.certificate.witness import as_polynomial, as_rational
 from subdiv_cli.kinds.scalar.claims.proof import Proof
 from subdiv_cli.model import Finding
+from subdiv_cli.model.closed import rational
 
 
 def sobolev(proof: Proof, finding: Finding) -> list[int]:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from subdiv_cli.certificate.claims import Json, rational
+from subdiv_cli.certificate.claims import Json
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rationals, as_tuple
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.claims.proof import Proof
 from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model.closed import rational
 
 
 def residue_sums(proof: Proof, finding: Finding) -> list[int]:
@@ -14,10 +16,14 @@ def residue_sums(proof: Proof, finding: Finding) -> list[int]:
 
 
 def generation(proof: Proof, finding: Finding) -> list[int]:
+    if finding.verdict is Verdict.REFUTED:
+        return [proof.sum_rules(0)]
     return [proof.add("generation", {"degree": proof.orders[0] - 1}, uses=[proof.sum_rules(0)])]
 
 
 def reproduction(proof: Proof, finding: Finding) -> list[int]:
+    if finding.verdict is Verdict.REFUTED:
+        return [proof.sum_rules(0)]
     degree = as_integer(finding.witness["degree"])
     work = (proof.degrees[0] + 1) * (degree + 2) ** 2
     return [proof.add("reproduction", {"degree": degree}, uses=[proof.sum_rules(0)], work=work)]
@@ -35,7 +41,7 @@ def derived(proof: Proof, finding: Finding) -> list[int]:
 def independence(proof: Proof, finding: Finding) -> list[int]:
     statement, work = {"mask": 0, "holds": finding.verdict is Verdict.PROVED}, (proof.degrees[0] + 1) ** 2
     if finding.verdict is Verdict.PROVED:
-        return proof.independent(0, proof.found["SD402"].witness)
+        return proof.independent(0, proof.found[rules.STABILITY].witness)
     witness: Json = {"cycle": finding.witness.get("cycle")}
     if "gcd" in finding.witness:
         witness = {"factor": as_polynomial(0, finding.witness["gcd"])}
@@ -74,5 +80,5 @@ def smoothness_spectrum(proof: Proof, finding: Finding) -> list[int]:
 
 
 def _largest(proof: Proof) -> int:
-    found = proof.found["SD304"]
+    found = proof.found[rules.SMOOTHNESS_SPECTRUM]
     return as_integer(found.witness["nu"]) if "nu" in found.witness else 0

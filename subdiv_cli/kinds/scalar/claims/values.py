@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from subdiv_cli.certificate.claims import Json, rational
+from subdiv_cli.certificate.claims import Json
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_rationals, as_tuple
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.claims import smoothness, structure
 from subdiv_cli.kinds.scalar.claims.proof import Proof
 from subdiv_cli.model import Data, Finding
+from subdiv_cli.model.closed import rational
 
 
 def integer_values(proof: Proof, finding: Finding) -> list[int]:
@@ -17,12 +19,12 @@ def integer_values(proof: Proof, finding: Finding) -> list[int]:
 
 def _values(proof: Proof, finding: Finding, order: int) -> int:
     """Of φ^(order), for mask 0 itself where its own convergence proves that φ is continuous."""
-    found, by = finding.witness, proof.found["SD302"].witness["by"]
+    found, by = finding.witness, proof.found[rules.SMOOTHNESS].witness["by"]
     h = as_polynomial(as_tuple(found["starts"])[order], as_tuple(found["values"])[order])
     own = as_polynomial(as_tuple(found["own_starts"])[order], as_tuple(found["own_values"])[order])
-    direct = by == "SD201" or not proof.last
+    direct = by == rules.CONVERGENCE.code or not proof.last
     mask = 0 if direct else proof.last
-    witness = proof.found["SD201"].witness if by == "SD201" else proof.contractions[-1].witness
+    witness = proof.found[rules.CONVERGENCE].witness if by == rules.CONVERGENCE.code else proof.contractions[-1].witness
     uses = [*proof.contraction(mask, witness), *([] if direct else proof.reductions)]
     length, most = proof.degrees[mask] + 1, len(h["coefficients"])
     many = most if direct else len(own["coefficients"])
@@ -31,16 +33,16 @@ def _values(proof: Proof, finding: Finding, order: int) -> int:
 
 
 def stencils(proof: Proof, finding: Finding) -> list[int]:
-    return [_converges(proof), *integer_values(proof, proof.found["SD501"])]
+    return [_converges(proof), *integer_values(proof, proof.found[rules.INTEGER_VALUES])]
 
 
 def _converges(proof: Proof) -> int:
-    (number,) = smoothness.convergence(proof, proof.found["SD201"])
+    (number,) = smoothness.convergence(proof, proof.found[rules.CONVERGENCE])
     return number
 
 
 def quasi_interpolation(proof: Proof, finding: Finding) -> list[int]:
-    found, values = finding.witness, proof.found["SD501"]
+    found, values = finding.witness, proof.found[rules.INTEGER_VALUES]
     operator, degree = as_rationals(found["operator"]), as_integer(found["degree"])
     stencil = as_polynomial(found["stencil_start"], found["stencil"])
     statement = {"degree": degree, "operator": [rational(q) for q in operator], "stencil": stencil}
@@ -51,14 +53,14 @@ def quasi_interpolation(proof: Proof, finding: Finding) -> list[int]:
 
 def approximation_order(proof: Proof, finding: Finding) -> list[int]:
     return [
-        *quasi_interpolation(proof, proof.found["SD503"]),
-        *structure.reproduction(proof, proof.found["SD104"]),
+        *quasi_interpolation(proof, proof.found[rules.QUASI_INTERPOLATION]),
+        *structure.reproduction(proof, proof.found[rules.REPRODUCTION]),
     ]
 
 
 def interpolatory_order(proof: Proof, finding: Finding) -> list[int]:
     order = as_integer(finding.witness["order"])
-    stable = proof.stable(0, proof.found["SD402"].witness)
+    stable = proof.stable(0, proof.found[rules.STABILITY].witness)
     return [proof.add("not-smooth", {"order": order}, uses=[n, proof.sum_rules(0)]) for n in stable]
 
 
@@ -75,7 +77,7 @@ def _bound(proof: Proof, found: Mapping[str, Data]) -> int:
     """‖S_ν^∞ g - S_ν^k g‖ <= C μ^⌊k/L⌋ ‖Δg‖."""
     p, k, nu, norms = proof.p, proof.orders[0], as_integer(found["nu"]), as_rationals(found["norms"])
     uses = [proof.sum_rules(0), *(proof.norm(0, nu + 1, level, norm) for level, norm in enumerate(norms, 1))]
-    first = as_integer(proof.found["SD102"].witness["cofactor_start"]) + (p - 1) * nu
+    first = as_integer(proof.found[rules.SUM_RULES].witness["cofactor_start"]) + (p - 1) * nu
     last = first + proof.degrees[0] - nu * (p - 1)
     statement = {
         "nu": nu,

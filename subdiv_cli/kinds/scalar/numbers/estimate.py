@@ -8,17 +8,39 @@ twice, and the decimals in which the last three values agree are worth showing.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from itertools import islice, pairwise
 from typing import Any
 
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.model import Effort
 
 _LEVELS = 32
 _DIGITS = 50
 _MOST_PLACES = 12
 _AGREEING = 3
+_WORK = 20_000
+"""For the norms of an estimate, whatever the effort: where it is small an estimate is wanted most."""
+
+
+def estimated_exponent(numbers: ScalarNumbers, lower: float | None, upper: float | None) -> str | None:
+    """What norms say of the Hölder exponent, where it is only known to be between bounds wider than that.
+
+    `numbers` are those of the reduced mask. None where it is known better, or where the estimate contradicts bounds.
+    """
+    product = numbers.product
+    if lower is None or upper is None or numbers.effort.struck:
+        return None
+    period = 1 if product is None else len(product.word)
+    found = extrapolated_exponent(numbers.difference(numbers.order), numbers.p, period, Effort(_WORK))
+    if found is None:
+        return None
+    value, places = found
+    low, high, unit = Fraction(lower), Fraction(upper), Fraction(1, 10**places)
+    worth = high - low > unit and low - unit <= Fraction(value) <= high + unit
+    return f"{value:.{places}f}" if worth else None
 
 
 def extrapolated_exponent(d: Laurent, p: int, period: int, effort: Effort) -> tuple[float, int] | None:

@@ -15,10 +15,11 @@ from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated_roots
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import certain, number
+from subdiv_cli.kinds.kind import Analysis
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.operators import refinement_window
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_fractions, support
-from subdiv_cli.kinds.scalar.stages.scalar import Analysis
 from subdiv_cli.model import Data, Verdict
 from subdiv_cli.model.blocks import Anatomy, Curve, Factor, Signal
 
@@ -51,26 +52,38 @@ def anatomy(analysis: Analysis) -> Anatomy:
     numbers = analysis.numbers
     found = _Found({f.code: dict(f.witness) for f in analysis.findings if f.verdict is not Verdict.SKIPPED})
     constant, power, factors = _factored(numbers)
-    quasi, orders = found.witnesses.get("SD503"), found.witnesses.get("SD504")
-    values = found.signals("SD501", "starts", "values")
-    eigenvalues = cast("tuple[tuple[str, ...], ...]", found.witnesses.get("SD202", {}).get("eigenvalues", ()))
-    sequences = cast("tuple[tuple[Fraction, ...], ...]", found.witnesses.get("SD503", {}).get("eigen_sequences", ()))
+    quasi, orders = (
+        found.witnesses.get(rules.QUASI_INTERPOLATION.code),
+        found.witnesses.get(rules.APPROXIMATION_ORDER.code),
+    )
+    values = found.signals(rules.INTEGER_VALUES.code, "starts", "values")
+    eigenvalues = cast(
+        "tuple[tuple[str, ...], ...]", found.witnesses.get(rules.EIGEN_CONDITION.code, {}).get("eigenvalues", ())
+    )
+    sequences = cast(
+        "tuple[tuple[Fraction, ...], ...]",
+        found.witnesses.get(rules.QUASI_INTERPOLATION.code, {}).get("eigen_sequences", ()),
+    )
     return Anatomy(
         mask=Signal(numbers.scheme.start, numbers.scheme.coefficients),
         constant=constant,
         power=power,
         factors=factors,
         components=tuple(Signal(a.low, a.coefficients()) for a in numbers.symbol.components(numbers.p)),
-        derived=found.signals("SD105", "starts", "masks"),
+        derived=found.signals(rules.DERIVED_SCHEMES.code, "starts", "masks"),
         window=refinement_window(numbers.scheme).start,
         matrices=_matrices(numbers),
         eigenvalues=eigenvalues,
         support=support(numbers),
         values=values,
-        stencils=found.signals("SD502", "starts", "stencils"),
-        moments=found.rationals("SD503", "moments"),
-        operator=found.rationals("SD503", "operator"),
-        quasi_stencil=Signal(cast(int, quasi["stencil_start"]), found.rationals("SD503", "stencil")) if quasi else None,
+        stencils=found.signals(rules.LIMIT_STENCILS.code, "starts", "stencils"),
+        moments=found.rationals(rules.QUASI_INTERPOLATION.code, "moments"),
+        operator=found.rationals(rules.QUASI_INTERPOLATION.code, "operator"),
+        quasi_stencil=Signal(
+            cast(int, quasi["stencil_start"]), found.rationals(rules.QUASI_INTERPOLATION.code, "stencil")
+        )
+        if quasi
+        else None,
         eigen_sequences=sequences,
         orders=(cast(int, orders["with_q"]), cast(int, orders["without_q"])) if orders else None,
         curve=_curve(numbers, values[0]) if values else None,

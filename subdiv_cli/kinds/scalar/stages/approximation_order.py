@@ -11,19 +11,21 @@ Witness: `with_q` and `without_q`, the orders.
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.polynomials import parameter_shift
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.integer_values import unusable
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule, integer, verdict
+from subdiv_cli.kinds.scalar.stages.stage import integer
 from subdiv_cli.model import Finding, Verdict
 
-RULE = Rule("SD504", "approximation-order", "Levin 2003, Theorem 2.7")
+RULE = rules.APPROXIMATION_ORDER
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if verdict(facts, "SD503") is not Verdict.PROVED:
+    if facts.verdict(rules.QUASI_INTERPOLATION) is not Verdict.PROVED:
         return (RULE.skipped("to which order are functions approximated?", unusable(facts) or "Q is not known"),)
-    with_q, without_q = numbers.order, integer(facts["SD104"][0], "degree") + 1
+    with_q, without_q = numbers.order, integer(facts[rules.REPRODUCTION], "degree") + 1
     shift = parameter_shift(numbers.symbol, numbers.p) / (numbers.p - 1)
     where = "the integers" if not shift else f"i {'+' if shift > 0 else '-'} {number(abs(shift))}"
     statement = f"S^∞ Q approximates smooth functions to order {with_q}"

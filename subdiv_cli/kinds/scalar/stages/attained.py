@@ -29,13 +29,15 @@ from subdiv_cli.exact.text import number
 from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.products import lyndon_words
 from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule, power, product_name, verdict
+from subdiv_cli.kinds.scalar.stages.stage import power, product_name
 from subdiv_cli.model import Data, Finding, Verdict
 
-RULE = Rule("SD313", "holder-attained", "Rioul 1992; Dyn 1992, section 3")
+RULE = rules.HOLDER_ATTAINED
 
 _QUESTION = "is the Hölder exponent attained?"
 _LEVELS = 6
@@ -48,10 +50,10 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 
 def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
-    lower = facts.get("SD311", ())
+    lower = facts.all(rules.HOLDER_LOWER)
     exact = lower[0].closed if lower else None
     value = lower[0].value if lower else None
-    if exact is None or value is None or verdict(facts, "SD312") is not Verdict.PROVED:
+    if exact is None or value is None or facts.verdict(rules.HOLDER_UPPER) is not Verdict.PROVED:
         return RULE.skipped(_QUESTION, "α is not known exactly")
     if value.upper is None or value.upper <= 0:
         return RULE.skipped(_QUESTION, "φ is not continuous")

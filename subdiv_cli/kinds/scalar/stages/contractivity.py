@@ -23,13 +23,15 @@ from fractions import Fraction
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, number, rounded_up
 from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, shown
 from subdiv_cli.kinds.scalar.stages.obstacles import product_obstacle, threshold
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule, last_difference, power, scaled, series
+from subdiv_cli.kinds.scalar.stages.stage import last_difference, power, scaled, series
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD301", "contractivity", "Dyn 1992, Theorems 3.2 and 3.4")
+RULE = rules.CONTRACTIVITY
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -12,17 +12,20 @@ Witness: `by`, the code of the condition that decides, with its witness.
 
 from __future__ import annotations
 
+from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.contractivity import contraction
-from subdiv_cli.kinds.scalar.stages.stage import ContradictionError, Facts, Rule, Witness, text
+from subdiv_cli.kinds.scalar.stages.stage import text
 from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model.findings import Witness
 
-RULE = Rule("SD201", "convergence", "Dyn 1992, Theorem 3.2")
+RULE = rules.CONVERGENCE
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     first = [contraction(numbers, 1)] if numbers.order else []
-    conditions = (*facts.get("SD101", ()), *first, *facts.get("SD202", ()))
+    conditions = (*facts.all(rules.RESIDUE_SUMS), *first, *facts.all(rules.EIGEN_CONDITION))
     against = next((finding for finding in conditions if finding.verdict is Verdict.REFUTED), None)
     proof = next((finding for finding in first if finding.verdict is Verdict.PROVED), None)
     if against is None and proof is None:
@@ -34,7 +37,7 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         condition = text(proof, "condition")
         return (RULE.proved(f"S converges uniformly: the residue sums are 1 and {condition}", _witness(proof)),)
     if against is not None:
-        limit = " to a non-zero limit" if against.code == "SD101" else ""
+        limit = " to a non-zero limit" if against.code == rules.RESIDUE_SUMS.code else ""
         return (RULE.refuted(f"S does not converge uniformly{limit}: {against.statement}", _witness(against)),)
     return (RULE.undecided("does S converge uniformly?", first[0].reason or ""),)
 

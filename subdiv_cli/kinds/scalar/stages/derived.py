@@ -10,11 +10,13 @@ Witness: `starts` and `masks`, the derived masks for ν = 1, …, k.
 from __future__ import annotations
 
 from subdiv_cli.exact.text import laurent
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, Facts, Rule, derived_names
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, derived_names
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD105", "derived-schemes", "Dyn 1992, Proposition 3.1 and (3.17)")
+RULE = rules.DERIVED_SCHEMES
 
 _LONGEST_MASK = 6
 

@@ -13,19 +13,20 @@ from __future__ import annotations
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber
 from subdiv_cli.exact.text import eigenvalue, modulus, number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.operators import refinement_window
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.spectra import Spectrum, eigen_condition, limit_stencil
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule, verdict
 from subdiv_cli.model import Data, Finding, Verdict
 
-RULE = Rule("SD202", "eigenvalue-condition", "Dyn 1992, Theorem 4.2")
+RULE = rules.EIGEN_CONDITION
 
 _QUESTION = "do the refinement matrices have the simple eigenvalue 1 and all others inside the unit disc?"
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if verdict(facts, "SD101") is not Verdict.PROVED:
+    if facts.verdict(rules.RESIDUE_SUMS) is not Verdict.PROVED:
         return (RULE.skipped(_QUESTION, "the residue sums are not 1"),)
     spectra = numbers.spectra
     if spectra is None:

@@ -17,12 +17,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts, Stage
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.error_bounds import best_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule, Stage, verdict
 from subdiv_cli.model import Data, Finding, Verdict
 
-RULE = Rule("SD511", "error-bound", "Dyn 1992, Corollary 3.3")
+RULE = rules.ERROR_BOUND
 
 _QUESTION = "how close to the limit is the control polygon?"
 
@@ -31,7 +32,7 @@ def stage(tolerance: Fraction) -> Stage:
     """The stage for a tolerance, relative to ‖Δf‖∞."""
 
     def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-        if verdict(facts, "SD201") is not Verdict.PROVED:
+        if facts.verdict(rules.CONVERGENCE) is not Verdict.PROVED:
             return (RULE.skipped(_QUESTION, "S is not proved to converge"),)
         bound = best_bound(numbers, tolerance)
         levels = None if bound is None else bound.levels_for(tolerance)

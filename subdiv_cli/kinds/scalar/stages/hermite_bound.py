@@ -14,19 +14,21 @@ Witness: `order`, ν; `norms` of ((1/p)S_(ν+1))^1, …, ^L; `derived_constant`,
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.error_bounds import hermite_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule, integer, verdict
+from subdiv_cli.kinds.scalar.stages.stage import integer
 from subdiv_cli.model import Data, Finding, Verdict
 
-RULE = Rule("SD512", "hermite-bound", "Dyn 1992, Proposition 4.7")
+RULE = rules.HERMITE_BOUND
 
 _QUESTION = "how close to the limit is its Hermite interpolant?"
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    smooth = verdict(facts, "SD302") is Verdict.PROVED and verdict(facts, "SD201") is Verdict.PROVED
-    order = min(integer(facts["SD302"][0], "order"), numbers.order - 1) if smooth else 0
+    smooth = facts.verdict(rules.SMOOTHNESS) is Verdict.PROVED and facts.verdict(rules.CONVERGENCE) is Verdict.PROVED
+    order = min(integer(facts[rules.SMOOTHNESS], "order"), numbers.order - 1) if smooth else 0
     for nu in range(order - order % 2, 0, -2):
         found = hermite_bound(numbers, nu)
         if found is not None:

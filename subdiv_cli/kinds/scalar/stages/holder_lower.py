@@ -18,12 +18,14 @@ from subdiv_cli.exact.closed import closed_interval, exponent, readable
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import rounded_down
 from subdiv_cli.jsr.result import root_data
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.joint_radius import shown
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, last_difference
 from subdiv_cli.model import Data, Finding, Interval
 
-RULE = Rule("SD311", "holder-lower", "Dyn 1992, section 3; Rioul 1992")
+RULE = rules.HOLDER_LOWER
 
 _QUESTION = "how regular are the limit functions at least?"
 

@@ -18,18 +18,22 @@ from subdiv_cli.exact.closed import exponent, readable
 from subdiv_cli.exact.enclosures import interval
 from subdiv_cli.exact.text import modulus, rounded_up
 from subdiv_cli.jsr.products import radius_bound
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
+from subdiv_cli.kinds.scalar.numbers.estimate import estimated_exponent
 from subdiv_cli.kinds.scalar.numbers.exponents import exponent_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.obstacles import product_text, product_witness
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference
-from subdiv_cli.model import Data, Finding, Interval
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, last_difference
+from subdiv_cli.model import Data, Exponent, Finding, Interval
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD312", "holder-upper", "Cavaretta, Dahmen & Micchelli 1991; Rioul 1992")
+RULE = rules.HOLDER_UPPER
 
 _QUESTION = "how regular is φ at most?"
 
 
-def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
     k, product = numbers.order, numbers.product
     if k == 0:
@@ -38,19 +42,25 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     bound = None if product is None else exponent_bound(product, numbers.p)
     if product is None or bound is None or bound.upper is None or bound.upper > k:
         statement = f"α ≤ {k}, the sum-rule order"
-        return (RULE.proved(statement, witness, Interval(upper=interval(Fraction(k)).upper)),)
+        return (_proved(numbers, facts, statement, witness, interval(Fraction(k)).upper),)
     shown = bound.exact or _exact(numbers) or rounded_up(bound.upper)
     size = modulus(product.eigenvalue)
     statement = (
         f"α ≤ {shown}: {product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
     )
-    return (
-        RULE.proved(
-            statement,
-            {**witness, **product_witness(product), "radius": radius_bound(product)},
-            Interval(upper=bound.upper),
-        ),
-    )
+    witness |= {**product_witness(product), "radius": radius_bound(product)}
+    return (_proved(numbers, facts, statement, witness, bound.upper),)
+
+
+def _proved(
+    numbers: ScalarNumbers, facts: Facts, statement: str, witness: dict[str, Data], upper: float | None
+) -> Finding:
+    """With an estimate beside it, where the exponent is only enclosed."""
+    below = facts[rules.HOLDER_LOWER]
+    lower = below.value.lower if below.value is not None and below.closed is None else None
+    estimate = estimated_exponent(numbers, lower, upper)
+    answer = Exponent(upper=upper, estimate=estimate)
+    return RULE.proved(statement, witness, Interval(upper=upper), answers={questions.HOLDER_UPPER: answer})
 
 
 def _exact(numbers: ScalarNumbers) -> str | None:

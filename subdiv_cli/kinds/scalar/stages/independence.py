@@ -13,11 +13,13 @@ Refuted: `gcd`, or `cycle`, the n.
 from __future__ import annotations
 
 from subdiv_cli.exact.text import laurent
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, Facts, Rule
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED
 from subdiv_cli.model import Finding
 
-RULE = Rule("SD401", "linear-independence", "Jia & Wang 1993; Zhou 1996")
+RULE = rules.INDEPENDENCE
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:

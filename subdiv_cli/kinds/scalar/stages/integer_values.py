@@ -16,25 +16,27 @@ from __future__ import annotations
 from subdiv_cli.exact.formulas import derivative
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers, support
-from subdiv_cli.kinds.scalar.stages.stage import ContradictionError, Facts, Rule, integer, verdict
+from subdiv_cli.kinds.scalar.stages.stage import integer
 from subdiv_cli.model import Data, Finding, Verdict
 
-RULE = Rule("SD501", "integer-values", "Dyn 1992, Theorem 4.2 and Corollary 4.6")
+RULE = rules.INTEGER_VALUES
 
 _QUESTION = "what are the values of φ at the integers?"
 _MOST_SHOWN = 9
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if verdict(facts, "SD302") is not Verdict.PROVED:
+    if facts.verdict(rules.SMOOTHNESS) is not Verdict.PROVED:
         return (RULE.skipped(_QUESTION, "φ is not proved continuous"),)
     reduced = numbers.reduced
     size = -(-reduced.scheme.degree // (numbers.p - 1)) + 2
     if not numbers.effort.allows(size**3 * reduced.weight // 4):
         return (RULE.undecided(_QUESTION, "the refinement matrix is too large for this effort"),)
-    orders = range(integer(facts["SD302"][0], "order") + 1)
+    orders = range(integer(facts[rules.SMOOTHNESS], "order") + 1)
     values = [at_integers(numbers, order) for order in orders]
     own = [at_integers(numbers.reduced, order) for order in orders]
     if sum(values[0].coefficients()) != 1:
@@ -64,6 +66,6 @@ def _line(values: Laurent, order: int) -> str:
 
 def unusable(facts: Facts) -> str | None:
     """Why limits cannot be spoken of with the values of φ; None where they can."""
-    if verdict(facts, "SD201") is not Verdict.PROVED:
+    if facts.verdict(rules.CONVERGENCE) is not Verdict.PROVED:
         return "S is not proved to converge"
-    return None if verdict(facts, "SD501") is Verdict.PROVED else "the values of φ are not known"
+    return None if facts.verdict(rules.INTEGER_VALUES) is Verdict.PROVED else "the values of φ are not known"

@@ -11,12 +11,13 @@ Witness: `order`, k.
 
 from __future__ import annotations
 
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.facts import interpolation_shift
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule
 from subdiv_cli.model import Finding
 
-RULE = Rule("SD505", "interpolatory-order", "Dyn 1992, Theorem 5.1")
+RULE = rules.INTERPOLATORY_ORDER
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -26,14 +26,14 @@ from subdiv_cli.exact.algebraic import number_of
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, is_short, number, rounded_up
 from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.obstacles import product_text
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, Facts, Rule, last_difference, power
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, last_difference, power
 from subdiv_cli.model import Data, Finding, Interval
 
-RULE = Rule(
-    "SD310", "joint-spectral-radius", "Rota & Strang 1960; Guglielmi, Wirth & Zennaro 2005; Dyn 1992, section 4"
-)
+RULE = rules.JOINT_RADIUS
 
 _QUESTION = "what is the joint spectral radius of the last difference scheme?"
 

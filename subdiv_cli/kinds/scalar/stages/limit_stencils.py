@@ -11,13 +11,14 @@ from __future__ import annotations
 
 from subdiv_cli.exact.formulas import stencil
 from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers
 from subdiv_cli.kinds.scalar.stages.integer_values import unusable
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD502", "limit-stencils", "Dyn 1992, Corollaries 4.3 and 4.6")
+RULE = rules.LIMIT_STENCILS
 
 _QUESTION = "how is the limit read off the data of a level?"
 _MOST_WEIGHTS = 7
@@ -26,7 +27,7 @@ _MOST_WEIGHTS = 7
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if (why := unusable(facts)) is not None:
         return (RULE.skipped(_QUESTION, why),)
-    values = facts["SD501"][0].witness["values"]
+    values = facts[rules.INTEGER_VALUES].witness["values"]
     orders = len(values) if isinstance(values, tuple) else 0
     stencils = [at_integers(numbers, order).reversed() for order in range(orders)]
     witness: dict[str, Data] = {

@@ -11,20 +11,22 @@ Witness: `order`, n+1, and either `sum_rule_order`, k, or the product (see obsta
 
 from __future__ import annotations
 
+from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.obstacles import obstacle_to, who_is_stable
-from subdiv_cli.kinds.scalar.stages.stage import ContradictionError, Facts, Rule, integer, verdict
+from subdiv_cli.kinds.scalar.stages.stage import integer
 from subdiv_cli.model import Finding, Verdict
 
-RULE = Rule("SD303", "next-smoothness", "Cavaretta, Dahmen & Micchelli 1991; Dyn 1992, Theorem 5.3")
+RULE = rules.NEXT_SMOOTHNESS
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if verdict(facts, "SD302") is not Verdict.PROVED:
+    if facts.verdict(rules.SMOOTHNESS) is not Verdict.PROVED:
         return (RULE.skipped("is φ smoother than proved?", "no smoothness of φ is proved"),)
-    reduced, proved = numbers.reduced, integer(facts["SD302"][0], "order")
+    reduced, proved = numbers.reduced, integer(facts[rules.SMOOTHNESS], "order")
     if obstacle_to(reduced, proved) is not None:
-        raise ContradictionError(f"C^{proved} is proved by SD302 and refuted by SD303")
+        raise ContradictionError(f"C^{proved} is proved and refuted")
     obstacle = obstacle_to(reduced, proved + 1)
     if obstacle is None:
         reason = "no norm proves it and no short product of transition matrices excludes it; a higher effort may decide"

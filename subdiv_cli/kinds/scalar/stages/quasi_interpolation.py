@@ -14,14 +14,15 @@ from __future__ import annotations
 
 from subdiv_cli.exact.formulas import operator as formula
 from subdiv_cli.exact.formulas import stencil as combination
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.quasi_interpolation import eigen_sequence, moments, operator, stencil
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers
 from subdiv_cli.kinds.scalar.stages.integer_values import unusable
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD503", "quasi-interpolation", "Levin 2003, Corollary 2.4 and section 2.5")
+RULE = rules.QUASI_INTERPOLATION
 
 _MOST_WEIGHTS = 9
 

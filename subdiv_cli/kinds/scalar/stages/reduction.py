@@ -18,13 +18,14 @@ from __future__ import annotations
 from itertools import groupby
 
 from subdiv_cli.exact.text import laurent
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.reduction import Step
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.stability import stability_witness
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule
 from subdiv_cli.model import Data, Finding
 
-RULE = Rule("SD403", "reduction", "Jia & Wang 1993; Zhou 1996")
+RULE = rules.REDUCTION
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -3,18 +3,21 @@
 Theorem (Conti & Hormann 2011): with τ = a'(1)/p, the scheme reproduces π_r iff it generates π_r and
 a^(j)(1) = p·τ(τ-1)…(τ-j+1) for j = 0, …, r. The samples belong to the parameters i + τ/(p-1). An identity of the mask.
 
-Witness: `degree`; `shift`, τ; `defects`, a^(j)(1) - p·Π_(i<j)(τ-i) for j = 0, …, generation degree.
+Witness: `degree`, where there is one; `shift`, τ; `defects`, a^(j)(1) - p·Π_(i<j)(τ-i) for j = 0, …, generation degree.
 """
 
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.polynomials import parameter_shift, reproduction_defects
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, Facts, Rule
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED
 from subdiv_cli.model import Data, Finding
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD104", "reproduction-degree", "Conti & Hormann 2011")
+RULE = rules.REPRODUCTION
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -24,12 +27,14 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     tau = parameter_shift(numbers.symbol, p)
     defects = reproduction_defects(numbers.symbol, p, generation)
     degree = next((j for j, defect in enumerate(defects) if defect), len(defects)) - 1
-    witness: dict[str, Data] = {"degree": degree, "shift": tau, "defects": defects}
+    witness: dict[str, Data] = {"shift": tau, "defects": defects}
     if degree < 0:
         return (RULE.refuted("S does not even reproduce constants", witness),)
+    witness = {"degree": degree, **witness}
     if degree == generation:
         why = f"it generates degree {generation} only"
     else:
         why = f"a^({degree + 1})(1) is off by {number(defects[degree + 1])}"
     statement = f"S reproduces the polynomials of degree {degree} with parameter shift τ = {number(tau)}"
-    return (RULE.proved(f"{statement}, not {degree + 1}: {why}", witness),)
+    answers = {questions.REPRODUCTION: degree}
+    return (RULE.proved(f"{statement}, not {degree + 1}: {why}", witness, answers=answers),)

@@ -10,11 +10,12 @@ Witness: `sums`, the p class sums.
 from __future__ import annotations
 
 from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule
 from subdiv_cli.model import Finding
 
-RULE = Rule("SD101", "residue-sums", "Dyn 1992, Proposition 2.1")
+RULE = rules.RESIDUE_SUMS
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -13,12 +13,15 @@ Witness: `order`, n, and `by`, the code of the finding that proves it; refuted: 
 
 from __future__ import annotations
 
+from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.stages.obstacles import obstacle_to, who_is_stable
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, ContradictionError, Facts, Rule, integer, text, verdict
-from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, integer, text
+from subdiv_cli.model import Finding, Rule, Smoothness, Verdict
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD302", "smoothness", "Dyn 1992, Theorem 3.4")
+RULE = rules.SMOOTHNESS
 
 _QUESTION = "how smooth is φ?"
 
@@ -27,11 +30,11 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if not numbers.is_normalised:
         return (RULE.skipped(_QUESTION, NOT_NORMALISED),)
     reduced = numbers.reduced
-    proved = [finding for finding in facts.get("SD301", ()) if finding.verdict is Verdict.PROVED]
-    converges = verdict(facts, "SD201")
+    proved = [finding for finding in facts.all(rules.CONTRACTIVITY) if finding.verdict is Verdict.PROVED]
+    converges = facts.verdict(rules.CONVERGENCE)
     if not proved and converges is Verdict.PROVED:
         statement = "φ and every limit function are continuous, because S converges"
-        return (RULE.proved(statement, {"order": 0, "by": "SD201"}),)
+        return (_proved(statement, 0, rules.CONVERGENCE),)
     if proved:
         order = integer(proved[-1], "nu") - 1
         scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
@@ -41,7 +44,12 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
             statement += ", but S does not converge"
             if reduced is numbers:
                 raise ContradictionError("a stable φ is continuous and S does not converge")
-        return (RULE.proved(statement, {"order": order, "by": "SD301"}),)
+        return (_proved(statement, order, rules.CONTRACTIVITY),)
     if (obstacle := obstacle_to(reduced, 0)) is not None:
         return (RULE.refuted(f"φ is not continuous: {who_is_stable(numbers)}, and {obstacle[0]}", obstacle[1]),)
     return (RULE.undecided(_QUESTION, "the norms do not prove that φ is continuous"),)
+
+
+def _proved(statement: str, order: int, by: Rule) -> Finding:
+    answers = {questions.SMOOTHNESS: Smoothness(order)}
+    return RULE.proved(statement, {"order": order, "by": by.code}, answers=answers)

@@ -14,26 +14,32 @@ from __future__ import annotations
 
 from typing import cast
 
+from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.spectra import Spectrum, eigen_condition
-from subdiv_cli.kinds.scalar.stages.stage import ContradictionError, Facts, Rule, derived_names, integer, verdict
+from subdiv_cli.kinds.scalar.stages.stage import derived_names, integer
 from subdiv_cli.model import Data, Finding, Verdict
 
-RULE = Rule("SD304", "smoothness-spectrum", "Dyn 1992, Theorem 4.2 and (4.12)")
+RULE = rules.SMOOTHNESS_SPECTRUM
 
 _MOST_LISTED = 6
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    if verdict(facts, "SD202") is not Verdict.PROVED:
+    if facts.verdict(rules.EIGEN_CONDITION) is not Verdict.PROVED:
         reason = "the eigen-condition of S itself is not proved"
         return (RULE.skipped("do the derived schemes meet their eigen-conditions?", reason),)
     spectra = numbers.spectra or ()
     largest = _largest_order(spectra, numbers)
-    stable = verdict(facts, "SD402") is Verdict.PROVED
-    if stable and verdict(facts, "SD302") is Verdict.PROVED and integer(facts["SD302"][0], "order") > largest:
-        raise ContradictionError("a derived scheme converges by SD302 and fails its eigen-condition")
-    eigenvalues = cast("tuple[tuple[str, ...], ...]", facts["SD202"][0].witness["eigenvalues"])
+    stable = facts.verdict(rules.STABILITY) is Verdict.PROVED
+    if (
+        stable
+        and facts.verdict(rules.SMOOTHNESS) is Verdict.PROVED
+        and integer(facts[rules.SMOOTHNESS], "order") > largest
+    ):
+        raise ContradictionError("a derived scheme converges and fails its eigen-condition")
+    eigenvalues = cast("tuple[tuple[str, ...], ...]", facts[rules.EIGEN_CONDITION].witness["eigenvalues"])
     shown = ", ".join(eigenvalues[0][:_MOST_LISTED]) + (", …" if len(spectra[0]) > _MOST_LISTED else "")
     if numbers.order < 2:
         statement = "there is no eigen-condition to meet: sum rules of order 1 only, S_1 cannot converge"

@@ -18,11 +18,13 @@ from flint import fmpq_poly
 
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import laurent
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import Facts, Rule, Witness, verdict
 from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model.findings import Witness
 
-RULE = Rule("SD402", "stability", "Jia & Wang 1993; Zhou 1996")
+RULE = rules.STABILITY
 
 
 def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -30,9 +32,9 @@ def run(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 
 def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
-    independent = verdict(facts, "SD401")
+    independent = facts.verdict(rules.INDEPENDENCE)
     if independent is Verdict.SKIPPED:
-        return RULE.skipped("are the integer translates of φ stable?", facts["SD401"][0].reason or "")
+        return RULE.skipped("are the integer translates of φ stable?", facts[rules.INDEPENDENCE].reason or "")
     if independent is Verdict.PROVED:
         return RULE.proved("φ is stable: its integer translates are linearly independent", stability_witness(numbers))
     g = numbers.polyphase_gcd

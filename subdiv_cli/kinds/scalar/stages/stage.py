@@ -1,80 +1,14 @@
-"""What all stages share: their type, how they answer, and reading the findings of earlier ones."""
+"""What stages have in common: how operators and products are called, and reading the witnesses of earlier findings."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Callable
 from fractions import Fraction
-from typing import NamedTuple
 
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Verdict
-
-Facts = Mapping[str, tuple[Finding, ...]]
-"""The findings so far, by code; a code may have several (one for each ν)."""
-
-Witness = Mapping[str, Data]
+from subdiv_cli.model import Finding
 
 NOT_NORMALISED = "a(1) is not the arity, so there is no refinable function with integral 1"
-
-Stage = Callable[[ScalarNumbers, Facts], tuple[Finding, ...]]
-
-
-class Rule(NamedTuple):
-    """What all findings of a stage share, and the four answers it can give."""
-
-    code: str
-    name: str
-    source: str
-
-    def proved(
-        self,
-        statement: str,
-        witness: Witness,
-        value: Interval | None = None,
-        closed: ClosedForm | None = None,
-        proof: Witness | None = None,
-    ) -> Finding:
-        finding = self._finding(Verdict.PROVED, statement, witness=witness, value=value)
-        return replace(finding, closed=closed, proof=proof or {}) if closed is not None or proof else finding
-
-    def refuted(self, statement: str, witness: Witness) -> Finding:
-        return self._finding(Verdict.REFUTED, statement, witness=witness)
-
-    def undecided(self, question: str, reason: str, witness: Witness | None = None) -> Finding:
-        return self._finding(Verdict.UNDECIDED, question, reason=reason, witness=witness)
-
-    def skipped(self, question: str, reason: str) -> Finding:
-        return self._finding(Verdict.SKIPPED, question, reason=reason)
-
-    def _finding(
-        self,
-        verdict: Verdict,
-        statement: str,
-        reason: str | None = None,
-        witness: Witness | None = None,
-        value: Interval | None = None,
-    ) -> Finding:
-        return Finding(
-            code=self.code,
-            name=self.name,
-            verdict=verdict,
-            statement=statement,
-            source=self.source,
-            reason=reason,
-            value=value,
-            witness=witness or {},
-        )
-
-
-class ContradictionError(Exception):
-    """Two theorems disagree about one scheme: an error in this program, never in the input."""
-
-
-def verdict(facts: Facts, code: str) -> Verdict:
-    """Of the only finding with this code; UNDECIDED where there is none."""
-    found = facts.get(code, ())
-    return found[0].verdict if found else Verdict.UNDECIDED
 
 
 def scaled(numbers: ScalarNumbers, nu: int) -> str:

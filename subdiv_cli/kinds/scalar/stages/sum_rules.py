@@ -9,11 +9,14 @@ Witness: `order`; `cofactor_start` and `cofactor`, the coefficients of q; `remai
 from __future__ import annotations
 
 from subdiv_cli.exact.text import laurent
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, Facts, Rule
+from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED
 from subdiv_cli.model import Data, Finding
+from subdiv_cli.model import findings as questions
 
-RULE = Rule("SD102", "sum-rule-order", "Dyn 1992, (3.15)")
+RULE = rules.SUM_RULES
 
 _LONGEST_COFACTOR = 7
 
@@ -29,11 +32,12 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         "cofactor": cofactor.coefficients(),
         "remainder": remainder.coefficients(),
     }
+    answers = {questions.SUM_RULES: k}
     factor = "1+z" if p == 2 else "1+z+z^2" if p == 3 else f"1+…+z^{p - 1}"
     if k == 0:
-        return (RULE.refuted(f"no sum rule holds: {factor} does not divide a(z)", witness),)
+        return (RULE.refuted(f"no sum rule holds: {factor} does not divide a(z)", witness, answers=answers),)
     short = len(cofactor.coefficients()) <= _LONGEST_COFACTOR
     quotient = laurent(cofactor) if short else f"a polynomial of degree {cofactor.degree}"
     power = f"^{k}" if k > 1 else ""
     statement = f"sum rules of order {k}, not {k + 1}: a(z) = ({factor}){power} q(z), q(z) = {quotient}"
-    return (RULE.proved(statement, witness),)
+    return (RULE.proved(statement, witness, answers=answers),)

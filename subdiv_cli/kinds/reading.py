@@ -1,13 +1,13 @@
-"""TOML mask files -> `MaskFile`. Everything that is wrong with a file is collected and raised at once."""
+"""TOML mask files of every kind -> `MaskFile`. Everything that is wrong with a file is collected and raised at once."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
-from subdiv_cli.kinds.scalar.text import read_scalar
-from subdiv_cli.maskfile.bodies import Body, check_fixed_mask
+from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
+from subdiv_cli.maskfile.bodies import check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
 from subdiv_cli.maskfile.mask import MaskFile
@@ -18,27 +18,17 @@ from subdiv_cli.maskfile.toml import load
 from subdiv_cli.maskfile.values import described
 from subdiv_cli.model import Expectation, Problem
 
-_TOP = ("format", "name", "reference", "kind", "parameters", "mask", "expect")
-_PLANNED = ("vector", "hermite", "matrices", "piecewise")
+_TOP = ("format", "name", "reference", "kind", "parameters", "expect")
+"""The keys that files of every kind may have."""
 
 
-def _multivariate(table: Table, parameters: Collection[str], problems: Collector) -> Body | None:
-    from subdiv_cli.kinds.multivariate.text.reading import read_multivariate
-
-    return read_multivariate(table, parameters, problems)
-
-
-BODIES: Mapping[str, Callable[[Table, Collection[str], Collector], Body | None]]
-BODIES = {"scalar": read_scalar, "multivariate": _multivariate}
-"""Who reads [mask], by kind."""
-
-
-def read_path(path: str | Path, *, kind: str | None = None) -> MaskFile:
+def read_path(path: str | Path, *, kind: str | None = None, capability: str = "analyse") -> MaskFile:
     """Reads a mask file; "-" is standard input. Raises MaskFileError, also for what cannot be read (SD002).
 
-    `kind`: the one that is wanted here; another is refused (SD013) before its [mask] is read.
+    `kind`: the one that is wanted here; another is refused (SD013) before its mask is read, and so is, without it, a
+    kind that does not declare the capability, a field of `Kind`.
     """
-    return read_text(text_of(load_path(path), str(path)), file=str(path), wanted=kind)
+    return read_text(text_of(load_path(path), str(path)), file=str(path), wanted=kind, capability=capability)
 
 
 def load_path(path: str | Path) -> bytes:
@@ -92,7 +82,7 @@ def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
     )
 
 
-def read_text(text: str, *, file: str, wanted: str | None = None) -> MaskFile:
+def read_text(text: str, *, file: str, wanted: str | None = None, capability: str = "analyse") -> MaskFile:
     """Reads the text of a mask file. Raises MaskFileError and nothing else, whatever the text.
 
     Expressions without parameters are evaluated, so that their faults are reported here; those of the others come
@@ -104,24 +94,13 @@ def read_text(text: str, *, file: str, wanted: str | None = None) -> MaskFile:
     source = Source(file, text)
     problems = Collector(source)
     document = load(source)
-    kind = _kind(document, problems)
-    if wanted not in (None, kind):
-        problems.add(
-            Fault("SD013", f"a mask of kind {wanted} was expected, not {kind}", "name another file"), ("kind",)
-        )
-        problems.raise_any()
+    kind = kind_named(_kind(document, wanted, capability, problems))
     top = Table(document, (), problems)
-    top.only(_TOP, _BELONGS)
+    top.only((*_TOP, *kind.keys), _BELONGS if "mask" in kind.keys else {})
     _format(document, problems)
     name, reference = text_at(top, "name"), text_at(top, "reference")
     parameters = read_parameters(top.table("parameters"), problems)
-    body = None
-    if "mask" not in document:
-        top.missing("mask", "the table [mask] is missing", "add [mask] with start and coefficients, or symbol")
-    elif (
-        table := top.table("mask", 'write [mask] and below it start = 0 and coefficients = ["1/2", 1, "1/2"]')
-    ) is not None:
-        body = BODIES[kind](table, parameters, problems)
+    body = kind.read(top, parameters, problems)
     expectations = _expectations(top.table("expect"), problems)
     if body is not None:
         check_fixed_mask(body, problems)
@@ -132,7 +111,7 @@ def read_text(text: str, *, file: str, wanted: str | None = None) -> MaskFile:
         body=body,
         name=name,
         reference=reference,
-        kind=kind,
+        kind=kind.name,
         parameters=parameters,
         expectations=expectations,
         source=source,
@@ -147,29 +126,29 @@ _BELONGS |= dict.fromkeys(
 )
 
 
-def _kind(document: Mapping[str, object], problems: Collector) -> str:
+def _kind(document: Mapping[str, object], wanted: str | None, capability: str, problems: Collector) -> str:
     """The kind, where it can be read. Raises MaskFileError at once for another (SD013) and for no mask (SD016)."""
     if not any(mark in document for mark in MARKS):
         _is_meant(document, problems)
     kind = document.get("kind", "matrices" if "matrices" in document and "mask" not in document else "scalar")
+    where = ("kind" if "kind" in document else "mask" if "mask" in document else "matrices",)
+    known = ", ".join(kinds_that(capability))
     if not isinstance(kind, str):
-        problems.add(
-            Fault("SD006", f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'), ("kind",)
-        )
-    elif kind in BODIES:
-        return kind
-    elif kind in _PLANNED:
-        message = f"masks of kind {kind} cannot be checked yet"
-        where = "kind" if "kind" in document else kind
-        mend = "this version reads: " + ", ".join(BODIES)
+        problems.add(Fault("SD006", f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'), where)
+    elif kind not in KINDS and kind not in PLANNED:
+        mend = f"this version reads: {known}; planned: {', '.join(PLANNED)}"
+        if guess := near(kind, KINDS):
+            mend = f'did you mean "{guess}"?'
+        problems.add(Fault("SD013", f'there is no kind "{shown(kind)}"', mend), where)
+    elif wanted not in (None, kind):
+        problems.add(Fault("SD013", f"a file of kind {wanted} was expected, not {kind}", "name another file"), where)
+    elif wanted is None and (message := lacking(kind, capability)) is not None:
+        mend = f"this version reads: {known}"
         if kind == "matrices":
             mend += "; `subdiv jsr` computes the joint spectral radius of matrices"
-        problems.add(Fault("SD013", message, mend), (where,))
+        problems.add(Fault("SD013", message, mend), where)
     else:
-        mend = f"this version reads: {', '.join(BODIES)}; planned: {', '.join(_PLANNED)}"
-        if guess := near(kind, BODIES):
-            mend = f'did you mean "{guess}"?'
-        problems.add(Fault("SD013", f'there is no kind "{shown(kind)}"', mend), ("kind",))
+        return kind
     problems.raise_any()
     raise AssertionError("unreachable: there is a problem")
 
@@ -179,7 +158,7 @@ def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
     if not document:
         problems.add(Fault("SD016", "the file is empty", "write a mask: [mask] with start and coefficients"))
     elif not any(
-        key.lower() in _TOP or key.lower() in _BELONGS or near(key, ("mask", "kind", "matrices"))
+        key.lower() in (*_TOP, *MARKS) or key.lower() in _BELONGS or near(key, ("mask", "kind", "matrices"))
         for key in list(document)[:50]
     ):
         mend = "a mask file has [mask] with start and coefficients, or symbol"

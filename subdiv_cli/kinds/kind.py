@@ -1,0 +1,250 @@
+"""The protocol of a kind of scheme, and what is the same for every kind: running stages and gathering findings.
+
+A kind is a folder with one light object, `KIND`, a `Kind`: what it declares it can do, what it does not declare it
+cannot. A stage is a pure function `run(numbers, facts)`: it asks the numbers of the scheme, each computed once, and
+the verdicts of earlier stages, and answers with findings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
+
+from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict
+from subdiv_cli.model import findings as questions
+
+if TYPE_CHECKING:
+    from subdiv_cli.certificate import Certificate
+    from subdiv_cli.maskfile.bodies import Body
+    from subdiv_cli.maskfile.entries import Table
+    from subdiv_cli.maskfile.problems import Collector
+    from subdiv_cli.model.blocks import Drawing, Portrait, Section
+
+
+class Scheme(Protocol):
+    """A mask at the values of its parameters; `kind` is the name of its kind."""
+
+    @property
+    def kind(self) -> str:
+        """The name of its kind, a key of `KINDS`."""
+
+
+class ContradictionError(Exception):
+    """Two theorems disagree about one scheme: an error in this program, never in the input."""
+
+
+class Facts:
+    """The findings of the stages before; a rule may have several, one for each ν."""
+
+    def __init__(self, findings: Iterable[Finding] = ()) -> None:
+        self._by_code: dict[str, tuple[Finding, ...]] = {}
+        self.add(findings)
+
+    def add(self, findings: Iterable[Finding]) -> None:
+        """Takes the findings of a stage."""
+        for finding in findings:
+            self._by_code[finding.code] = (*self.all(finding.code), finding)
+
+    def all(self, rule: Rule | str) -> tuple[Finding, ...]:
+        """Every finding of a rule, given itself or by its code."""
+        return self._by_code.get(rule if isinstance(rule, str) else rule.code, ())
+
+    def find(self, rule: Rule | str) -> Finding | None:
+        """The first finding of a rule, None without one."""
+        return next(iter(self.all(rule)), None)
+
+    def __getitem__(self, rule: Rule | str) -> Finding:
+        """The first finding of a rule. Raises KeyError without one."""
+        return self._by_code[rule if isinstance(rule, str) else rule.code][0]
+
+    def __contains__(self, rule: Rule | str) -> bool:
+        return bool(self.all(rule))
+
+    def verdict(self, rule: Rule) -> Verdict:
+        """That of the first finding of a rule, UNDECIDED without one."""
+        return self[rule].verdict if rule in self else Verdict.UNDECIDED
+
+    def findings(self) -> tuple[Finding, ...]:
+        """All of them, those of one rule together."""
+        return tuple(finding for several in self._by_code.values() for finding in several)
+
+
+Stage = Callable[[Any, Facts], tuple[Finding, ...]]
+"""Of the numbers of its kind."""
+
+
+def run_stages(numbers: Any, stages: Iterable[Stage]) -> tuple[Finding, ...]:
+    """What all stages find of one scheme, in their order: each speaks of what earlier ones introduced."""
+    facts = Facts()
+    for stage in stages:
+        facts.add(stage(numbers, facts))
+    return facts.findings()
+
+
+class Analysis(NamedTuple):
+    """What there is to say about a scheme before anybody expects anything of it."""
+
+    scheme: Any
+    facts: Mapping[str, Data]
+    """What is seen without a theorem."""
+    findings: tuple[Finding, ...]
+    numbers: Any
+    """What has been computed for it, each number once: an object of its kind."""
+    hints: tuple[str, ...] = ()
+    """What the author of the mask may have meant."""
+    parts: tuple[Part, ...] = ()
+    """Of a product, its factors."""
+
+
+class Part(NamedTuple):
+    """A factor of a product, and what its own stages have found."""
+
+    variables: tuple[int, ...]
+    """Those of the product that it has, rising, from 0."""
+    analysis: Analysis
+
+    @property
+    def scheme(self) -> Any:
+        """The factor itself."""
+        return self.analysis.scheme
+
+    def find(self, question: Question) -> Finding | None:
+        """The finding that answers a question about it."""
+        return answering(self.analysis.findings, question)
+
+    def finding(self, question: Question) -> Finding:
+        """The finding that answers a question about it. Raises KeyError where it was not asked."""
+        found = self.find(question)
+        if found is None:
+            raise KeyError(question.name)
+        return found
+
+    @property
+    def name(self) -> str:
+        """`z1`, `(z2, z3)`."""
+        names = ", ".join(f"z{i + 1}" for i in self.variables)
+        return names if len(self.variables) == 1 else f"({names})"
+
+
+def answering(findings: Iterable[Finding], question: Question) -> Finding | None:
+    """The finding that answers a question; None where none does."""
+    return next((f for f in findings if any(asked == question for asked, _ in f.answers)), None)
+
+
+def gather(findings: tuple[Finding, ...]) -> Result:
+    """The answers of all findings as a result; file, kind, facts and expectations are the caller's to put in.
+
+    Raises ContradictionError where a question is answered twice.
+    """
+    given: dict[Question, Answer] = {}
+    for finding in findings:
+        for question, answer in finding.answers:
+            if question in given:
+                raise ContradictionError(f"{finding.code} answers {question.name} again")
+            given[question] = answer
+
+    def verdict(question: Question) -> Verdict:
+        return cast(Verdict, given.get(question, Verdict.SKIPPED))
+
+    def degree(question: Question) -> int | None:
+        return cast("int | None", given.get(question))
+
+    refinable = cast(Smoothness, given.get(questions.SMOOTHNESS, Smoothness()))
+    if verdict(questions.NEXT_SMOOTHNESS) is Verdict.REFUTED:
+        refinable = refinable._replace(sharp=True)
+    convergent = verdict(questions.CONVERGENCE)
+    sobolev = cast("Exponent | None", given.get(questions.SOBOLEV))
+    return Result(
+        file="",
+        status="undecided",
+        sum_rule_order=degree(questions.SUM_RULES),
+        convergent=convergent,
+        smoothness=refinable if convergent is Verdict.PROVED else Smoothness(),
+        refinable=refinable,
+        holder=_holder(given),
+        sobolev=None if sobolev == Exponent() else sobolev,
+        stable=verdict(questions.STABILITY),
+        linearly_independent=verdict(questions.INDEPENDENCE),
+        generation=degree(questions.GENERATION),
+        reproduction=degree(questions.REPRODUCTION),
+        findings=findings,
+    )
+
+
+GATHERED = (
+    "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
+    "generation", "reproduction",
+)  # fmt: skip
+"""The fields of a result that its findings answer."""
+
+
+def _holder(given: Mapping[Question, Answer]) -> Exponent | None:
+    """What is known from below is the exponent itself where it is exact and bounds the exponent from above too."""
+    below = cast("Exponent | None", given.get(questions.HOLDER_LOWER))
+    above = cast("Exponent | None", given.get(questions.HOLDER_UPPER)) or Exponent()
+    if below is None:
+        return None
+    if below.exact is None or above.upper is None:
+        return above._replace(lower=below.lower)
+    attained = {Verdict.PROVED: True, Verdict.REFUTED: False}
+    return below._replace(attained=attained.get(cast(Verdict, given.get(questions.HOLDER_ATTAINED))))
+
+
+Read = Callable[["Table", Collection[str], "Collector"], "Body | None"]
+Analyse = Callable[[Any, Effort], Analysis]
+
+
+class Portraits(NamedTuple):
+    """How a kind takes a scheme apart, for `show`."""
+
+    analyse: Callable[[Any, Effort, Fraction], Analysis]
+    """As `Kind.analyse`, with what only `show` asks for; the last argument is the tolerance of error bounds."""
+    make: Callable[[Analysis, Result], Portrait]
+    """The pages, from the analysis and the certified result."""
+    options: frozenset[str] = frozenset()
+    """The options of `show` that mean something for this kind."""
+
+
+class Drawings(NamedTuple):
+    """What a kind draws, for `plot`."""
+
+    make: Callable[..., Drawing]
+    """(scheme, effort, options by name) -> a drawing."""
+    options: frozenset[str]
+    """The options of `plot` that mean something for this kind."""
+    suffixes: frozenset[str]
+    """Of the files that it can be drawn into."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kind:
+    """What the rest of the program asks of a kind of scheme.
+
+    The functions import what they need when they are called, so that the object itself is light.
+    """
+
+    name: str
+    keys: tuple[str, ...] = ("mask",)
+    """The keys at the top of its files, besides those that all files have."""
+    read: Read
+    """A file's top table, the names of its parameters and a collector of problems -> its body."""
+    body_of: Callable[[Any], Body]
+    """The literal body of a scheme."""
+    spell: Callable[[Any], list[str]]
+    """A body -> the lines of its file that say it."""
+    canonical: Callable[[Any], Mapping[str, Any]]
+    """A scheme as certificates embed it. Raises ValueError for a number of more than 4300 digits."""
+    rules: Callable[[], Mapping[str, Rule]]
+    """Its table of codes."""
+    analyse: Analyse | None = None
+    """All stages under an effort."""
+    certificate: Callable[[Analysis], Certificate | None] | None = None
+    """The proof of an analysis; None where it asks too much of the checker."""
+    base: Callable[[Mapping[str, Any], Sequence[int] | None], tuple[int, int]] | None = None
+    """(m, s) of a canonical mask, or of its factor in these variables: exponents are to the base λ with λ^s = m."""
+    sections: Callable[[Any, Result], tuple[Section, ...]] | None = None
+    """The pictures of a report: stencils, and φ where it is known."""
+    portraits: Portraits | None = None
+    drawings: Drawings | None = None

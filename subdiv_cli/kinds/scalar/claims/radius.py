@@ -1,0 +1,53 @@
+"""The joint spectral radius of the last difference scheme of a mask as claims (RADIUS.md)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from subdiv_cli.certificate.radius import Radii
+from subdiv_cli.certificate.witness import as_integer, as_rational, as_rationals, as_tuple
+from subdiv_cli.model import Data
+from subdiv_cli.model.closed import rational
+
+if TYPE_CHECKING:
+    from subdiv_cli.kinds.scalar.claims.proof import Proof
+
+Map = Mapping[str, Data]
+
+
+def claims(proof: Proof, mask: int) -> list[int]:
+    """What a conclusion on this mask uses of the radius of its D: a norm, or the radius and what family it is of."""
+    data, order = of_mask(proof, mask), proof.orders[mask]
+    if data["rule"] == "norm":
+        level = as_integer(data["length"])
+        scaled = as_rational(data["bound"]) * proof.p ** ((order - 1) * level)
+        return [proof.norm(mask, order, level, scaled)]
+    return claims_of(proof, mask, order, data)
+
+
+def claims_of(proof: Proof, mask: int, nu: int, data: Map) -> list[int]:
+    """The radius of S_(Δ^ν) of a mask, by a proof that is no norm, and what family it is of."""
+    family = proof.family(mask, nu)
+    number = as_integer(proof.claims.statement(family)["family"])
+    size = max(1, -(-(proof.degrees[mask] - nu * (proof.p - 1)) // (proof.p - 1)))
+    uses = [family, proof.sum_rules(mask)] if data["rule"] == "positive-symbol" else []
+    return [Radii(proof.claims, proof.families, proof.p, uses).claim(data, number, size), family]
+
+
+def defective(proof: Proof, family: int, witness: Map) -> int:
+    """A product of a family with a Jordan block."""
+    word, vector = [as_integer(x) for x in as_tuple(witness["word"])], as_rationals(witness["vector"])
+    statement = {
+        "family": proof.claims.statement(family)["family"],
+        "length": len(word),
+        "value": rational(as_rational(witness["value"])),
+    }
+    hints = {"word": word, "sign": witness["sign"], "vector": [rational(y) for y in vector]}
+    order = len(vector)
+    return proof.add("defective", statement, hints, work=len(word) * order**3 + 2 * order**2)
+
+
+def of_mask(proof: Proof, mask: int) -> Map:
+    """The proof that finding SD310 has for this mask."""
+    return proof.radii["S" if mask == 0 else "S0"].proof

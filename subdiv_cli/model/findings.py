@@ -1,0 +1,233 @@
+"""Findings: a verdict with its theorem and numbers, the questions it answers, and the rule that it follows.
+
+A question has a name and belongs to no kind of scheme: results are gathered, expectations judged and tables filled by
+question. A rule is a row of a kind's table: what all findings of one code share.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from fractions import Fraction
+from typing import NamedTuple, NoReturn
+
+from subdiv_cli.model.closed import ClosedForm
+
+Data = None | bool | int | str | Fraction | tuple["Data", ...] | Mapping[str, "Data"]
+"""Exact plain data, as facts and witnesses hold it. Floats are left out on purpose."""
+
+
+class Verdict(Enum):
+    """The answer to a question. Three of the four are not yes, so it refuses to be used as a bool."""
+
+    PROVED = "proved"
+    REFUTED = "refuted"
+    UNDECIDED = "undecided"
+    SKIPPED = "skipped"
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError("a Verdict is not a bool: compare it with `is`")
+
+
+DECIDED = (Verdict.PROVED, Verdict.REFUTED)
+"""The verdicts that rest on a theorem."""
+
+
+class Interval(NamedTuple):
+    """A real number enclosed: lower <= x <= upper, certified doubles rounded outward; None is unknown."""
+
+    lower: float | None = None
+    upper: float | None = None
+    exact: str | None = None
+    """The number itself as text, where it is known: a rational or a closed form."""
+
+
+class Smoothness(NamedTuple):
+    """`order`: the largest n with C^n proved, None where not even continuity is."""
+
+    order: int | None = None
+    sharp: bool = False
+    """C^(order+1) is refuted; without an order, continuity is."""
+
+
+class Exponent(NamedTuple):
+    """A Hölder or Sobolev exponent of the refinable function: certified outward doubles, exact where it is known."""
+
+    lower: float | None = None
+    upper: float | None = None
+    exact: ClosedForm | None = None
+    attained: bool | None = None
+    digits: str | None = None
+    """Decimals of an exact irrational one, all certain: `2.83007…`."""
+    estimate: str | None = None
+    """Of one that is only enclosed, extrapolated from norms: it proves nothing."""
+
+
+class Question(NamedTuple):
+    """What can be asked of a scheme."""
+
+    name: str
+    of: int | None = None
+    """The valence, or the order of the derivative, that it is asked of; None where it is asked of the scheme."""
+
+
+SUMS = Question("sums")
+"""Does every coset (residue class) of the mask sum to 1? Answered by a verdict."""
+SUM_RULES = Question("sum_rules")
+"""The order of the sum rules: an integer, 0 without any; None where it makes no sense."""
+GENERATION = Question("generation")
+"""The degree of the polynomials that are generated, None without sum rules."""
+REPRODUCTION = Question("reproduction")
+"""The degree of the polynomials that are reproduced, None without sum rules."""
+EIGEN_CONDITION = Question("eigen_condition")
+"""Have the refinement matrices the spectra of a convergent scheme? Answered by a verdict."""
+CONVERGENCE = Question("convergence")
+"""Does the scheme converge? Answered by a verdict."""
+SMOOTHNESS = Question("smoothness")
+"""How smooth is φ? Answered by a `Smoothness`."""
+NEXT_SMOOTHNESS = Question("next_smoothness")
+"""Is φ smoother than that? Answered by a verdict, REFUTED where it is excluded."""
+HOLDER_LOWER = Question("holder_lower")
+"""The Hölder exponent from below, exactly where it is known: an `Exponent`."""
+HOLDER_UPPER = Question("holder_upper")
+"""The Hölder exponent from above: an `Exponent`."""
+HOLDER_ATTAINED = Question("holder_attained")
+"""Is the Hölder exponent attained? Answered by a verdict."""
+SOBOLEV = Question("sobolev")
+"""The Sobolev exponent: an `Exponent`."""
+INDEPENDENCE = Question("independence")
+"""Are the integer translates of φ linearly independent? Answered by a verdict."""
+STABILITY = Question("stability")
+"""Are the integer translates of φ stable? Answered by a verdict."""
+QUASI_INTERPOLATION = Question("quasi_interpolation")
+"""The operator Q with S^∞ Q = 1 on the polynomials that are generated. Answered by a verdict."""
+
+_EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV))
+_DEGREES = frozenset(question.name for question in (SUM_RULES, GENERATION, REPRODUCTION))
+
+Answer = Verdict | int | Smoothness | Exponent | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Finding:
+    """One theorem applied to a scheme, and what came of it."""
+
+    code: str
+    """SDnnn; `subdiv explain` has a page for it."""
+    name: str
+    """The code in words, for instance `residue-sums`."""
+    verdict: Verdict
+    statement: str
+    """What was decided, with its numbers; for UNDECIDED and SKIPPED what was asked."""
+    source: str
+    """Paper and theorem."""
+    answers: tuple[tuple[Question, Answer], ...] = ()
+    """The questions that it answers; a second proof of the same, and a member of a series, answer none."""
+    reason: str | None = None
+    """Why it is undecided or skipped."""
+    value: Interval | None = None
+    witness: Mapping[str, Data] = field(default_factory=dict)
+    """Enough to recheck the verdict without a search; the stage's docstring says what its keys mean."""
+    proof: Mapping[str, Data] = field(default_factory=dict)
+    """What the certificate needs besides, too long for reports: the polytope of a joint spectral radius."""
+    closed: ClosedForm | None = None
+    """The number that the finding is about, where it is known exactly."""
+    claims: tuple[int, ...] = ()
+    """The claims of the certificate that say the same, checked independently."""
+
+
+Answers = Mapping[Question, Answer]
+Witness = Mapping[str, Data]
+
+
+class Rule(NamedTuple):
+    """A row of a kind's table of codes: what its findings share, and the four verdicts they can have."""
+
+    code: str
+    name: str
+    source: str
+    answers: tuple[Question, ...] = ()
+    proves: frozenset[str] = frozenset()
+    """The properties that claims of its decided findings state."""
+    holds: bool = False
+    """Whether such a claim says itself, by `holds`, if the finding is proved or refuted."""
+    radius: bool = False
+    """Whether the value of its findings is a joint spectral radius."""
+
+    def proved(
+        self,
+        statement: str,
+        witness: Witness,
+        value: Interval | None = None,
+        closed: ClosedForm | None = None,
+        proof: Witness | None = None,
+        answers: Answers | None = None,
+    ) -> Finding:
+        """A finding that is proved; `answers` are the degrees and orders that no other argument tells."""
+        told = {question: _told(question, Verdict.PROVED, value, closed) for question in self.answers}
+        return self._finding(Verdict.PROVED, statement, told | dict(answers or {}), None, witness, value, closed, proof)
+
+    def refuted(
+        self, statement: str, witness: Witness, proof: Witness | None = None, answers: Answers | None = None
+    ) -> Finding:
+        """A finding that is refuted."""
+        told = {question: _told(question, Verdict.REFUTED) for question in self.answers}
+        return self._finding(Verdict.REFUTED, statement, told | dict(answers or {}), None, witness, proof=proof)
+
+    def undecided(self, question: str, reason: str, witness: Witness | None = None) -> Finding:
+        """What was asked and could not be decided, and why."""
+        told = {asked: _told(asked, Verdict.UNDECIDED) for asked in self.answers}
+        return self._finding(Verdict.UNDECIDED, question, told, reason, witness)
+
+    def skipped(self, question: str, reason: str) -> Finding:
+        """What makes no sense to ask, and why."""
+        told = {asked: _told(asked, Verdict.SKIPPED) for asked in self.answers}
+        return self._finding(Verdict.SKIPPED, question, told, reason)
+
+    def _finding(
+        self,
+        verdict: Verdict,
+        statement: str,
+        answers: Answers,
+        reason: str | None = None,
+        witness: Witness | None = None,
+        value: Interval | None = None,
+        closed: ClosedForm | None = None,
+        proof: Witness | None = None,
+    ) -> Finding:
+        return Finding(
+            code=self.code,
+            name=self.name,
+            verdict=verdict,
+            statement=statement,
+            source=self.source,
+            answers=tuple(answers.items()),
+            reason=reason,
+            value=value,
+            witness=witness or {},
+            proof=proof or {},
+            closed=closed,
+        )
+
+
+def _told(
+    question: Question, verdict: Verdict, value: Interval | None = None, closed: ClosedForm | None = None
+) -> Answer:
+    """What the verdict and the value of a finding say to a question."""
+    if question.name in _EXPONENTS:
+        value = value or Interval()
+        return None if verdict is Verdict.SKIPPED else Exponent(value.lower, value.upper, closed)
+    if question.name in _DEGREES:
+        return None
+    if question.name == SMOOTHNESS.name:
+        return Smoothness(sharp=verdict is Verdict.REFUTED)
+    return verdict
+
+
+def table(*rows: Rule) -> Mapping[str, Rule]:
+    """The rows of a kind by their codes. Raises ValueError for a code that stands twice."""
+    found = {row.code: row for row in rows}
+    if len(found) < len(rows):
+        raise ValueError("a code stands twice")
+    return found
