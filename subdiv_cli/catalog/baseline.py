@@ -7,23 +7,14 @@ of an exponent must still meet the old one. What a file expects for the first ti
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from subdiv_cli.model import Exponent, Judgement, Result, Verdict
+from subdiv_cli.model.properties import PROPERTIES
 
 _RANK = {"refuted": 0, "undecided": 1, "skipped": 1, "proved": 2}
-_VERDICTS: tuple[tuple[str, str, Callable[[Result], Verdict]], ...] = (
-    ("convergent", "convergence", lambda r: r.convergent),
-    ("stable", "stability", lambda r: r.stable),
-    ("linearly_independent", "linear independence", lambda r: r.linearly_independent),
-)
-_NUMBERS: tuple[tuple[str, str, Callable[[Result], int | None]], ...] = (
-    ("sum_rule_order", "the sum-rule order", lambda r: r.sum_rule_order),
-    ("generation", "the generation degree", lambda r: r.generation),
-    ("reproduction", "the reproduction degree", lambda r: r.reproduction),
-)
 
 
 class Baseline:
@@ -53,16 +44,20 @@ def _same(file: str) -> str:
 
 
 def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
-    for key, name, of in _VERDICTS:
-        yield from _verdict(name, old[key]["verdict"], of(result))
-    yield from _number("the order of smoothness", old["smoothness"]["order"], result.smoothness.order)
-    for key, name, number in _NUMBERS:
-        yield from _number(name, old[key], number(result))
-    yield from _enclosure("the Hölder exponent", old["holder"], result.holder)
-    yield from _enclosure("the Sobolev exponent", old["sobolev"], result.sobolev)
-    before = {(e["key"], e["expected"]): e["verdict"] for e in old["expectations"]}
+    for row in PROPERTIES:
+        before, now = old[row.key], getattr(result, row.key)
+        match row.form:
+            case "verdict":
+                yield from _verdict(row.phrase, before["verdict"], now)
+            case "smoothness":
+                yield from _number(row.phrase, before["order"], now.order)
+            case "exponent":
+                yield from _enclosure(row.phrase, before, now)
+            case "order" | "degree":
+                yield from _number(row.phrase, before, now)
+    judged_before = {(e["key"], e["expected"]): e["verdict"] for e in old["expectations"]}
     for judged in result.expectations:
-        yield from _expectation(judged, before.get((judged.expectation.key, judged.expectation.text)))
+        yield from _expectation(judged, judged_before.get((judged.expectation.key, judged.expectation.text)))
 
 
 def _verdict(name: str, old: str, new: Verdict) -> Iterator[str]:

@@ -14,11 +14,10 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from subdiv_cli.kinds.kind import answering
 from subdiv_cli.maskfile.roots import roots_between
 from subdiv_cli.model import ClosedForm, Exponent, Finding, Interval, Result, Root, RootLog, Rule, logarithm, unpowered
 from subdiv_cli.model.closed import root_log_text, spelled, spelled_terms
-from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV
+from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV, answering
 from subdiv_cli.model.order import enclosure
 
 Statement = Mapping[str, Any]

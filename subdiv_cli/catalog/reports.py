@@ -6,8 +6,9 @@ import json
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
+from subdiv_cli.kinds import KINDS, kind_named
 from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.maskfile.closed import read_closed_form
 from subdiv_cli.maskfile.option import parse_expectation
@@ -16,13 +17,13 @@ from subdiv_cli.maskfile.properties import TRUTHS
 from subdiv_cli.model import (
     ClosedForm,
     Expectation,
-    ExpectationKey,
     Exponent,
     Finding,
     Interval,
     Judgement,
     Problem,
     Result,
+    Rule,
     Smoothness,
     Verdict,
 )
@@ -121,6 +122,7 @@ def results_of(data: Sequence[Mapping[str, Any]]) -> list[Result]:
 
 
 def _result(data: Mapping[str, Any]) -> Result:
+    rules = kind_named(data["kind"]).rules() if data.get("kind") in KINDS else {}
     return Result(
         file=data["file"],
         status=data["status"],
@@ -143,7 +145,7 @@ def _result(data: Mapping[str, Any]) -> Result:
         generation=data["generation"],
         reproduction=data["reproduction"],
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
-        findings=tuple(_finding(finding) for finding in data["findings"]),
+        findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),
         regressions=None if data.get("regressions") is None else tuple(data["regressions"]),
     )
@@ -182,15 +184,17 @@ def _judgement(data: Mapping[str, Any]) -> Judgement:
     try:
         expectation = parse_expectation(key, said == "true" if key in TRUTHS else said)
     except MaskFileError:
-        expectation = Expectation(key=cast(ExpectationKey, key), text=said, lower=False)
+        expectation = Expectation(key=key, text=said, lower=False)
     return Judgement(expectation, Verdict(data["verdict"]), data.get("line"))
 
 
-def _finding(data: Mapping[str, Any]) -> Finding:
-    value = data.get("value")
+def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule]) -> Finding:
+    """A finding; which questions it answers its rule says, and what it answers stands in the result."""
+    value, rule = data.get("value"), rules.get(data["code"])
     return Finding(
         code=data["code"], name=data["name"], verdict=Verdict(data["verdict"]), statement=data["statement"],
         source=data["source"], reason=data.get("reason"),
+        answers=tuple((asked, None) for asked in (rule.answers if rule is not None else ())),
         value=None if value is None else Interval(value["lower"], value["upper"], value["exact"]),
         witness=_data(data.get("witness", {})), claims=tuple(data.get("claims", ())),
     )  # fmt: skip

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
 from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.findings import answering
 
 if TYPE_CHECKING:
     from subdiv_cli.certificate import Certificate
@@ -126,11 +127,6 @@ class Part(NamedTuple):
         """`z1`, `(z2, z3)`."""
         names = ", ".join(f"z{i + 1}" for i in self.variables)
         return names if len(self.variables) == 1 else f"({names})"
-
-
-def answering(findings: Iterable[Finding], question: Question) -> Finding | None:
-    """The finding that answers a question; None where none does."""
-    return next((f for f in findings if any(asked == question for asked, _ in f.answers)), None)
 
 
 def gather(findings: tuple[Finding, ...]) -> Result:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from typing import cast
 
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.evaluate import evaluate
@@ -13,7 +12,7 @@ from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Fault, MaskFileError, near, shown
 from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
-from subdiv_cli.model import Expectation, ExpectationKey, Problem
+from subdiv_cli.model import Expectation, Problem
 
 _ORDER = re.compile(r"C\^?([0-9]+)")
 _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
@@ -81,7 +80,7 @@ def _property(text: str) -> Expectation:
         return expectation(key, truth == "true")
     if not rest:
         raise Fault("SD012", f"{key} needs a number", f"write for instance {key}>=1", at + len(body))
-    return comparison(cast(ExpectationKey, key), rest, at + parts.start(2))
+    return comparison(key, rest, at + parts.start(2))
 
 
 def _of_option(text: str, fault: Fault, key: str | None) -> MaskFileError:

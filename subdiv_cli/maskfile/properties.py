@@ -9,18 +9,18 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import cast, get_args
 
 from subdiv_cli.maskfile.bounds import MAX_ORDER
 from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
 from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.values import Decimal, described
-from subdiv_cli.model import ClosedForm, Expectation, ExpectationKey
+from subdiv_cli.model import ClosedForm, Expectation
+from subdiv_cli.model.properties import BY_KEY, EXPECTED
 
-KEYS: tuple[str, ...] = get_args(ExpectationKey)
-TRUTHS = ("convergent", "stable")
+KEYS = EXPECTED
+TRUTHS = tuple(key for key in KEYS if BY_KEY[key].form == "verdict")
 _ORDER = re.compile(r"[Cc]\s*\^?\s*\(?([0-9]{1,4})\)?")
-ORDERS = ("smoothness", "generation", "reproduction")
+ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree"))
 
 
 def expectation(key: str, value: object) -> Expectation:
@@ -33,10 +33,9 @@ def expectation(key: str, value: object) -> Expectation:
         guess = near(key, KEYS)
         mend = f"did you mean {guess}?" if guess else "properties: " + ", ".join(KEYS)
         raise Fault("SD004", f'there is no property "{shown(key)}"', mend)
-    known = cast(ExpectationKey, key)
     if key in TRUTHS:
         if isinstance(value, bool):
-            return Expectation(key=known, text=str(value).lower(), lower=value, upper=value)
+            return Expectation(key=key, text=str(value).lower(), lower=value, upper=value)
         said = f'"{shown(value)}"' if isinstance(value, str) else described(value)
         raise Fault("SD006", f"{key} must be true or false, not {said}", f"write {key} = true, without quotes")
     if isinstance(value, bool) or not isinstance(value, int | str | Decimal):
@@ -49,10 +48,10 @@ def expectation(key: str, value: object) -> Expectation:
         value = str(value)
     elif isinstance(value, Decimal):
         value = value.text
-    return comparison(known, value)
+    return comparison(key, value)
 
 
-def comparison(key: ExpectationKey, text: str, at: int = 0) -> Expectation:
+def comparison(key: str, text: str, at: int = 0) -> Expectation:
     """`1`, `= 1`, `>= 1.99`, `1.99 .. 2.01` for a property that has a number. Raises Fault."""
     if not text.strip():
         raise Fault("SD012", f"the expected {key} is empty", _form(key), at)
@@ -115,7 +114,7 @@ def _number(key: str, text: str, at: int) -> int | ClosedForm:
     return int(value)
 
 
-def contradictions(expectations: Sequence[Expectation]) -> list[tuple[ExpectationKey, Fault]]:
+def contradictions(expectations: Sequence[Expectation]) -> list[tuple[str, Fault]]:
     """Pairs of expectations that no scheme can meet, each with the key of the later one."""
     given = {e.key: e for e in expectations}
     order = list(given)
@@ -170,7 +169,7 @@ def _smoothness_holder(smoothness: Expectation, holder: Expectation) -> str | No
     return _above(holder, ceiling, "a Hölder exponent above n + 1 means C^(n+1)")
 
 
-_LAWS: tuple[tuple[ExpectationKey, ExpectationKey, Callable[[Expectation, Expectation], str | None]], ...] = (
+_LAWS: tuple[tuple[str, str, Callable[[Expectation, Expectation], str | None]], ...] = (
     ("convergent", "smoothness", _convergent_smoothness),
     ("convergent", "holder", _convergent_holder),
     ("reproduction", "generation", _reproduction_generation),

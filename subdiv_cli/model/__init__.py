@@ -35,14 +35,13 @@ from subdiv_cli.model.findings import Verdict as Verdict
 
 UNKNOWN = Smoothness()
 
-ExpectationKey = Literal["convergent", "smoothness", "holder", "sobolev", "generation", "reproduction", "stable"]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Expectation:
     """What a mask is held to: `key` equals `lower` (and upper == lower), is at least it (upper None), or between."""
 
-    key: ExpectationKey
+    key: str
+    """One of `properties.EXPECTED`."""
     text: str
     """As the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
     lower: bool | int | ClosedForm

@@ -6,7 +6,7 @@ question. A rule is a row of a kind's table: what all findings of one code share
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from fractions import Fraction
@@ -135,6 +135,12 @@ class Finding:
     """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
     """The claims of the certificate that say the same, checked independently."""
+
+
+def answering(findings: Iterable[Finding], *asked: Question) -> Finding | None:
+    """The finding that answers the first of these questions that one does; None where none does."""
+    answers = {question: finding for finding in findings for question, _ in finding.answers}
+    return next((answers[question] for question in asked if question in answers), None)
 
 
 Answers = Mapping[Question, Answer]

@@ -8,30 +8,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import Any
 
 from subdiv_cli.model import ClosedForm, Expectation, Exponent, Judgement, Log, Result, RootLog, Status, Verdict
+from subdiv_cli.model.properties import BY_KEY
 
 Compare = Callable[[ClosedForm, ClosedForm], int | None]
 """The sign of a - b, or None where that is not known."""
 
 
-def judge(compare: Compare, expectation: Expectation, found: Result) -> Verdict:
-    """Whether the findings prove or refute an expectation."""
-    match expectation.key:
-        case "convergent":
-            return _yes_or_no(found.convergent, expectation)
-        case "stable":
-            return _yes_or_no(found.stable, expectation)
-        case "generation":
-            return _within(expectation, found.generation, found.generation)
-        case "reproduction":
-            return _within(expectation, found.reproduction, found.reproduction)
+def judge(compare: Compare, expectation: Expectation, result: Result) -> Verdict:
+    """Whether the result proves or refutes an expectation."""
+    value: Any = getattr(result, expectation.key)
+    match BY_KEY[expectation.key].form:
+        case "verdict":
+            return _yes_or_no(value, expectation)
         case "smoothness":
-            return _smoothness(expectation, found)
-        case "holder":
-            return _exponent(compare, expectation, found.holder)
-        case "sobolev":
-            return _exponent(compare, expectation, found.sobolev)
+            return _smoothness(expectation, result)
+        case "exponent":
+            return _exponent(compare, expectation, value)
+        case "order" | "degree":
+            return _within(expectation, value, value)
 
 
 def status(convergent: Verdict, judgements: Sequence[Judgement]) -> Status:

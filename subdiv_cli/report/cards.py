@@ -6,13 +6,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 
 from subdiv_cli.model import Drawing, Finding, LatticeMask, Result, Stencil, Verdict
+from subdiv_cli.model.properties import PROPERTIES
 from subdiv_cli.report import svg, words
 from subdiv_cli.report.lattice import put_quasi_interpolation, put_stencils
 from subdiv_cli.report.layout import paint
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.notices import notices
-from subdiv_cli.report.numbers import data, exact, interval
+from subdiv_cli.report.numbers import data, exact
 from subdiv_cli.report.page import Page
 
 MOST_WEIGHTS = 40
@@ -65,19 +66,11 @@ def _about(result: Result) -> str:
 
 
 def _properties(result: Result) -> str:
-    sobolev = None if result.sobolev is None else interval(result.sobolev)
-    rows = [
-        ("convergence", _verdict(result.convergent)),
-        ("smoothness", _value(words.smoothness_or_that_of_phi(result))),
-        ("Hölder exponent", _value(words.holder(result))),
-        ("Sobolev (L2)", _value(sobolev)),
-        ("stability", _verdict(result.stable)),
-        ("independence", _verdict(result.linearly_independent)),
-        ("sum rules", _value(_degree("order", result.sum_rule_order))),
-        ("generation", _value(_degree("degree", result.generation))),
-        ("reproduction", _value(_degree("degree", result.reproduction))),
-    ]
-    return _table(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows if value)
+    rows = []
+    for row in PROPERTIES:
+        shown = _verdict(getattr(result, row.key)) if row.form == "verdict" else _value(words.value(result, row))
+        rows += [f"<tr><th>{row.title}</th><td>{shown}</td></tr>"] if shown else []
+    return _table(rows)
 
 
 def _expectations(result: Result) -> str:
@@ -100,10 +93,6 @@ def _verdict(verdict: Verdict) -> str:
 
 def _value(shown: str | None) -> str:
     return "" if shown is None else f'<span class="exact">{text(shown)}</span>'
-
-
-def _degree(noun: str, number: int | None) -> str | None:
-    return None if number is None else f"{noun} {number}"
 
 
 def _pictures(drawing: Drawing | None) -> Iterator[str]:

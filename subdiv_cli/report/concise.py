@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from subdiv_cli.model import Finding, Judgement, Problem, Result, Verdict
+from subdiv_cli.model.findings import CONVERGENCE, answering
 from subdiv_cli.report import words
 from subdiv_cli.report.letters import letters
 from subdiv_cli.report.look import Look
@@ -33,7 +34,7 @@ def _lines(result: Result, look: Look) -> Iterator[str]:
         yield f"{result.file}: {_finding(found)}"
     yield from _judged(result, result.expectations)
     yield from _notes(result)
-    if not result.problems and words.finding(result, *words.ABOUT["convergent"]) is None and not result.expectations:
+    if not result.problems and answering(result.findings, CONVERGENCE) is None and not result.expectations:
         yield f"{result.file}: {result.status}"
 
 

@@ -1,6 +1,6 @@
 """The findings of the text report: each with its why and source; what says the same again is said once.
 
-Findings skipped for the same reason are one block, and of a long series of contractivities only its ends are shown.
+Findings skipped for the same reason are one block, and of a long series with one code only its ends are shown.
 `-v` shows every one.
 """
 
@@ -17,8 +17,6 @@ from subdiv_cli.report.page import INDENT, Page
 
 NARROW = 60
 """Below so many columns findings are indented less."""
-SERIES = "SD301"
-"""The code that comes once for each derived scheme."""
 LONG = 6
 """A series longer than this is shortened."""
 ENDS = 2
@@ -43,9 +41,9 @@ def show(page: Page, findings: Sequence[Finding]) -> None:
 def blocks(findings: Sequence[Finding]) -> Iterator[Block]:
     """The findings, without repetition; a block of skipped ones stands where the first of them stands."""
     told: set[str] = set()
-    for of_series, run in groupby(findings, lambda found: found.code == SERIES):
+    for _, run in groupby(findings, lambda found: found.code):
         members = list(run)
-        if of_series and len(members) > LONG:
+        if len(members) > LONG:
             for _, equal in groupby(members, lambda found: found.verdict):
                 yield from _ends(list(equal))
             continue

@@ -77,7 +77,7 @@ def _row(number: int, result: Result) -> str:
         (text(words.convergence(result)), words.convergence(result)),
         (text(words.smoothness_or_that_of_phi(result) or ""), "" if order is None else str(order)),
         (text(words.holder(result) or ""), "" if lower is None else repr(lower)),
-        *(("" if v is None else str(v), "" if v is None else str(v)) for v in (result.sum_rule_order,)),
+        (("" if result.sum_rule_order is None else str(result.sum_rule_order),) * 2),
         (f"<code>{text(result.file)}</code>", result.file),
     ]
     if result.status == "invalid":

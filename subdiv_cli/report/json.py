@@ -8,8 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 import subdiv_cli
-from subdiv_cli.model import Data, Exponent, Finding, Interval, Judgement, Problem, Result
+from subdiv_cli.model import Data, Exponent, Finding, Interval, Judgement, Problem, Result, Smoothness
 from subdiv_cli.model.closed import spelled
+from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import exact, finite
 from subdiv_cli.report.words import found, summary
@@ -61,23 +62,32 @@ def as_data(result: Result, look: Look) -> dict[str, Any]:
         "stopped": result.stopped,
         "errors": [_error(problem) for problem in result.problems],
         "facts": plain(result.facts),
-        "sum_rule_order": result.sum_rule_order,
-        "convergent": {"verdict": result.convergent.value},
-        "smoothness": {"order": result.smoothness.order, "sharp": result.smoothness.sharp},
-        "holder": _exponent(result.holder, attained=True),
-        "sobolev": _exponent(result.sobolev, attained=False),
-        "stable": {"verdict": result.stable.value},
-        "linearly_independent": {"verdict": result.linearly_independent.value},
-        "generation": result.generation,
-        "reproduction": result.reproduction,
+        **{row.key: _property(result, row) for row in PROPERTIES},
         "expectations": [_expectation(result, judged) for judged in result.expectations],
         "findings": [_finding(finding) for finding in look.shown(result.findings)],
         "certificate": result.certificate,
         "reference": result.reference,
-        "refinable_function": {"order": result.refinable.order, "sharp": result.refinable.sharp},
+        "refinable_function": _smoothness(result.refinable),
         "hints": list(result.hints),
         "regressions": None if result.regressions is None else list(result.regressions),
     }
+
+
+def _property(result: Result, row: Property) -> Any:
+    given: Any = getattr(result, row.key)
+    match row.form:
+        case "verdict":
+            return {"verdict": given.value}
+        case "smoothness":
+            return _smoothness(given)
+        case "exponent":
+            return _exponent(given, attained=row.key == "holder")
+        case "order" | "degree":
+            return given
+
+
+def _smoothness(smooth: Smoothness) -> dict[str, Any]:
+    return {"order": smooth.order, "sharp": smooth.sharp}
 
 
 def _error(problem: Problem) -> dict[str, Any]:

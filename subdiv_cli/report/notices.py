@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
 from subdiv_cli.model import Judgement, Problem, Result, Verdict
+from subdiv_cli.model.findings import answering
+from subdiv_cli.model.properties import BY_KEY
 from subdiv_cli.report import words
 from subdiv_cli.report.look import Look
 
@@ -69,12 +71,9 @@ def _missed(result: Result, judged: Judgement, look: Look) -> Notice:
 
 
 def _code(result: Result, key: str) -> str:
-    """Of the finding that an expectation is about; where several variables have none, the key says it."""
-    codes = words.ABOUT[key]
-    found = words.finding(result, *codes)
-    if found is not None:
-        return found.code
-    return f"expect-{key}" if result.kind == "multivariate" else codes[0]
+    """Of the finding that an expectation is about; where there is none, the key says it."""
+    found = answering(result.findings, BY_KEY[key].question)
+    return f"expect-{key}" if found is None else found.code
 
 
 def _open(look: Look) -> Level:

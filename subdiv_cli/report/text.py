@@ -8,10 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from subdiv_cli.model import Exponent, Finding, Judgement, Result, Verdict
+from subdiv_cli.model.findings import answering
+from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report import findings, words
 from subdiv_cli.report.layout import Cell, joined, paint
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import at_least, at_most, exact, finite, interval, worth
+from subdiv_cli.report.numbers import at_least, at_most, exact, finite, worth
 from subdiv_cli.report.page import INDENT, Page
 
 TITLES = ("property", "verdict", "value", "proof")
@@ -138,58 +140,43 @@ class _Page(Page):
 
     def properties(self, result: Result) -> list[list[Cell] | None]:
         """The rows of the table; None for a property nothing is known of and nobody asked about."""
-        sobolev = None if result.sobolev is None else interval(result.sobolev)
-        return [
-            self.property(result, "convergence", result.convergent, None, "convergent", "sums"),
-            self.smoothness(result),
-            *self.holder(result),
-            self.property(result, "Sobolev (L2)", None, sobolev, "sobolev"),
-            self.property(result, "stability", result.stable, None, "stable"),
-            self.property(result, "independence", result.linearly_independent, None, "independent"),
-            self.property(result, "sum rules", None, _degree("order", result.sum_rule_order), "order"),
-            self.property(result, "generation", None, _degree("degree", result.generation), "generation"),
-            self.property(result, "reproduction", None, _degree("degree", result.reproduction), "reproduction"),
-        ]
+        return [row for each in PROPERTIES for row in self.rows_of(result, each)]
 
-    def smoothness(self, result: Result) -> list[Cell] | None:
-        """The row of the order of smoothness: proved by one finding, and found sharp by another."""
-        row = self.property(result, "smoothness", None, words.smoothness_or_that_of_phi(result), "smoothness")
-        sharp = words.finding(result, *words.ABOUT["next"])
-        return self.proved_too(row, sharp if sharp and sharp.verdict is Verdict.REFUTED else None)
-
-    def holder(self, result: Result) -> list[list[Cell] | None]:
-        """One row where the exponent is known exactly, else one for each bound, both with the places they are worth."""
+    def rows_of(self, result: Result, row: Property) -> list[list[Cell] | None]:
+        """One row; of an exponent that is only enclosed one for each bound, both with the places they are worth."""
         exponent = result.holder or Exponent()
+        if row.key != "holder" or exponent.exact is not None:
+            return [self.property(result, row)]
         lower, upper = finite(exponent.lower), finite(exponent.upper)
-        if exponent.exact is not None:
-            row = self.property(result, "Hölder exponent", None, words.holder(result), "holder")
-            return [self.proved_too(row, words.finding(result, *words.ABOUT["above"]))]
         places = worth(lower, upper) if lower is not None and upper is not None else 6
         below = None if lower is None else at_least(lower, places)
         above = None if upper is None else words.labelled(at_most(upper, places), exponent)
+        findings = [answering(result.findings, question) for question in (row.question, *row.more)]
         return [
-            self.property(result, "Hölder, lower", None, below, "holder"),
-            self.property(result, "Hölder, upper", None, above, "above"),
+            self.line(title, found.verdict if found else None, value, found)
+            for title, value, found in zip(("Hölder, lower", "Hölder, upper"), (below, above), findings, strict=True)
         ]
 
-    def proved_too(self, row: list[Cell] | None, also: Finding | None) -> list[Cell] | None:
-        """The row with a second finding among its proofs."""
-        if row and also:
-            row[3] = self.cell(", ".join(filter(None, (row[3][0], _proof(also)))), "quiet")
-        return row
+    def property(self, result: Result, row: Property) -> list[Cell] | None:
+        """The row of a property: proved by one finding, and found sharp by others."""
+        found = answering(result.findings, row.question, *row.instead)
+        verdict = getattr(result, row.key) if row.form == "verdict" else found.verdict if found else None
+        also = (answering(result.findings, question) for question in row.more)
+        wanted = Verdict.REFUTED if row.form == "smoothness" else Verdict.PROVED
+        sharp = [other for other in also if other is not None and other.verdict is wanted]
+        return self.line(row.title, verdict, words.value(result, row), found, *sharp)
 
-    def property(
-        self, result: Result, title: str, verdict: Verdict | None, value: str | None, *about: str
+    def line(
+        self, title: str, verdict: Verdict | None, value: str | None, found: Finding | None, *also: Finding
     ) -> list[Cell] | None:
-        found = words.finding(result, *(code for one in about for code in words.ABOUT[one]))
+        """Title, verdict, value or reason, and the codes of the findings; None where there is nothing to say."""
         if found is None and value is None and verdict in (None, Verdict.SKIPPED):
             return None
-        if verdict is None and found is not None:
-            verdict = found.verdict
         if value is None and found is not None and verdict in (Verdict.SKIPPED, Verdict.UNDECIDED):
             value = found.reason
         shown = ("", "text") if verdict is None else (words.mark(verdict), words.ROLES[verdict])
-        return [self.cell(title), self.cell(*shown), self.cell(value), self.cell(_proof(found), "quiet")]
+        codes = ", ".join(each.code for each in (found, *also) if each is not None)
+        return [self.cell(title), self.cell(*shown), self.cell(value), self.cell(codes, "quiet")]
 
     def expectations(self, result: Result) -> None:
         """What the mask is held to, each judged; where it was not proved, what was found instead."""
@@ -227,10 +214,6 @@ class _Page(Page):
             self.unbroken(f"proof: {result.certificate}", indent=indent)
 
 
-def _degree(noun: str, number: int | None) -> str | None:
-    return None if number is None else f"{noun} {number}"
-
-
 def _once(rows: list[list[Cell]]) -> None:
     """A reason why properties were skipped is said in the first of their rows only."""
     told: set[str] = set()
@@ -239,7 +222,3 @@ def _once(rows: list[list[Cell]]) -> None:
         if row[1][1] == words.ROLES[Verdict.SKIPPED]:
             row[2] = ("", reason[1]) if reason[0] in told else reason
             told.add(reason[0])
-
-
-def _proof(found: Finding | None) -> str:
-    return "" if found is None else found.code

@@ -3,27 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Any
 
-from subdiv_cli.model import Data, Expectation, Exponent, Finding, Judgement, Result, Smoothness, Verdict
+from subdiv_cli.model import Data, Expectation, Exponent, Judgement, Result, Smoothness, Verdict
+from subdiv_cli.model import findings as questions
+from subdiv_cli.model.findings import answering
+from subdiv_cli.model.properties import BY_KEY, Property
 from subdiv_cli.report.numbers import LONGEST, data, exact, interval
 
 MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
 ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
-ABOUT = {
-    "convergent": ("SD201", "SD611"),
-    "smoothness": ("SD302", "SD612"),
-    "next": ("SD303", "SD613"),
-    "holder": ("SD311", "SD614"),
-    "above": ("SD312", "SD615"),
-    "sobolev": ("SD321", "SD617"),
-    "stable": ("SD402", "SD616"),
-    "independent": ("SD401",),
-    "sums": ("SD101", "SD601"),
-    "order": ("SD102", "SD602"),
-    "generation": ("SD103", "SD602"),
-    "reproduction": ("SD104", "SD618"),
-}
-"""The findings that a property is about, one for each kind of mask: `next` refutes C^(n+1), `above` bounds α."""
 _NO_WORSE = "nothing is worse than in the baseline"
 STATUS_MARKS = {"passed": "✓", "failed": "✗", "undecided": "?", "invalid": "!"}
 STATUS_ROLES = {"passed": "good", "failed": "bad", "undecided": "open", "invalid": "bad"}
@@ -37,15 +26,6 @@ def mark(verdict: Verdict) -> str:
 def name(result: Result) -> str:
     """What the mask is called: by itself, else by its file."""
     return result.name or result.file
-
-
-def finding(result: Result, *codes: str) -> Finding | None:
-    """The finding with the first of these codes that the result has."""
-    for code in codes:
-        for found in result.findings:
-            if found.code == code:
-                return found
-    return None
 
 
 def convergence(result: Result) -> str:
@@ -121,8 +101,7 @@ def _matrix(rows: tuple[Data, ...]) -> str:
 
 def holder(result: Result) -> str | None:
     """What is known of the Hölder exponent of φ, and what it means where it is not positive."""
-    shown = None if result.holder is None else interval(result.holder)
-    return shown if shown is None or result.holder is None else labelled(shown, result.holder)
+    return value(result, BY_KEY["holder"])
 
 
 def figures(result: Result, *, digits: bool) -> Iterator[str]:
@@ -154,7 +133,7 @@ def headline(result: Result) -> str:
         verdict = f"φ is {smooth}, but this scheme does not converge" if smooth else "does not converge"
         return _with(verdict, _statement(result, Verdict.REFUTED))
     if result.convergent is Verdict.UNDECIDED:
-        asked = finding(result, *ABOUT["convergent"])
+        asked = answering(result.findings, questions.CONVERGENCE)
         return _with("convergence undecided", asked.reason if asked else None)
     return "convergence not asked"
 
@@ -176,10 +155,10 @@ def _convergent(result: Result) -> str:
 
 def _statement(result: Result, verdict: Verdict) -> str | None:
     """Why: the most telling finding about convergence that has this verdict."""
-    for code in (*ABOUT["convergent"], *ABOUT["sums"], "SD202"):
-        for found in result.findings:
-            if found.code == code and found.verdict is verdict:
-                return found.statement.partition(": ")[2] or found.statement
+    for question in (questions.CONVERGENCE, questions.SUMS, questions.EIGEN_CONDITION):
+        found = answering(result.findings, question)
+        if found is not None and found.verdict is verdict:
+            return found.statement.partition(": ")[2] or found.statement
     return None
 
 
@@ -203,21 +182,27 @@ def asked(expectation: Expectation) -> str:
 
 def found(result: Result, expectation: Expectation) -> str | None:
     """What the run says of the property an expectation speaks of; None where it says nothing."""
-    match expectation.key:
-        case "convergent":
-            return _decided(result)
-        case "smoothness":
-            return smoothness(result) or (_decided(result) if result.convergent is Verdict.REFUTED else None)
-        case "holder":
-            return holder(result)
-        case "sobolev":
-            return None if result.sobolev is None else interval(result.sobolev)
-        case "stable":
-            return {Verdict.PROVED: "stable", Verdict.REFUTED: "not stable"}.get(result.stable)
-        case "generation":
-            return None if result.generation is None else exact(result.generation)
-        case "reproduction":
-            return None if result.reproduction is None else exact(result.reproduction)
+    if expectation.key == "convergent":
+        return _decided(result)
+    if expectation.key == "smoothness":
+        return smoothness(result) or (_decided(result) if result.convergent is Verdict.REFUTED else None)
+    return value(result, BY_KEY[expectation.key], bare=True)
+
+
+def value(result: Result, row: Property, *, bare: bool = False) -> str | None:
+    """What is known of a property; None where nothing is, or where the verdict says it all.
+
+    `bare`: what stands behind the name of the property, a number without its noun, and `stable` for a verdict.
+    """
+    given: Any = getattr(result, row.key)
+    if row.form == "smoothness":
+        return smoothness_or_that_of_phi(result)
+    if row.form == "exponent":
+        shown = None if given is None else interval(given)
+        return shown if shown is None or row.key != "holder" else labelled(shown, given)
+    if row.form == "verdict":
+        return {Verdict.PROVED: row.key, Verdict.REFUTED: f"not {row.key}"}.get(given) if bare else None
+    return None if given is None else exact(given) if bare else f"{row.form} {given}"
 
 
 def _decided(result: Result) -> str | None:

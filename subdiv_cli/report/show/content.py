@@ -173,7 +173,7 @@ def _regularity(result: Result, anatomy: Anatomy) -> Iterator[Block]:
     yield from _statements(result, "SD201", "SD302", "SD303")
     if (holder := words.holder(result)) is not None:
         yield Text(f"Hölder exponent {holder} ({_codes(result, 'SD311', 'SD312')})")
-    found = words.finding(result, "SD321")
+    found = next((f for f in result.findings if f.code == "SD321"), None)
     if found is not None and found.value is not None and (sobolev := interval(found.value)) is not None:
         yield Text(f"Sobolev exponent {sobolev} ({found.code})")
     yield from (Text(line, "quiet") for line in words.figures(result, digits=True))
@@ -184,7 +184,7 @@ def _distance(result: Result, anatomy: Anatomy) -> Iterator[Block]:
 
 
 def _codes(result: Result, *codes: str) -> str:
-    return ", ".join(code for code in codes if words.finding(result, code) is not None)
+    return ", ".join(code for code in codes if any(f.code == code for f in result.findings))
 
 
 def _statements(result: Result, *codes: str) -> Iterator[Text]:
