@@ -231,9 +231,24 @@ def _told(
     return verdict
 
 
-def table(*rows: Rule) -> Mapping[str, Rule]:
-    """The rows of a kind by their codes. Raises ValueError for a code that stands twice."""
-    found = {row.code: row for row in rows}
+def row(
+    code: str,
+    name: str,
+    source: str,
+    answers: Question | tuple[Question, ...] = (),
+    proves: str = "",
+    holds: bool = False,
+    radius: bool = False,
+) -> Rule:
+    """A rule; `answers` is one question or several, `proves` the properties, separated by blanks."""
+    several = (answers,) if isinstance(answers, Question) else answers
+    return Rule(code, name, source, several, frozenset(proves.split()), holds, radius)
+
+
+def table(names: Mapping[str, object]) -> Mapping[str, Rule]:
+    """The rows among the names of a module, by their codes. Raises ValueError for a code that stands twice."""
+    rows = [value for value in names.values() if isinstance(value, Rule)]
+    found = {rule.code: rule for rule in rows}
     if len(found) < len(rows):
         raise ValueError("a code stands twice")
     return found

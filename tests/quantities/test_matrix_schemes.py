@@ -92,7 +92,7 @@ def first_norms(name, k, reduce, count):
 
 
 def test_the_quincunx_by_hand():
-    """MULTIVARIATE.md: 1, 1, 27/32."""
+    """FORMAT.md: 1, 1, 27/32."""
     assert first_norms("quincunx_interpolatory", 1, least, 3) == [1, 1, Fraction(27, 32)]
     assert first_norms("quincunx_interpolatory", 1, by_lemma, 2) == [Fraction(3, 2), Fraction(17, 8)]
 

@@ -1,4 +1,4 @@
-"""The claims on a box spline, which its directions decide, as MULTIVARIATE.md says."""
+"""The claims on a box spline, which its directions decide, as FORMAT.md says."""
 
 from __future__ import annotations
 

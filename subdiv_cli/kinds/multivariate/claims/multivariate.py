@@ -1,4 +1,4 @@
-"""The certificate of a mask in several variables, as MULTIVARIATE.md says."""
+"""The certificate of a mask in several variables, as FORMAT.md says."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The claims on a tensor product: certificates of its factors, and what follows, as MULTIVARIATE.md says."""
+"""The claims on a tensor product: certificates of its factors, and what follows, as FORMAT.md says."""
 
 from __future__ import annotations
 

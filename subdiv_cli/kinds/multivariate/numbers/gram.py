@@ -1,7 +1,7 @@
 """The Gram sequence g_α = ∫ φ(x) φ(x - α) dx of a scheme that converges, and the sign of its symbol.
 
 With b(z) = a(z) a(1/z) and (G v)(α) = (1/m) Σ_β b(Mα-β) v(β) the sequence is the only finite one with G g = g and
-Σ g_α = 1 (certificate/MULTIVARIATE.md, gram-stable), and φ is stable iff Φ(ω) = Σ_α g_α e^(-iα·ω), the sum of all
+Σ g_α = 1 (FORMAT.md, gram-stable), and φ is stable iff Φ(ω) = Σ_α g_α e^(-iα·ω), the sum of all
 |φ^(ω+2πβ)|², has no zero (Jia & Micchelli 1991).
 
 On the arcs ω_j = 2 arctan t_j + π e_j, -1 <= t_j <= 1, e_j = 0 or 1, Φ Π (1 + t_j²)^n_j is a polynomial of degree 2n_j

@@ -1,6 +1,6 @@
 """SD603: is φ a box spline?
 
-Theorem: see quantities/box_spline.py. The factorisation is of the mask of S itself, or of a power S^r whose dilation is
+Theorem: see numbers/box_spline.py. The factorisation is of the mask of S itself, or of a power S^r whose dilation is
 a multiple of I; it is exact, and the directions are found without a search. Hypothesis, the coset sums add up
 to |det M|: checked. There is a finding only where φ is one.
 

@@ -1,6 +1,6 @@
 """SD611: does S converge uniformly, to a limit that is not zero for some data?
 
-Theorem (Han & Jia 1998, Theorem 4.3, for any expanding M; quantities/difference_space.py for k > 1): S converges
+Theorem (Han & Jia 1998, Theorem 4.3, for any expanding M; numbers/difference_space.py for k > 1): S converges
 uniformly iff its coset sums are 1 and ρ_k < 1, k any order of its sum rules. No stability is needed. Also proved by
 directional difference schemes that contract (SD604), by a positive mask on a box (SD608), by a matrix scheme of
 differences that contracts (SD606), or in the mean: ρ_k² is at most m Λ, Λ the growth of the mean squares (SD617),

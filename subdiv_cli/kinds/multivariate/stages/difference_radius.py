@@ -1,7 +1,7 @@
 """SD605: ρ_k, the joint spectral radius of the transition operators T_ε on V_k, k the order of the sum rules.
 
 V_k is the smallest space that holds the differences ∇^μ δ, |μ| = k, and is mapped into itself by the T_ε; its basis and
-the matrices are exact (quantities/difference_space.py, with the theorems on ρ_k). It is not the smallest invariant
+the matrices are exact (numbers/difference_space.py, with the theorems on ρ_k). It is not the smallest invariant
 window with polynomials divided out: differences that cross windows count. The radius is found and proved as SD310 says.
 Hypothesis, k >= 1: checked. Not asked of tensor products (SD609), nor where φ is a box spline (SD603) and convergence
 is proved without it (SD604, SD617).

@@ -4,7 +4,7 @@ Theorem (Dyn 1992, Theorems 6.9 and 7.5 with Propositions 6.8 and 6.10; here for
 hold of order k >= 1, and ∇^μ S^r = Σ_ν S_(q_μν) ∇^ν, |μ| = |ν| = k, with the norm ‖S_Q^t‖∞ = x. Then ρ_k^(rt) <= x. So
 S converges uniformly if x < 1, and for isotropic M, λ = |det M|^(1/s), φ is C^n if n < k and x < λ^(-nrt).
 For M = 2I and k = n + 1 that is ‖(½S_(n+1))^t‖∞ < 1, S_(n+1) = 2^(n+1) S_Q. Hypotheses: the sum rules (SD602), M
-isotropic for n >= 1; checked. Q is constructed (quantities/matrix_schemes.py). Sufficient only, for one Q and level.
+isotropic for n >= 1; checked. Q is constructed (numbers/matrix_schemes.py). Sufficient only, for one Q and level.
 
 There is a finding only where some Q contracts within the effort, and φ is neither a box spline (SD603) nor
 a tensor product (SD609). Convergence is asked

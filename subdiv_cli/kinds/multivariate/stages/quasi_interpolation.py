@@ -1,10 +1,10 @@
 """SD619: the operator Q with S^∞ Q f = f for all polynomials f of the total degree that S generates.
 
-Theorem (Levin 2003, Corollary 2.4 and section 2.5 for 2I; MULTIVARIATE.md for any expanding M): let S converge, with
+Theorem (Levin 2003, Corollary 2.4 and section 2.5 for 2I; FORMAT.md for any expanding M): let S converge, with
 sum rules of order d + 1. There is one Q = Σ q_μ D^μ, |μ| <= d, q_0 = 1, with S Q = Q σ on the polynomials of total
 degree d, σ f = f(M^-1 ·), and it inverts S^∞ there: Q f has the limit f. S^∞ f = Σ m_μ/μ! D^μ f with the moments
 m_μ = Σ_β φ(-β) β^μ, which the refinement equation gives degree by degree, as M is expanding
-(quantities/lattice_quasi_interpolation.py). Hypotheses, both checked: S converges (SD611), and the order of the sum
+(numbers/quasi_interpolation.py). Hypotheses, both checked: S converges (SD611), and the order of the sum
 rules (SD602). Stability is not asked for. The stencil is a combination of samples that is Q on these polynomials,
 near the centre of φ and with its symmetries; on other functions the two differ.
 

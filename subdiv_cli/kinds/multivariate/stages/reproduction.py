@@ -1,6 +1,6 @@
 """SD618: the reproduction degree, the largest r for which S reproduces the polynomials of total degree r.
 
-Theorem (Levin 2003, section 2; Conti & Hormann 2011 and Charina & Conti 2013 for dilations cI; MULTIVARIATE.md for any
+Theorem (Levin 2003, section 2; Conti & Hormann 2011 and Charina & Conti 2013 for dilations cI; FORMAT.md for any
 expanding M). Let τ = (1/m) Σ_α a_α α, componentwise, and σ = (M - I)^-1 τ. S maps p(· + σ) to p(M^-1 (· + σ)) on Z^s
 for all p of degree <= r iff the sum rules hold of order r + 1 and Σ_α a_α α^μ = m τ^μ for |μ| <= r; no other σ does
 for r >= 1. In derivatives of the symbol, D^μ a(1, …, 1) = m Π_j τ_j (τ_j - 1) … (τ_j - μ_j + 1). So interpolatory

@@ -1,7 +1,7 @@
 """SD617: the Sobolev exponent of φ, s = sup {t : φ ∈ H^t}.
 
 Theorems. For isotropic M, λ = |det M|^(1/dimension), k >= 1 the order of the sum rules, and Λ the growth of the mean
-squares of the differences of order k (quantities/mean_squares.py): s >= -log_λ(Λ)/2, and for stable φ they are equal
+squares of the differences of order k (numbers/mean_squares.py): s >= -log_λ(Λ)/2, and for stable φ they are equal
 (Jia 1999; Han 2003). A smaller order than that of the sum rules would give too little where Λ = λ^-2k. Box splines
 (SD603): s = d - 1/2 exactly, whatever their stability. Tensor products (SD609): the least one of a factor. Always s -
 dimension/2 <= α <= s, α the Hölder exponent. Hypotheses: M isotropic, the order, that the mask is no box spline:

@@ -4,7 +4,7 @@ Theorems. Box splines (SD603): iff the directions are unimodular (Dahmen & Micch
 Riemenschneider 1993, II.57). Interpolatory masks, a_(Mα) = δ_α, of schemes that converge (SD611): φ(α) = δ_α, so the
 translates are stable and linearly independent. Tensor products (SD609) that converge: iff all factors are. Of all other
 schemes that converge: iff the symbol of the Gram sequence g_α = ∫ φ φ(·-α) has no zero on the torus (Jia & Micchelli
-1991; quantities/gram.py). Hypothesis of the last three, convergence: checked. Of schemes that do not converge only box
+1991; numbers/gram.py). Hypothesis of the last three, convergence: checked. Of schemes that do not converge only box
 splines are decided.
 
 Witness: `by`, SD603, SD609 or SD611; of a Gram sequence `zero`, k, with `order`, n, where it is zero at 2πk/n, or

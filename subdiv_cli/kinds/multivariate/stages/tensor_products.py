@@ -1,6 +1,6 @@
 """SD609: is the mask a tensor product? And what follows of φ from its factors.
 
-Theorem (Dyn 1992, Proposition 6.3; MULTIVARIATE.md): let M be block diagonal and a(z) the product of masks in the
+Theorem (Dyn 1992, Proposition 6.3; FORMAT.md): let M be block diagonal and a(z) the product of masks in the
 variables of the blocks, of sums |det M_j|. Then φ is the product of the φ_j. S converges uniformly iff all factors do;
 then φ is stable iff all φ_j are. φ is C^n iff all φ_j are; its Hölder and its Sobolev exponent are the least ones of
 the factors where these are positive, and never larger. M need not be isotropic. Hypotheses: checked. Coefficients that

@@ -2,7 +2,7 @@
 
 Theorem (Dyn 1992, Theorem 4.2 and Corollaries 4.3, 4.6, for any arity p): where S_j converges, A_0 of S_j has the
 simple eigenvalue 1, and φ^(j)(ℓ) for all integers ℓ is read off its left eigenvector v with Σ v = 1
-(quantities/values.py). The mask's own indexing is kept: its support {s, …, s+n} makes that of φ [s/(p-1), (s+n)/(p-1)],
+(numbers/values.py). The mask's own indexing is kept: its support {s, …, s+n} makes that of φ [s/(p-1), (s+n)/(p-1)],
 and φ vanishes outside. Σ φ(·-i) = 1, because S maps constants to themselves; at the integers the values show it.
 Hypothesis, φ ∈ C^j by the convergence of S_j of the mask or, for an unstable one, of the reduced mask (SD302, SD403):
 checked. The values of φ then are those of φ0 combined with the factors of the reduction.

@@ -6,7 +6,7 @@ convergence, the order of smoothness and the Hölder exponent are decided: (1/p)
 is one of
 
 * a norm, ρ <= ‖D^L‖∞^(1/L);
-* a symbol >= 0 on |z| = 1 (quantities/positive.py): ρ is the spectral radius of one matrix;
+* a symbol >= 0 on |z| = 1 (numbers/positive.py): ρ is the spectral radius of one matrix;
 * an invariant polytope (jsr/closing.py): a convex body that the matrices, divided by x, map into itself: ρ <= x;
 * blocks (jsr/reduce.py): ρ is the largest of those of the diagonal blocks of a common block triangular form.
 

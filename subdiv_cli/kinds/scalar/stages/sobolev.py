@@ -2,7 +2,7 @@
 
 Theorem (Eirola 1992, Villemoes 1992, Cohen & Daubechies 1996; Jia 1999 for any arity): let φ be stable, k the largest
 order of sum rules, D = S_(Δ^k), and λ the spectral radius of the transfer matrix of the autocorrelation of D (see
-quantities/sobolev.py). Then s = -log_p(λ)/2. With a = p (σ/p)^k q and F the matrix of the autocorrelation of q this is
+numbers/sobolev.py). Then s = -log_p(λ)/2. With a = p (σ/p)^k q and F the matrix of the autocorrelation of q this is
 s = k - 1/2 - log_p(ρ(F))/2.
 
 Why: |φ̂(ξ)| is at most C (1+|ξ|)^-k Π|q(ξ/p^j)|, whose mean squares over the shells p^(L-1) π <= |ξ| <= p^L π the powers
