@@ -8,6 +8,7 @@ from math import lcm
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.evaluate import is_fixed
 from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
@@ -86,17 +87,17 @@ def _scheme(
 
 def zero_mask(values: Mapping[str, Fraction]) -> Fault:
     """All coefficients are zero, at these values of the parameters."""
-    mend = "at least one coefficient must not be zero" + ("; try other parameters" if values else "")
-    return Fault("SD009", "all coefficients of the mask are zero", mend)
+    help = "at least one coefficient must not be zero" + ("; try other parameters" if values else "")
+    return Fault(faults.ZERO_MASK, "all coefficients of the mask are zero", help)
 
 
 def _too_long(coefficients: Mapping[int, Fraction]) -> Fault | None:
     first, last = min(coefficients), max(coefficients)
     if last - first >= MAX_MASK_LENGTH:
         message = f"the mask has {last - first + 1} coefficients; the limit is {MAX_MASK_LENGTH}"
-        return Fault("SD010", message, "use a shorter mask")
+        return Fault(faults.OUT_OF_BOUNDS, message, "use a shorter mask")
     if max(-first, last) > 2 * MAX_EXPONENT:
-        return Fault("SD010", f"an index beyond {2 * MAX_EXPONENT}", "shift the mask towards 0")
+        return Fault(faults.OUT_OF_BOUNDS, f"an index beyond {2 * MAX_EXPONENT}", "shift the mask towards 0")
     return None
 
 
@@ -107,5 +108,5 @@ def too_precise(coefficients: Iterable[Fraction]) -> Fault | None:
         common = lcm(common, c.denominator)
         if common.bit_length() > MAX_BITS:
             message = f"the coefficients' common denominator has more than {MAX_DIGITS} digits"
-            return Fault("SD010", message, "use fractions with smaller denominators")
+            return Fault(faults.OUT_OF_BOUNDS, message, "use fractions with smaller denominators")
     return None

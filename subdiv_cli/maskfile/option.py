@@ -7,6 +7,7 @@ from collections.abc import Collection, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple, cast
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import Body, Coefficients, Symbol, check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH, MAX_NESTING
 from subdiv_cli.maskfile.entries import fault_of_name
@@ -19,7 +20,7 @@ from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum, product_of
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
 from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
-from subdiv_cli.model import Expectation, ExpectationKey, Problem
+from subdiv_cli.model import Expectation, ExpectationKey
 
 if TYPE_CHECKING:
     from subdiv_cli.kinds.multivariate.text.bodies import Nested
@@ -43,9 +44,13 @@ def from_option(text: str, *, start: int | Sequence[int] = 0, arity: int = 2, na
     problems = Collector(source)
     try:
         if len(text) > MAX_FILE_BYTES:
-            raise Fault("SD010", "the mask is too long", "write it to a file")
+            raise Fault(faults.OUT_OF_BOUNDS, "the mask is too long", "write it to a file")
         if not 2 <= arity <= MAX_ARITY:
-            raise Fault("SD010", f"the arity must be between 2 and {MAX_ARITY}, not {shown(str(arity))}", "--arity 2")
+            raise Fault(
+                faults.OUT_OF_BOUNDS,
+                f"the arity must be between 2 and {MAX_ARITY}, not {shown(str(arity))}",
+                "--arity 2",
+            )
         for name in names:
             if fault_there := fault_of_name(name):
                 raise fault_there
@@ -65,7 +70,9 @@ def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str])
     """Raises Fault."""
     if not text.lstrip().startswith("["):
         if any(start):
-            raise Fault("SD015", "--start and a symbol both say where the mask begins", "leave --start out")
+            raise Fault(
+                faults.DUPLICATE_KEY, "--start and a symbol both say where the mask begins", "leave --start out"
+            )
         if _SEVERAL.search(text):
             from subdiv_cli.kinds.multivariate.text.option import symbol
 
@@ -78,9 +85,11 @@ def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str])
 
         return grid(entries, start if len(start) > 1 or any(start) else (), arity)
     if len(start) > 1:
-        raise Fault("SD023", f"--start has {len(start)} components, and the mask has one variable", "--start 0")
+        raise Fault(
+            faults.BAD_SHAPE, f"--start has {len(start)} components, and the mask has one variable", "--start 0"
+        )
     if not -MAX_EXPONENT <= start[0] <= MAX_EXPONENT:
-        raise Fault("SD010", f"start must be between -{MAX_EXPONENT} and {MAX_EXPONENT}", "--start 0")
+        raise Fault(faults.OUT_OF_BOUNDS, f"start must be between -{MAX_EXPONENT} and {MAX_EXPONENT}", "--start 0")
     return Coefficients(arity=arity, start=start[0], entries=flat)
 
 
@@ -92,10 +101,10 @@ def _explain(fault: Fault, text: str, names: Collection[str]) -> None:
     elif fault.message.startswith('","') and not text.lstrip().startswith("["):
         try:
             _list(f"[{text}]", names)
-            mend = f"[{shown(text.strip(), 100)}]"
+            help = f"[{shown(text.strip(), 100)}]"
         except Fault:
-            mend = "[1, 2, 1]/2"
-        fault.message, fault.help = "a list of coefficients stands in brackets", f"put the list in brackets: {mend}"
+            help = "[1, 2, 1]/2"
+        fault.message, fault.help = "a list of coefficients stands in brackets", f"put the list in brackets: {help}"
 
 
 def _list(text: str, names: Collection[str]) -> Nested:
@@ -127,25 +136,32 @@ def _rows(parser: Parser, text: str, depth: int) -> _Rows:
     """rows = "[" (rows | sum) { "," (rows | sum) } "]\""""
     opening = parser.advance()
     if depth > MAX_NESTING:
-        raise Fault("SD010", f"lists are nested more than {MAX_NESTING} deep", "write [[1, 2], [2, 1]]/2", opening.at)
+        raise Fault(
+            faults.OUT_OF_BOUNDS,
+            f"lists are nested more than {MAX_NESTING} deep",
+            "write [[1, 2], [2, 1]]/2",
+            opening.at,
+        )
     spans: _Rows = []
     while True:
         start = parser.token.at
         if parser.token.kind == "]" and not spans:
-            raise Fault("SD009", "the mask is empty", "write its coefficients: [1, 2, 1]/2", start)
+            raise Fault(faults.ZERO_MASK, "the mask is empty", "write its coefficients: [1, 2, 1]/2", start)
         if parser.token.kind == "[":
             spans.append(_rows(parser, text, depth + 1))
         else:
             node = parser.sum()
             spans.append(_Span(node, text[start : parser.token.at].strip()))
         if parser.token.kind == "end":
-            raise Fault("SD008", 'this "[" is never closed', 'add the missing "]"', opening.at)
+            raise Fault(faults.BAD_EXPRESSION, 'this "[" is never closed', 'add the missing "]"', opening.at)
         if parser.token.kind not in (",", "]"):
             raise parser.unexpected('a comma or "]"')
         if parser.advance().kind == "]":
             return spans
         if len(spans) > MAX_MASK_LENGTH:
-            raise Fault("SD010", f"more than {MAX_MASK_LENGTH} coefficients", "use a shorter mask", opening.at)
+            raise Fault(
+                faults.OUT_OF_BOUNDS, f"more than {MAX_MASK_LENGTH} coefficients", "use a shorter mask", opening.at
+            )
 
 
 def _scaled_rows(rows: _Rows, tail: list[Factor], scale: str) -> Nested:
@@ -171,13 +187,19 @@ def parse_override(text: str) -> tuple[str, Fraction]:
     said = name.strip()
     try:
         if not equals:
-            raise Fault("SD011", f'"{shown(text)}" gives no value', "write NAME=VALUE: -p w=1/20", len(text))
+            raise Fault(
+                faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', "write NAME=VALUE: -p w=1/20", len(text)
+            )
         if not is_name(said):
-            raise Fault("SD011", f'"{shown(said)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20")
+            raise Fault(
+                faults.BAD_PARAMETER, f'"{shown(said)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20"
+            )
         if not value.strip():
-            raise Fault("SD011", f"no value for {shown(said)}", f"write a number: -p {shown(said)}=1/20", len(text))
+            raise Fault(
+                faults.BAD_PARAMETER, f"no value for {shown(said)}", f"write a number: -p {shown(said)}=1/20", len(text)
+            )
         if len(text) > MAX_FILE_BYTES:
-            raise Fault("SD010", "the value is too long", "use a shorter number")
+            raise Fault(faults.OUT_OF_BOUNDS, "the value is too long", "use a shorter number")
         node = parse(value, (), at=len(name) + 1)
         number = evaluate(node, {}, Work()).constant()
     except Fault as fault:
@@ -208,37 +230,37 @@ def parse_property(text: str) -> Expectation:
 def _property(text: str) -> Expectation:
     body = text.strip()
     if len(body) > 10_000:
-        raise Fault("SD010", "the property is too long", "write for instance holder>=1.5")
+        raise Fault(faults.OUT_OF_BOUNDS, "the property is too long", "write for instance holder>=1.5")
     at = len(text) - len(text.lstrip())
     if found := _ORDER.fullmatch(body):
         return comparison("smoothness", f">={found[1]}", at + found.start(1) - 2)
     parts = _PROPERTY.fullmatch(body)
     if parts is None:
-        raise Fault("SD012", f'"{shown(text)}" is no property', "write for instance C1, holder>=1.5 or convergent", at)
+        raise Fault(
+            faults.BAD_EXPECTATION,
+            f'"{shown(text)}" is no property',
+            "write for instance C1, holder>=1.5 or convergent",
+            at,
+        )
     key, rest = parts[1], parts[2]
     if key not in KEYS:
         guess = near(key, KEYS)
-        mend = f"did you mean {guess}?" if guess else "properties: C1, " + ", ".join(KEYS)
-        raise Fault("SD012", f'there is no property "{shown(key)}"', mend, at)
+        help = f"did you mean {guess}?" if guess else "properties: C1, " + ", ".join(KEYS)
+        raise Fault(faults.BAD_EXPECTATION, f'there is no property "{shown(key)}"', help, at)
     if key in TRUTHS:
         truth = rest.lstrip("= ").lower() if rest else "true"
         if truth not in ("true", "false") or (rest and not rest.startswith("=")):
-            raise Fault("SD012", f"{key} is true or false", f"write {key} or {key}=false", at + parts.start(2))
+            raise Fault(
+                faults.BAD_EXPECTATION, f"{key} is true or false", f"write {key} or {key}=false", at + parts.start(2)
+            )
         return expectation(key, truth == "true")
     if not rest:
-        raise Fault("SD012", f"{key} needs a number", f"write for instance {key}>=1", at + len(body))
+        raise Fault(faults.BAD_EXPECTATION, f"{key} needs a number", f"write for instance {key}>=1", at + len(body))
     return comparison(cast(ExpectationKey, key), rest, at + parts.start(2))
 
 
 def _of_option(text: str, fault: Fault, key: str | None) -> MaskFileError:
-    at = min(fault.at, len(text))
-    problem = Problem(
-        code=fault.code,
-        message=fault.message,
-        help=fault.help,
-        key=key,
-        line=1 if text else None,
-        column=at + 1 if text else None,
-        source=text or None,
-    )
-    return MaskFileError([problem])
+    if not text:
+        return MaskFileError([fault.problem(key=key)])
+    column = min(fault.at, len(text)) + 1
+    return MaskFileError([fault.problem(key=key, line=1, column=column, source=text)])

@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
 from subdiv_cli.kinds.scalar.text import read_scalar
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import Body, check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
@@ -74,17 +75,16 @@ def text_of(data: bytes, file: str) -> str:
 
 def _too_big(file: str) -> Problem:
     message = f"the file is larger than {MAX_FILE_BYTES >> 10} KiB, the limit for a mask file"
-    return Problem(code="SD010", message=message, help="is this really a mask file?", file=file)
+    return faults.OUT_OF_BOUNDS.problem(message, "is this really a mask file?", file=file)
 
 
 def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
     start = data.rfind(b"\n", 0, error.start) + 1
     end = data.find(b"\n", error.start)
     wide = data.startswith((b"\xff\xfe", b"\xfe\xff"))
-    return Problem(
-        code="SD002",
-        message=f"the file is not UTF-8: byte 0x{data[error.start]:02x} at byte {error.start + 1}",
-        help="it looks like UTF-16; save it as UTF-8" if wide else "save it as UTF-8",
+    return faults.UNREADABLE_FILE.problem(
+        f"the file is not UTF-8: byte 0x{data[error.start]:02x} at byte {error.start + 1}",
+        "it looks like UTF-16; save it as UTF-8" if wide else "save it as UTF-8",
         file=file,
         line=data.count(b"\n", 0, error.start) + 1,
         column=len(data[start : error.start].decode("utf-8", "replace").removeprefix("\ufeff")) + 1,
@@ -107,7 +107,8 @@ def read_text(text: str, *, file: str, wanted: str | None = None) -> MaskFile:
     kind = _kind(document, problems)
     if wanted not in (None, kind):
         problems.add(
-            Fault("SD013", f"a mask of kind {wanted} was expected, not {kind}", "name another file"), ("kind",)
+            Fault(faults.KIND_NOT_BUILT, f"a mask of kind {wanted} was expected, not {kind}", "name another file"),
+            ("kind",),
         )
         problems.raise_any()
     top = Table(document, (), problems)
@@ -154,22 +155,23 @@ def _kind(document: Mapping[str, object], problems: Collector) -> str:
     kind = document.get("kind", "matrices" if "matrices" in document and "mask" not in document else "scalar")
     if not isinstance(kind, str):
         problems.add(
-            Fault("SD006", f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'), ("kind",)
+            Fault(faults.WRONG_TYPE, f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'),
+            ("kind",),
         )
     elif kind in BODIES:
         return kind
     elif kind in _PLANNED:
         message = f"masks of kind {kind} cannot be checked yet"
         where = "kind" if "kind" in document else kind
-        mend = "this version reads: " + ", ".join(BODIES)
+        help = "this version reads: " + ", ".join(BODIES)
         if kind == "matrices":
-            mend += "; `subdiv jsr` computes the joint spectral radius of matrices"
-        problems.add(Fault("SD013", message, mend), (where,))
+            help += "; `subdiv jsr` computes the joint spectral radius of matrices"
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, help), (where,))
     else:
-        mend = f"this version reads: {', '.join(BODIES)}; planned: {', '.join(_PLANNED)}"
+        help = f"this version reads: {', '.join(BODIES)}; planned: {', '.join(_PLANNED)}"
         if guess := near(kind, BODIES):
-            mend = f'did you mean "{guess}"?'
-        problems.add(Fault("SD013", f'there is no kind "{shown(kind)}"', mend), ("kind",))
+            help = f'did you mean "{guess}"?'
+        problems.add(Fault(faults.KIND_NOT_BUILT, f'there is no kind "{shown(kind)}"', help), ("kind",))
     problems.raise_any()
     raise AssertionError("unreachable: there is a problem")
 
@@ -177,24 +179,26 @@ def _kind(document: Mapping[str, object], problems: Collector) -> str:
 def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
     """Refuses a document that does not look like a mask at all; a misspelt [mask] passes."""
     if not document:
-        problems.add(Fault("SD016", "the file is empty", "write a mask: [mask] with start and coefficients"))
+        problems.add(Fault(faults.NOT_A_MASK, "the file is empty", "write a mask: [mask] with start and coefficients"))
     elif not any(
         key.lower() in _TOP or key.lower() in _BELONGS or near(key, ("mask", "kind", "matrices"))
         for key in list(document)[:50]
     ):
-        mend = "a mask file has [mask] with start and coefficients, or symbol"
-        problems.add(Fault("SD016", "this is TOML, but no mask file: it has no kind, mask or matrices", mend))
+        help = "a mask file has [mask] with start and coefficients, or symbol"
+        problems.add(Fault(faults.NOT_A_MASK, "this is TOML, but no mask file: it has no kind, mask or matrices", help))
     problems.raise_any()
 
 
 def _format(document: Mapping[str, object], problems: Collector) -> None:
     version = document.get("format", 1)
     if isinstance(version, bool) or not isinstance(version, int):
-        problems.add(Fault("SD006", f"format must be 1, not {described(version)}", "write format = 1"), ("format",))
+        problems.add(
+            Fault(faults.WRONG_TYPE, f"format must be 1, not {described(version)}", "write format = 1"), ("format",)
+        )
     elif version != 1:
         said = str(version) if version.bit_length() < 64 else "a long number"
-        mend = "write format = 1, or use a newer subdiv"
-        problems.add(Fault("SD006", f"format must be 1, not {said}", mend), ("format",))
+        help = "write format = 1, or use a newer subdiv"
+        problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {said}", help), ("format",))
 
 
 def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation, ...]:
@@ -203,7 +207,7 @@ def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation
         try:
             found.append(expectation(key, value))
         except Fault as fault:
-            problems.add(fault, ("expect", key), of_key=fault.code in ("SD004", "SD013"))
+            problems.add(fault, ("expect", key), of_key=fault.rule is faults.UNKNOWN_KEY)
     for later, contradiction in contradictions(found):
         problems.add(contradiction, ("expect", later))
     return tuple(found)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_MATRICES, MAX_MATRIX_ORDER
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression, read_parameters, text_at
 from subdiv_cli.maskfile.expressions import Expression, number_of
@@ -18,7 +19,7 @@ from subdiv_cli.maskfile.toml import load
 from subdiv_cli.maskfile.values import described
 
 _KEYS = ("format", "name", "reference", "kind", "parameters", "matrices")
-_MEND = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
+_HELP = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
 
 Matrix = tuple[tuple[Fraction, ...], ...]
 
@@ -59,8 +60,11 @@ def read_matrices_text(text: str, *, file: str) -> MatrixFile:
     document = load(source)
     kind = document.get("kind", "matrices")
     if kind != "matrices" or "mask" in document:
-        mend = "`subdiv check` decides the smoothness of masks; `subdiv jsr` takes matrices = [[[…], …], …]"
-        problems.add(Fault("SD013", "this is no family of matrices", mend), ("mask" if "mask" in document else "kind",))
+        help = "`subdiv check` decides the smoothness of masks; `subdiv jsr` takes matrices = [[[…], …], …]"
+        problems.add(
+            Fault(faults.KIND_NOT_BUILT, "this is no family of matrices", help),
+            ("mask" if "mask" in document else "kind",),
+        )
         problems.raise_any()
     top = Table(document, (), problems)
     top.only(_KEYS)
@@ -69,7 +73,7 @@ def read_matrices_text(text: str, *, file: str) -> MatrixFile:
     if "matrices" in document:
         matrices = _Reader(parameters, problems).family(document["matrices"], ("matrices",))
     else:
-        top.missing("matrices", "matrices are missing", _MEND)
+        top.missing("matrices", "matrices are missing", _HELP)
     name, reference = text_at(top, "name"), text_at(top, "reference")
     problems.raise_any()
     assert matrices is not None, "missing matrices are a problem"
@@ -92,7 +96,7 @@ class _Reader:
         orders = {len(matrix) for matrix in found if matrix is not None}
         if len(orders) > 1:
             sizes = " and ".join(map(str, sorted(orders)))
-            fault = Fault("SD006", f"the matrices must be of one order, and there are orders {sizes}", _MEND)
+            fault = Fault(faults.WRONG_TYPE, f"the matrices must be of one order, and there are orders {sizes}", _HELP)
             self._problems.add(fault, path)
         return tuple(matrix for matrix in found if matrix is not None)
 
@@ -107,7 +111,9 @@ class _Reader:
                 return None
             if len(entries) != len(rows):
                 message = f"the matrix is not square: rows {len(rows)}, entries of this row {len(entries)}"
-                self._problems.add(Fault("SD006", message, "a joint spectral radius is of square matrices"), (*path, i))
+                self._problems.add(
+                    Fault(faults.WRONG_TYPE, message, "a joint spectral radius is of square matrices"), (*path, i)
+                )
                 return None
             found.append(tuple(self._entry(x, (*path, i, j)) for j, x in enumerate(entries)))
         return tuple(found)
@@ -124,9 +130,11 @@ class _Reader:
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
         if not isinstance(value, list) or not value:
             said = "an empty list" if value == [] else described(value)
-            self._problems.add(Fault("SD006", f"{what} must be a list, not {said}", _MEND), path)
+            self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {said}", _HELP), path)
             return None
         if len(value) > most:
-            self._problems.add(Fault("SD010", f"{what}: {len(value)} entries; the limit is {most}", _MEND), path)
+            self._problems.add(
+                Fault(faults.OUT_OF_BOUNDS, f"{what}: {len(value)} entries; the limit is {most}", _HELP), path
+            )
             return None
         return value

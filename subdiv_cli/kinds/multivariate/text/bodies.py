@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme, multiple_of_identity
 from subdiv_cli.maskfile import laurent
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import Coefficients, Symbol, too_precise, zero_mask
 from subdiv_cli.maskfile.bounds import MAX_INDEX, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
@@ -94,7 +95,9 @@ class BoxSpline(NamedTuple):
                 factor = Laurent({packed((0, *(j * x for x in direction))): 1 for j in range(c)})
                 symbol = laurent.times(symbol, laurent.power(factor, multiplicity, work), work)
         except TooLargeError as error:
-            problems.add(Fault("SD010", f"the box spline is too large: {error}", "use smaller multiplicities"), path)
+            problems.add(
+                Fault(faults.OUT_OF_BOUNDS, f"the box spline is too large: {error}", "use smaller multiplicities"), path
+            )
             return None
         return _scheme(self.dilation, symbol.terms(s), path, values, problems)
 
@@ -172,10 +175,10 @@ def _wrong_size(terms: Mapping[Index, Fraction]) -> Fault | None:
     if len(terms) > MAX_MASK_LENGTH:
         return _too_many(len(terms))
     if max(max(map(abs, index)) for index in terms) > MAX_INDEX:
-        return Fault("SD010", f"an index beyond {MAX_INDEX}", "shift the mask towards 0")
+        return Fault(faults.OUT_OF_BOUNDS, f"an index beyond {MAX_INDEX}", "shift the mask towards 0")
     return too_precise(terms.values())
 
 
 def _too_many(count: int) -> Fault:
     message = f"the mask has {count} coefficients that are not zero; the limit is {MAX_MASK_LENGTH}"
-    return Fault("SD010", message, "use a smaller mask")
+    return Fault(faults.OUT_OF_BOUNDS, message, "use a smaller mask")
