@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, cast
 
 from subdiv_cli.maskfile import MaskFileError
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.closed import read_closed_form
 from subdiv_cli.maskfile.option import parse_expectation
 from subdiv_cli.maskfile.problems import Fault, unreadable
@@ -78,8 +79,7 @@ def read_report(file: str) -> Report:
 
 
 def _no_report(file: str, why: str) -> ReportError:
-    mend = "write one with `subdiv check … --format json -o report.json`"
-    return ReportError(Problem(code="SD020", message=f"no JSON report: {why}", help=mend, file=file))
+    return ReportError(faults.NO_REPORT.problem(f"no JSON report: {why}", file=file))
 
 
 def join(reports: Sequence[Report]) -> tuple[list[Mapping[str, Any]], tuple[int, int] | None]:
