@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.model import Exponent, Judgement, Result, Verdict
 
 _RANK = {"refuted": 0, "undecided": 1, "skipped": 1, "proved": 2}
@@ -40,7 +41,7 @@ class Baseline:
         old = self._old.get(file)
         if old is None or old["status"] == "invalid" or result.status == "invalid":
             return result
-        worse = tuple(_worse(result, old))
+        worse = tuple(faults.BASELINE.problem(message, file=result.file) for message in _worse(result, old))
         return replace(result, regressions=worse, status="failed" if worse else "passed")
 
     def missing(self) -> tuple[str, ...]:

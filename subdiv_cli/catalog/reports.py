@@ -145,7 +145,7 @@ def _result(data: Mapping[str, Any]) -> Result:
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding) for finding in data["findings"]),
         certificate=data.get("certificate"),
-        regressions=None if data.get("regressions") is None else tuple(data["regressions"]),
+        regressions=_regressions(data),
     )
 
 
@@ -154,6 +154,14 @@ def _problem(data: Mapping[str, Any], file: str) -> Problem:
         code=data["code"], message=data["message"], help=data.get("help"), file=file, key=data.get("key"),
         line=data.get("line"), column=data.get("column"),
     )  # fmt: skip
+
+
+def _regressions(data: Mapping[str, Any]) -> tuple[Problem, ...] | None:
+    """What was worse than in a baseline; a report has the messages alone. None where there was no baseline."""
+    messages = data.get("regressions")
+    if messages is None:
+        return None
+    return tuple(faults.BASELINE.problem(message, file=data["file"]) for message in messages)
 
 
 def _smoothness(data: Mapping[str, Any]) -> Smoothness:
