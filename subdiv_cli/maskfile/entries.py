@@ -13,7 +13,7 @@ from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.nodes import Number
-from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, near, shown
+from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, Reason, near, shown
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.maskfile.values import Decimal, described
 
@@ -149,9 +149,7 @@ def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expre
         try:
             expression = read_expression(value, path, found) if value != "" else None
         except Fault as wrong:
-            if wrong.rule is faults.BAD_EXPRESSION and wrong.message.endswith("is not declared") and table:
-                _explain_order(wrong, name, table.data)
-            problems.add(wrong, path)
+            problems.add(_out_of_order(wrong, name, table.data if table else ()) or wrong, path)
         found[name] = expression
     return found
 
@@ -166,12 +164,14 @@ def fault_of_name(name: str) -> Fault | None:
     return None
 
 
-def _explain_order(fault: Fault, name: str, declared: Mapping[str, object]) -> None:
-    used = fault.message.split('"')[1]
-    if used == name or used in declared:
-        fault.about = None
+def _out_of_order(fault: Fault, name: str, declared: Collection[str]) -> Fault | None:
+    """The fault of a default that uses its own parameter or one declared below; None where `fault` is another."""
+    used = fault.about
+    if used is None or fault.reason not in (Reason.UNDECLARED, Reason.MISTAKEN):
+        return None
     if used == name:
-        fault.message, fault.help = f"the default of {shown(name)} uses itself", "write a number"
-    elif used in declared:
-        fault.message = f"{shown(used)} is declared after {shown(name)}, whose default uses it"
-        fault.help = f"move {shown(used)} above {shown(name)}"
+        return Fault(fault.rule, f"the default of {shown(name)} uses itself", "write a number", fault.at)
+    if used not in declared:
+        return None
+    message = f"{shown(used)} is declared after {shown(name)}, whose default uses it"
+    return Fault(fault.rule, message, f"move {shown(used)} above {shown(name)}", fault.at)

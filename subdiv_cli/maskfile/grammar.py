@@ -15,7 +15,7 @@ from collections.abc import Collection
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_EXPONENT, MAX_NESTING
 from subdiv_cli.maskfile.nodes import Factor, Logarithm, Name, Node, Number, Power, RootOf, Sum, product_of
-from subdiv_cli.maskfile.problems import Fault, shown
+from subdiv_cli.maskfile.problems import Fault, Reason, shown
 from subdiv_cli.maskfile.tokens import Token, number, tokens
 
 ROOT_FORM = "root(x^2-x-1, 1.61, 1.62)"
@@ -82,9 +82,9 @@ class Parser:
             help = "an expression has no lists; use parentheses"
         else:
             help = f"remove it or write {expected} before it"
-        return Fault(
-            faults.BAD_EXPRESSION, f'"{shown(token.text)}" stands where {expected} was expected', help, token.at
-        )
+        message = f'"{shown(token.text)}" stands where {expected} was expected'
+        reason = Reason.COMMA if token.kind == "," else None
+        return Fault(faults.BAD_EXPRESSION, message, help, token.at, reason=reason)
 
     def sum(self) -> Node:
         """sum = product { ("+" | "-") product }"""

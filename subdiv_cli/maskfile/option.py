@@ -17,7 +17,7 @@ from subdiv_cli.maskfile.grammar import Parser, parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import MaskFile
 from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum, product_of
-from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown
+from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Reason, Source, near, shown
 from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.model import Expectation, ExpectationKey
@@ -57,8 +57,7 @@ def from_option(text: str, *, start: int | Sequence[int] = 0, arity: int = 2, na
         body = _body(text, (start,) if isinstance(start, int) else tuple(start), arity, names)
         check_fixed_mask(body, problems)
     except Fault as fault:
-        _explain(fault, text, names)
-        problems.add(fault)
+        problems.add(_on_the_command_line(fault, text, names))
     problems.raise_any()
     used = frozenset().union(*(names_in(entry.node) for entry in body.expressions()))
     parameters = {name: None for name in names if name in used}
@@ -93,18 +92,18 @@ def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str])
     return Coefficients(arity=arity, start=start[0], entries=flat)
 
 
-def _explain(fault: Fault, text: str, names: Collection[str]) -> None:
-    """Mends of files, in the words of the command line."""
-    if fault.message.endswith("is not declared") and fault.help and "[parameters]" in fault.help:
-        name = shown(fault.about or "w")
-        fault.help = f"give it a value: -p {name}=1/16"
-    elif fault.message.startswith('","') and not text.lstrip().startswith("["):
-        try:
-            _list(f"[{text}]", names)
-            help = f"[{shown(text.strip(), 100)}]"
-        except Fault:
-            help = "[1, 2, 1]/2"
-        fault.message, fault.help = "a list of coefficients stands in brackets", f"put the list in brackets: {help}"
+def _on_the_command_line(fault: Fault, text: str, names: Collection[str]) -> Fault:
+    """The same fault, where the help for a file is none here: with the words of the command line."""
+    if fault.reason is Reason.UNDECLARED:
+        return Fault(fault.rule, fault.message, f"give it a value: -p {shown(fault.about or 'w')}=1/16", fault.at)
+    if fault.reason is not Reason.COMMA or text.lstrip().startswith("["):
+        return fault
+    try:
+        _list(f"[{text}]", names)
+        help = f"[{shown(text.strip(), 100)}]"
+    except Fault:
+        help = "[1, 2, 1]/2"
+    return Fault(fault.rule, "a list of coefficients stands in brackets", f"put the list in brackets: {help}", fault.at)
 
 
 def _list(text: str, names: Collection[str]) -> Nested:

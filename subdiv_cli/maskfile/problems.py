@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
+from enum import Enum
 from fractions import Fraction
 
 from subdiv_cli.maskfile import rules as faults
@@ -27,10 +29,32 @@ class MaskFileError(Exception):
         return "\n".join(f"{p.code}: {p.message}" for p in self.problems)
 
 
+class Reason(Enum):
+    """What a fault is, where the one who catches it acts upon that; no code looks into a message."""
+
+    UNDECLARED = "undeclared"
+    """A name that is not declared, and the help is to declare it."""
+    MISTAKEN = "mistaken"
+    """A name that is not declared, and the help says what was probably meant."""
+    COMMA = "comma"
+    """A comma where an expression cannot have one: the text may be a list."""
+    NOT_QUOTED = "not quoted"
+    """A fraction or an expression that must be a string in TOML."""
+
+
 class Fault(Exception):  # noqa: N818 (most are recorded, not handled)
     """Something wrong at an offset (0-based) in a value's text; the caller knows the file and the key."""
 
-    def __init__(self, rule: FaultRule, message: str, help: str | None = None, at: int = 0) -> None:
+    def __init__(
+        self,
+        rule: FaultRule,
+        message: str,
+        help: str | None = None,
+        at: int = 0,
+        *,
+        reason: Reason | None = None,
+        about: str | None = None,
+    ) -> None:
         super().__init__(message)
         self.rule = rule
         """The row of `rules` that it is a case of."""
@@ -39,8 +63,10 @@ class Fault(Exception):  # noqa: N818 (most are recorded, not handled)
         self.help = rule.help if help is None else help
         """How to mend it, in one line: what its row says where nothing else is given."""
         self.at = at
-        self.about: str | None = None
-        """What the fault is about, where telling it once in a file is enough: an undeclared name."""
+        self.reason = reason
+        """What it is, where that matters to the one who catches it."""
+        self.about = about
+        """The name that it is about, where telling it once in a file is enough."""
 
     @property
     def code(self) -> str:
@@ -124,16 +150,22 @@ class Collector:
             return
         from subdiv_cli.maskfile.positions import Positions
 
-        for fault, _, _ in self._faults:
-            if fault.about is not None and (more := self._again[fault.message, fault.about]):
-                fault.message += f" (and in {more} more place{'s' if more > 1 else ''})"
         positions = Positions(self._source)
-        problems = [positions.problem(*entry) for entry in self._faults]
+        problems = [
+            self._counted(fault, positions.problem(fault, path, of_key)) for fault, path, of_key in self._faults
+        ]
         problems.sort(key=lambda p: (p.line is None, p.line or 0, p.column or 0))
         if self._left_out:
             message = f"{self._left_out} more problems in this file are not shown"
             problems.append(faults.OUT_OF_BOUNDS.problem(message, file=self._source.file))
         raise MaskFileError(problems)
+
+    def _counted(self, fault: Fault, problem: Problem) -> Problem:
+        """The problem of a fault, with the number of places where the same was left out."""
+        more = 0 if fault.about is None else self._again[fault.message, fault.about]
+        if not more:
+            return problem
+        return replace(problem, message=f"{problem.message} (and in {more} more place{'s' if more > 1 else ''})")
 
 
 def near(name: str, candidates: Iterable[str]) -> str | None:

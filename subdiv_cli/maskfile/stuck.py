@@ -7,7 +7,7 @@ import re
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_NESTING
 from subdiv_cli.maskfile.characters import MENDS, QUOTES, RATIONAL_ONLY, instead, mended, named
-from subdiv_cli.maskfile.problems import Fault, shown
+from subdiv_cli.maskfile.problems import Fault, Reason, shown
 from subdiv_cli.maskfile.tokens import is_name
 
 _ELEMENT = re.compile(r"[^,\[\]{}#\r\n\"']*")
@@ -120,6 +120,7 @@ def after_value(text: str, start: int, at: int) -> Fault:
             "fraction not quoted: TOML has no fractions",
             f'write exact numbers as strings: "{mended(element)}"',
             at,
+            reason=Reason.NOT_QUOTED,
         )
     if c == ".":
         help = f'write 1.0 for 1., or a string: "{element}"'
@@ -137,7 +138,8 @@ def after_value(text: str, start: int, at: int) -> Fault:
             at,
         )
     if c and (c in "*^+-(" or c in MENDS or c.isidentifier() or c.isdigit()):
-        return Fault(faults.TOML_SYNTAX, "expression not quoted: TOML has single numbers only", _as_string(element), at)
+        message = "expression not quoted: TOML has single numbers only"
+        return Fault(faults.TOML_SYNTAX, message, _as_string(element), at, reason=Reason.NOT_QUOTED)
     return Fault(
         faults.TOML_SYNTAX, f"the value should end here, not continue with {_here(text, at)}", "start a new line", at
     )
@@ -148,7 +150,7 @@ def separator(text: str, opening: int, start: int, at: int, closing: str) -> Fau
     same_line = "\n" not in text[start:at]
     if same_line and text[at] not in "\"'[{" and text[start] not in "\"'[{" and not text[at].isdigit():
         fault = after_value(text, start, at)
-        if "quoted" in fault.message:
+        if fault.reason is Reason.NOT_QUOTED:
             return fault
     line = text.count("\n", 0, opening) + 1
     message = f'a comma or "{closing}" was expected, not {_here(text, at)}'
