@@ -25,7 +25,7 @@ class Body(Protocol):
     """What [mask] says, not yet at values of the parameters."""
 
     def expressions(self) -> Iterable[Expression]:
-        """All in it."""
+        """All the expressions in it."""
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> Scheme | None:
         """The scheme at these values of the parameters; None where something is wrong, which is recorded."""
@@ -42,7 +42,7 @@ class Coefficients(NamedTuple):
         return self.entries
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         numbers = [number_of(entry, values, problems, work) for entry in self.entries]
         if None in numbers:
             return None
@@ -60,7 +60,7 @@ class Symbol(NamedTuple):
         return (self.expression,)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         polynomial = polynomial_of(self.expression, values, problems, work)
         if polynomial is None:
             return None
@@ -68,7 +68,7 @@ class Symbol(NamedTuple):
 
 
 def check_fixed_mask(body: Body, problems: Collector) -> None:
-    """Expands a mask that does not hang on parameters, for SD009 and SD010."""
+    """Records what is wrong with the scheme of a mask that does not hang on parameters."""
     if all(is_fixed(entry.node) for entry in body.expressions()):
         body.scheme({}, problems, Work())
 
@@ -76,6 +76,7 @@ def check_fixed_mask(body: Body, problems: Collector) -> None:
 def _scheme(
     arity: int, coefficients: Mapping[int, Fraction], path: KeyPath, values: Mapping[str, Fraction], problems: Collector
 ) -> ScalarScheme | None:
+    """The scheme of coefficients by their exponents; None where they make none, which is recorded."""
     fault = zero_mask(values) if not coefficients else _too_long(coefficients) or too_precise(coefficients.values())
     if fault:
         problems.add(fault, path)
@@ -86,12 +87,13 @@ def _scheme(
 
 
 def zero_mask(values: Mapping[str, Fraction]) -> Fault:
-    """All coefficients are zero, at these values of the parameters."""
+    """The fault of a mask whose coefficients are all zero at these values of the parameters."""
     help = "at least one coefficient must not be zero" + ("; try other parameters" if values else "")
     return Fault(faults.ZERO_MASK, "all coefficients of the mask are zero", help)
 
 
 def _too_long(coefficients: Mapping[int, Fraction]) -> Fault | None:
+    """The fault of coefficients that reach too far; None where they do not."""
     first, last = min(coefficients), max(coefficients)
     if last - first >= MAX_MASK_LENGTH:
         message = f"the mask has {last - first + 1} coefficients; the limit is {MAX_MASK_LENGTH}"
@@ -102,7 +104,7 @@ def _too_long(coefficients: Mapping[int, Fraction]) -> Fault | None:
 
 
 def too_precise(coefficients: Iterable[Fraction]) -> Fault | None:
-    """A common denominator that is too long."""
+    """The fault of coefficients with a common denominator that is too long; None where it is not."""
     common = 1
     for c in coefficients:
         common = lcm(common, c.denominator)

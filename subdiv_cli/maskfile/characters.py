@@ -36,11 +36,12 @@ def mended(text: str) -> str:
 
 
 def _power(found: re.Match[str]) -> str:
+    """A power as typography writes it, in plain characters."""
     return "^" + ("-" if found[1] == "⁻" else "") + "".join(MENDS[c][1] for c in found[2])
 
 
 def stray(text: str, i: int, at: int) -> Fault:
-    """The character at `i` of an expression that begins no token; `at` is its offset for the fault."""
+    """The fault of the character at `i` of an expression, which begins no token; `at` is its offset for the fault."""
     c = text[i]
     if c == "√":
         return Fault(faults.BAD_EXPRESSION, "a square root is not rational", RATIONAL_ONLY, at)

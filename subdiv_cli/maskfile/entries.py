@@ -138,7 +138,7 @@ def check_fixed(expression: Expression, work: Work) -> None:
 
 
 def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expression | None]:
-    """name -> default in order of declaration: a number, an expression in earlier parameters, or "" for none."""
+    """The defaults by name, in order of declaration: a number, an expression in earlier parameters, or None for ""."""
     found: dict[str, Expression | None] = {}
     for name, value in table.data.items() if table else ():
         path = ("parameters", name)
@@ -155,7 +155,7 @@ def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expre
 
 
 def fault_of_name(name: str) -> Fault | None:
-    """SD011 for what cannot be a parameter's name."""
+    """The fault of what cannot be a parameter's name; None for one that can."""
     if _VARIABLE.fullmatch(name):
         return Fault(faults.BAD_PARAMETER, f"{name} is the variable of symbols and cannot be a parameter", "call it w")
     if not is_name(name):

@@ -89,6 +89,7 @@ def _power(node: Power, values: Mapping[str, Fraction], work: Work) -> Laurent:
 
 
 def _quotient(a: Laurent, divisor: Laurent, at: int, work: Work) -> Laurent:
+    """The quotient. Raises Fault where there is a remainder."""
     if (result := laurent.quotient(a, divisor, work)) is not None:
         return result
     small, large = laurent.spelled(divisor) or "this divisor", laurent.spelled(a) or "what stands before it"
@@ -97,7 +98,7 @@ def _quotient(a: Laurent, divisor: Laurent, at: int, work: Work) -> Laurent:
 
 
 def _nonzero(node: Node, at: int, values: Mapping[str, Fraction], work: Work) -> Laurent:
-    """A divisor. Raises Fault for zero."""
+    """The value of a divisor. Raises Fault for zero."""
     divisor = evaluate(node, values, work)
     if divisor.numerators:
         return divisor

@@ -110,6 +110,7 @@ def parameter_values(
 
 
 def _no_parameter(name: str, parameters: Mapping[str, object]) -> Fault:
+    """The fault of a value for a parameter that the mask does not have."""
     message = f"this mask has no parameter {shown(name)}"
     if guess := near(name, parameters):
         return Fault(faults.BAD_PARAMETER, message, f"did you mean {shown(guess)}?")

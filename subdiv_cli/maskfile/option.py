@@ -66,7 +66,7 @@ def from_option(text: str, *, start: int | Sequence[int] = 0, arity: int = 2, na
 
 
 def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str]) -> Body:
-    """Raises Fault."""
+    """The body that the text of `--mask` gives. Raises Fault."""
     if not text.lstrip().startswith("["):
         if any(start):
             raise Fault(
@@ -93,7 +93,7 @@ def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str])
 
 
 def _on_the_command_line(fault: Fault, text: str, names: Collection[str]) -> Fault:
-    """The same fault, where the help for a file is none here: with the words of the command line."""
+    """The fault in the words of the command line, where its help is about mask files."""
     if fault.reason is Reason.UNDECLARED:
         return Fault(fault.rule, fault.message, f"give it a value: -p {shown(fault.about or 'w')}=1/16", fault.at)
     if fault.reason is not Reason.COMMA or text.lstrip().startswith("["):
@@ -164,6 +164,7 @@ def _rows(parser: Parser, text: str, depth: int) -> _Rows:
 
 
 def _scaled_rows(rows: _Rows, tail: list[Factor], scale: str) -> Nested:
+    """All coefficients times the factors behind the list, in the lists they stand in."""
     return tuple(
         _scaled(entry.node, entry.said, tail, scale) if isinstance(entry, _Span) else _scaled_rows(entry, tail, scale)
         for entry in rows
@@ -181,7 +182,7 @@ def _scaled(node: Node, said: str, tail: list[Factor], scale: str) -> Expression
 
 
 def parse_override(text: str) -> tuple[str, Fraction]:
-    """`-p w=1/20` -> ("w", 1/20); any expression in numbers. Raises MaskFileError (SD011, or what the number is)."""
+    """The name and the value that `-p w=1/20` gives, any expression in numbers. Raises MaskFileError."""
     name, equals, value = text.partition("=")
     said = name.strip()
     try:
@@ -219,7 +220,7 @@ def parse_expectation(key: str, value: object) -> Expectation:
 
 
 def parse_property(text: str) -> Expectation:
-    """`holder>=1.5`, `smoothness=1`, `C1` (smoothness >= 1), `convergent`, `stable=false`. Raises MaskFileError."""
+    """The expectation that `holder>=1.5`, `C1` (smoothness >= 1) or `stable=false` states. Raises MaskFileError."""
     try:
         return _property(text)
     except Fault as fault:
@@ -227,6 +228,7 @@ def parse_property(text: str) -> Expectation:
 
 
 def _property(text: str) -> Expectation:
+    """The expectation that a property states. Raises Fault."""
     body = text.strip()
     if len(body) > 10_000:
         raise Fault(faults.OUT_OF_BOUNDS, "the property is too long", "write for instance holder>=1.5")
@@ -259,6 +261,7 @@ def _property(text: str) -> Expectation:
 
 
 def _of_option(text: str, fault: Fault, key: str | None) -> MaskFileError:
+    """The error of a fault in the text of an option; no position where there is no text."""
     if not text:
         return MaskFileError([fault.problem(key=key)])
     column = min(fault.at, len(text)) + 1

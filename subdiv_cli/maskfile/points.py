@@ -79,6 +79,7 @@ def net(text: str, file: str) -> Net:
 
 
 def _text(file: str, limit: int) -> str:
+    """The text of a file of points. Raises MaskFileError."""
     try:
         if file == "-":
             data = sys.stdin.buffer.read(_MAX_BYTES + 1)
@@ -114,10 +115,12 @@ def _rows(text: str, file: str, help: str) -> Iterator[tuple[int, list[str]]]:
 
 
 def _is_number(cell: str) -> bool:
+    """Whether a cell is a number that a Fraction can be made of."""
     return bool(_NUMBER.fullmatch(cell) and not re.search(r"/0+$", cell))
 
 
 def _numbers(cells: list[str], count: int, what: str, help: str, file: str, line: int) -> list[Fraction]:
+    """The numbers of a row, `count` of them. Raises MaskFileError."""
     if len(cells) != count or not all(map(_is_number, cells)):
         wrong = next((cell for cell in cells if not _is_number(cell)), f"{len(cells)} cells")
         raise _bad(file, f'"{shown(wrong)}" is not {what}', help, line)
@@ -125,4 +128,5 @@ def _numbers(cells: list[str], count: int, what: str, help: str, file: str, line
 
 
 def _bad(file: str, message: str, help: str, line: int | None = None) -> MaskFileError:
+    """The error of a text that is no list of points."""
     return MaskFileError([faults.BAD_POINTS.problem(message, help, file=file, line=line)])

@@ -132,7 +132,7 @@ class Collector:
         return len(self._faults) >= MAX_PROBLEMS
 
     def add(self, fault: Fault, path: KeyPath = (), *, of_key: bool = False) -> None:
-        """Records a fault in the value at `path`, or (of_key) in the key itself; one that is only `about` once."""
+        """Records a fault in the value at `path`, or (of_key) in the key itself; one `about` a name only once."""
         if fault.about is not None:
             same = (fault.message, fault.about)
             if same in self._again:
@@ -193,7 +193,7 @@ def shown_number(value: Fraction) -> str:
 
 
 def shown_path(path: KeyPath) -> str:
-    """mask.coefficients[3]"""
+    """A key path as a message quotes it: mask.coefficients[3]."""
     out = ""
     for part in path:
         if isinstance(part, int):

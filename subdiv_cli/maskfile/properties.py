@@ -56,7 +56,7 @@ def expectation(key: str, value: object) -> Expectation:
 
 
 def comparison(key: ExpectationKey, text: str, at: int = 0) -> Expectation:
-    """`1`, `= 1`, `>= 1.99`, `1.99 .. 2.01` for a property that has a number. Raises Fault."""
+    """The expectation that `1`, `= 1`, `>= 1.99` or `1.99 .. 2.01` states of a property with a number. Raises Fault."""
     if not text.strip():
         raise Fault(faults.BAD_EXPECTATION, f"the expected {key} is empty", _form(key), at)
     body = text.lstrip()
@@ -90,6 +90,7 @@ def comparison(key: ExpectationKey, text: str, at: int = 0) -> Expectation:
 
 
 def _form(key: str) -> str:
+    """The help that shows how an expectation of this property is written."""
     if key in ORDERS:
         return f'write {key} = 1 for exactly, or {key} = ">= 1" for at least'
     return f'write {key} = "2" for exactly, ">= 1.99" for at least, or "1.99 .. 2.01"'

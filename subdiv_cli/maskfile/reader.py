@@ -74,11 +74,13 @@ def text_of(data: bytes, file: str) -> str:
 
 
 def _too_big(file: str) -> Problem:
+    """The problem of a file that is too large for a mask."""
     message = f"the file is larger than {MAX_FILE_BYTES >> 10} KiB, the limit for a mask file"
     return faults.OUT_OF_BOUNDS.problem(message, "is this really a mask file?", file=file)
 
 
 def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
+    """The problem of a file that is not UTF-8, at the first byte that is not."""
     start = data.rfind(b"\n", 0, error.start) + 1
     end = data.find(b"\n", error.start)
     wide = data.startswith((b"\xff\xfe", b"\xfe\xff"))
@@ -190,6 +192,7 @@ def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
 
 
 def _format(document: Mapping[str, object], problems: Collector) -> None:
+    """Records a format that is not 1."""
     version = document.get("format", 1)
     if isinstance(version, bool) or not isinstance(version, int):
         problems.add(
@@ -202,6 +205,7 @@ def _format(document: Mapping[str, object], problems: Collector) -> None:
 
 
 def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation, ...]:
+    """The expectations of [expect]; what is wrong with them is recorded."""
     found: list[Expectation] = []
     for key, value in table.data.items() if table else ():
         try:

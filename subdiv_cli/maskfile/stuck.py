@@ -42,7 +42,7 @@ def _as_string(element: str) -> str:
 
 
 def _comment(text: str, at: int, marks: tuple[str, ...] = _COMMENTS) -> Fault | None:
-    """A comment as other languages write it."""
+    """The fault of a comment as other languages write it; None where there is none."""
     if not text.startswith(marks, at):
         return None
     message = f"a comment in TOML does not begin with {_here(text, at)}"
@@ -50,7 +50,7 @@ def _comment(text: str, at: int, marks: tuple[str, ...] = _COMMENTS) -> Fault | 
 
 
 def _typography(element: str, start: int) -> Fault | None:
-    """A value with typographic quotation marks, or one that begins with a character that is no plain one."""
+    """The fault of typographic quotation marks, or of a value that begins with no plain character; None without."""
     plain = mended(element)
     for i, c in enumerate(element):
         if c in QUOTES:
@@ -68,14 +68,14 @@ def _typography(element: str, start: int) -> Fault | None:
 
 
 def nesting(what: str, at: int) -> Fault:
-    """Deeper than any mask needs."""
+    """The fault of nesting that is deeper than any mask needs."""
     return Fault(
         faults.OUT_OF_BOUNDS, f"{what} is nested more than {MAX_NESTING} deep", "a mask file needs two levels", at
     )
 
 
 def value(text: str, start: int) -> Fault:
-    """No value begins here."""
+    """The fault where no value begins."""
     if fault := _comment(text, start, _BESIDE_VALUES):
         return fault
     element = _element(text, start)
@@ -101,7 +101,7 @@ def value(text: str, start: int) -> Fault:
 
 
 def after_value(text: str, start: int, at: int) -> Fault:
-    """Something directly after a value, or on the same line, that does not belong there. `start`: of the value."""
+    """The fault of what stands after a value, or on its line, and does not belong there. `start`: of the value."""
     if fault := _comment(text, at, _BESIDE_VALUES):
         return fault
     c = text[at : at + 1]
@@ -146,7 +146,7 @@ def after_value(text: str, start: int, at: int) -> Fault:
 
 
 def separator(text: str, opening: int, start: int, at: int, closing: str) -> Fault:
-    """Neither a comma nor the end of an array or an inline table. `start`: of the value before."""
+    """The fault where an array or an inline table neither goes on nor ends. `start`: of the value before."""
     same_line = "\n" not in text[start:at]
     if same_line and text[at] not in "\"'[{" and text[start] not in "\"'[{" and not text[at].isdigit():
         fault = after_value(text, start, at)
@@ -159,12 +159,12 @@ def separator(text: str, opening: int, start: int, at: int, closing: str) -> Fau
 
 
 def unclosed(opening: int, bracket: str, closing: str) -> Fault:
-    """The file ends inside an array or an inline table."""
+    """The fault of a file that ends inside an array or an inline table."""
     return Fault(faults.TOML_SYNTAX, f'this "{bracket}" is never closed', f'add the missing "{closing}"', opening)
 
 
 def string(text: str, start: int, quote: str) -> Fault:
-    """A string without end."""
+    """The fault of a string without end."""
     for at in range(start + 1, min(len(text), start + 1000)):
         if text[at] in "\r\n" or len(quote) == 3:
             break
@@ -176,19 +176,19 @@ def string(text: str, start: int, quote: str) -> Fault:
 
 
 def escape(text: str, at: int) -> Fault:
-    """A backslash before a letter that TOML does not know."""
+    """The fault of a backslash before a letter that TOML does not know."""
     help = "write \\\\ for a backslash, or put the text in single quotes"
     return Fault(faults.TOML_SYNTAX, f'"{shown(text[at : at + 2])}" is no escape in TOML', help, at)
 
 
 def header(text: str, at: int, closing: str) -> Fault:
-    """A table header without end."""
+    """The fault of a table header without end."""
     message = f'"{closing}" was expected to close the table name, not {_here(text, at)}'
     return Fault(faults.TOML_SYNTAX, message, "write a table as [mask]", at)
 
 
 def key(text: str, at: int) -> Fault:
-    """No key begins here."""
+    """The fault where no key begins."""
     if fault := _comment(text, at) or _beyond_ascii(text, at, at):
         return fault
     return Fault(
@@ -197,7 +197,7 @@ def key(text: str, at: int) -> Fault:
 
 
 def _beyond_ascii(text: str, start: int, at: int) -> Fault | None:
-    """A bare key with a letter that needs quotes at `at`, or quotation marks that are none."""
+    """The fault of a letter at `at` that a bare key cannot have, or of quotation marks that are none; None without."""
     c = text[at : at + 1]
     if c and c in QUOTES:
         return Fault(
@@ -213,7 +213,7 @@ def _beyond_ascii(text: str, start: int, at: int) -> Fault | None:
 
 
 def equals(text: str, start: int, at: int) -> Fault:
-    """A key without its "="."""
+    """The fault of a key without its "="."""
     if fault := _beyond_ascii(text, start, at):
         return fault
     name = shown(text[start:at].strip())

@@ -13,7 +13,7 @@ from subdiv_cli.model import Problem
 
 
 def load(source: Source) -> dict[str, object]:
-    """The document; floats stay `Decimal`. Raises MaskFileError: SD001, SD003, SD010 or SD015."""
+    """The document as plain data; floats stay `Decimal`. Raises MaskFileError: SD001, SD003, SD010 or SD015."""
     text = source.text
     if text.count(".") > MAX_NESTING and any(line.count(".") > MAX_NESTING for line in text.split("\n")):
         _refuse_deep_keys(source)  # tomllib takes quadratic time for a.a.a.a.…
@@ -27,6 +27,7 @@ def load(source: Source) -> dict[str, object]:
 
 
 def _refuse_deep_keys(source: Source) -> None:
+    """Raises MaskFileError for nesting beyond the bound, a dotted key's too."""
     from subdiv_cli.maskfile.positions import Positions
 
     positions = Positions(source)

@@ -89,6 +89,7 @@ class _Reader:
         self._names, self._problems, self._work = names, problems, Work()
 
     def family(self, value: object, path: KeyPath) -> tuple[tuple[tuple[Expression, ...], ...], ...] | None:
+        """The matrices; None where there is no list of them. The family is complete where nothing is recorded."""
         matrices = self._list(value, path, "matrices", MAX_MATRICES)
         if matrices is None:
             return None
@@ -101,6 +102,7 @@ class _Reader:
         return tuple(matrix for matrix in found if matrix is not None)
 
     def _matrix(self, value: object, path: KeyPath) -> tuple[tuple[Expression, ...], ...] | None:
+        """The rows of a square matrix; None where it is none."""
         rows = self._list(value, path, "a matrix", MAX_MATRIX_ORDER)
         if rows is None:
             return None
@@ -119,6 +121,7 @@ class _Reader:
         return tuple(found)
 
     def _entry(self, value: object, path: KeyPath) -> Expression:
+        """The entry; zero where it is wrong."""
         try:
             expression = read_expression(value, path, self._names)
             check_fixed(expression, self._work)
@@ -128,6 +131,7 @@ class _Reader:
         return expression
 
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
+        """The value, where it is a list of 1 to `most` entries; else None."""
         if not isinstance(value, list) or not value:
             said = "an empty list" if value == [] else described(value)
             self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {said}", _HELP), path)

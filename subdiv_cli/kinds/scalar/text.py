@@ -48,6 +48,7 @@ def read_scalar(table: Table, parameters: Collection[str], problems: Collector) 
 
 
 def _symbol(table: Table, arity: int | None, parameters: Collection[str]) -> Symbol | None:
+    """The body that `symbol` gives; None where something is wrong, which is recorded."""
     path = (*table.path, "symbol")
     for other in ("coefficients", "start"):
         if other in table.data:
@@ -72,6 +73,7 @@ def _symbol(table: Table, arity: int | None, parameters: Collection[str]) -> Sym
 
 
 def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression, ...] | None:
+    """The entries of `coefficients`; None where something is wrong, which is recorded."""
     path = (*table.path, "coefficients")
     values = table.data["coefficients"]
     fault = None
@@ -83,9 +85,10 @@ def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression
     elif len(values) > MAX_MASK_LENGTH:
         message = f"the mask has {len(values)} coefficients; the limit is {MAX_MASK_LENGTH}"
         fault = Fault(faults.OUT_OF_BOUNDS, message, "use a shorter mask")
-    if fault or not isinstance(values, list):
-        table.problems.add(fault or Fault(faults.WRONG_TYPE, ""), path)
+    if fault:
+        table.problems.add(fault, path)
         return None
+    assert isinstance(values, list), "anything else is a fault"
     entries = []
     work = Work()
     for i, value in enumerate(values):

@@ -34,7 +34,7 @@ class Grid(NamedTuple):
         return _walk(self.coefficients, self.start)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         return _numbers(self.dilation, self._entries(), ("mask", "coefficients"), values, problems, work)
 
 
@@ -48,7 +48,7 @@ class Terms(NamedTuple):
         return (entry for _, entry in self.terms)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         return _numbers(self.dilation, self.terms, ("mask", "terms"), values, problems, work)
 
 
@@ -62,7 +62,7 @@ class LaurentSymbol(NamedTuple):
         return (self.expression,)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         polynomial = polynomial_of(self.expression, values, problems, work)
         if polynomial is None:
             return None
@@ -86,7 +86,7 @@ class BoxSpline(NamedTuple):
         return ()
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD010."""
+        """The scheme; a box spline that is too large is recorded."""
         path = ("mask", "box_spline")
         s, c = len(self.dilation), self.dilation[0][0]
         symbol = laurent.constant(Fraction(c**s, c ** sum(self.multiplicities)))
@@ -111,7 +111,7 @@ class Tensor(NamedTuple):
         return (entry for factor in self.factors for entry in factor.expressions())
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         path = ("mask", "tensor")
         schemes = [factor.scheme(values, problems, work) for factor in self.factors]
         factors = [
@@ -133,6 +133,7 @@ class Tensor(NamedTuple):
 
 
 def _walk(entries: Nested, start: Index, above: Index = ()) -> Iterator[tuple[Index, Expression]]:
+    """Every coefficient with its index, from nested lists of them."""
     for k, entry in enumerate(entries, start[len(above)]):
         index = (*above, k)
         if isinstance(entry, Expression):
@@ -149,7 +150,7 @@ def _numbers(
     problems: Collector,
     work: Work,
 ) -> MultivariateScheme | None:
-    """The scheme of coefficients given one by one."""
+    """The scheme of coefficients given one by one; None where one is wrong, which is recorded."""
     numbers = [(index, number_of(entry, values, problems, work)) for index, entry in entries]
     terms = {index: value for index, value in numbers if value is not None}
     return _scheme(dilation, terms, path, values, problems) if len(terms) == len(numbers) else None
@@ -162,7 +163,7 @@ def _scheme(
     values: Mapping[str, Fraction],
     problems: Collector,
 ) -> MultivariateScheme | None:
-    """SD009 and SD010."""
+    """The scheme of coefficients by their indices; None where they make none, which is recorded."""
     terms = {index: value for index, value in terms.items() if value}
     fault = _wrong_size(terms) if terms else zero_mask(values)
     if fault:
@@ -172,6 +173,7 @@ def _scheme(
 
 
 def _wrong_size(terms: Mapping[Index, Fraction]) -> Fault | None:
+    """The fault of coefficients that are too many, too far out or too precise; None where they are not."""
     if len(terms) > MAX_MASK_LENGTH:
         return _too_many(len(terms))
     if max(max(map(abs, index)) for index in terms) > MAX_INDEX:
@@ -180,5 +182,6 @@ def _wrong_size(terms: Mapping[Index, Fraction]) -> Fault | None:
 
 
 def _too_many(count: int) -> Fault:
+    """The fault of a mask with so many coefficients."""
     message = f"the mask has {count} coefficients that are not zero; the limit is {MAX_MASK_LENGTH}"
     return Fault(faults.OUT_OF_BOUNDS, message, "use a smaller mask")

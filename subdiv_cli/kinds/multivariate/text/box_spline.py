@@ -18,7 +18,7 @@ _HELP = "write box_spline = {directions = [[1,0],[0,1],[1,1]], multiplicities = 
 
 
 def read_box_spline(table: Table, dilation: Dilation) -> BoxSpline | None:
-    """None where something is wrong, which is recorded."""
+    """The body of a box spline; None where something is wrong, which is recorded."""
     inner = table.table("box_spline", _HELP)
     if inner is None:
         return None
@@ -51,9 +51,10 @@ def _directions(inner: Table) -> tuple[Index, ...] | None:
         fault = Fault(
             faults.OUT_OF_BOUNDS, f"{len(value)} directions; the limit is {MAX_FACTORS}", "use multiplicities"
         )
-    if fault or not isinstance(value, list):
-        inner.problems.add(fault or Fault(faults.WRONG_TYPE, ""), path)
+    if fault:
+        inner.problems.add(fault, path)
         return None
+    assert isinstance(value, list), "anything else is a fault"
     found = [integer_list(x, (*path, i), inner.problems, "a direction", _HELP) for i, x in enumerate(value)]
     directions = tuple(direction for direction in found if direction is not None)
     if len(directions) < len(found):
@@ -65,6 +66,7 @@ def _directions(inner: Table) -> tuple[Index, ...] | None:
 
 
 def _of_directions(directions: tuple[Index, ...]) -> Fault | None:
+    """The fault of directions that give no box spline; None where they do."""
     s = len(directions[0])
     if any(len(direction) != s for direction in directions):
         return Fault(
@@ -82,7 +84,7 @@ def _of_directions(directions: tuple[Index, ...]) -> Fault | None:
 
 
 def _multiplicities(inner: Table, count: int) -> tuple[int, ...] | None:
-    """All 1 where none are given."""
+    """The multiplicities, all 1 where none are given; None where something is wrong, which is recorded."""
     if "multiplicities" not in inner.data:
         return (1,) * count
     path = (*inner.path, "multiplicities")
@@ -109,7 +111,7 @@ def _multiplicities(inner: Table, count: int) -> tuple[int, ...] | None:
 
 
 def rank(vectors: tuple[Index, ...]) -> int:
-    """Of their span, by elimination."""
+    """The dimension of their span, by elimination."""
     rows = [list(map(Fraction, vector)) for vector in vectors]
     found = 0
     for column in range(len(vectors[0])):

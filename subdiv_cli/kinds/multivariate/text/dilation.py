@@ -19,7 +19,7 @@ HELP = "write dilation = 2, or a matrix by rows: dilation = [[1, 1], [1, -1]]"
 
 
 class Dilation:
-    """What [mask] says of it, which may be nothing; faults are recorded: SD006, SD010, SD022."""
+    """What [mask] says of the dilation, which may be nothing; faults are recorded."""
 
     def __init__(self, table: Table) -> None:
         self.path: KeyPath = (*table.path, "dilation")
@@ -58,6 +58,7 @@ class Dilation:
 
 
 def _matrix(value: list[object], path: KeyPath, problems: Collector) -> IntMatrix | None:
+    """The rows of an expanding matrix; None where they are wrong, which is recorded."""
     found = [
         integer_list(row, (*path, i), problems, "a row of the dilation matrix", HELP) for i, row in enumerate(value)
     ]
@@ -72,6 +73,7 @@ def _matrix(value: list[object], path: KeyPath, problems: Collector) -> IntMatri
 
 
 def _wrong_shape(rows: IntMatrix) -> Fault | None:
+    """The fault of rows that make no square matrix of the orders there are; None where they do."""
     n = len(rows)
     if n == 1:
         help = 'one variable is kind = "scalar", with an arity'
@@ -88,6 +90,7 @@ def _wrong_shape(rows: IntMatrix) -> Fault | None:
 
 
 def _wrong_eigenvalues(rows: IntMatrix) -> Fault | None:
+    """The fault of a matrix that is not expanding, or too much so; None for one that will do."""
     polynomial = characteristic_polynomial(rows)
     if not is_expanding(rows):
         message = f"the dilation matrix is not expanding: {_spelled(polynomial)} has a zero in |x| <= 1"
@@ -98,6 +101,7 @@ def _wrong_eigenvalues(rows: IntMatrix) -> Fault | None:
 
 
 def _too_many_cosets(count: int) -> Fault:
+    """The fault of a dilation with so many cosets."""
     return Fault(
         faults.OUT_OF_BOUNDS,
         f"the dilation has determinant {count}; the limit is {MAX_COSETS}",
@@ -106,6 +110,7 @@ def _too_many_cosets(count: int) -> Fault:
 
 
 def _factor(rows: IntMatrix) -> int | None:
+    """The c of a matrix cI; None for another."""
     c = rows[0][0]
     return c if rows == multiple_of_identity(c, len(rows)) else None
 

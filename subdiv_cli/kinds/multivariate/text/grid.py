@@ -20,7 +20,7 @@ _NESTED = 'write a list of rows: coefficients = [["1/4", "1/2"], ["1/2", 1]]'
 
 
 def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> Grid | None:
-    """None where something is wrong, which is recorded."""
+    """The body that `start` and `coefficients` give; None where something is wrong, which is recorded."""
     problems = table.problems
     start = _start(table)
     path = (*table.path, "coefficients")
@@ -40,6 +40,7 @@ def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> 
 
 
 def _start(table: Table) -> Index | None:
+    """The index of the first coefficient; None where it is wrong or missing, which is recorded."""
     help = "write the index of the first coefficient: start = [-1, -1]"
     if "start" not in table.data:
         table.missing("start", "start is missing", help)
@@ -48,7 +49,7 @@ def _start(table: Table) -> Index | None:
 
 
 def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...] | None:
-    """The lengths of the lists on the way to the first number."""
+    """The lengths of the lists on the way to the first number; None where they are wrong, which is recorded."""
     shape: list[int] = []
     first = value
     while isinstance(first, list) and first:
@@ -72,7 +73,7 @@ def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...]
 
 
 class _Rows:
-    """Lists of lists of the lengths that the first ones have; what is wrong is recorded."""
+    """Reads lists of lists of the lengths that the first ones have; what is wrong is recorded."""
 
     def __init__(self, shape: tuple[int, ...], parameters: Collection[str], problems: Collector) -> None:
         self._shape, self._parameters, self._problems = shape, parameters, problems
@@ -80,6 +81,7 @@ class _Rows:
         self._left = MAX_GRID
 
     def read(self, value: object, path: KeyPath, depth: int = 0) -> Nested | None:
+        """The coefficients in the list at `path`; None where one is wrong."""
         expected = self._shape[depth]
         fault = None
         if not isinstance(value, list):
@@ -87,9 +89,10 @@ class _Rows:
         elif len(value) != expected:
             message = f"a list of {expected} was expected, as the first one is; this has {len(value)}"
             fault = Fault(faults.BAD_SHAPE, message, "write zeros where there is no coefficient")
-        if fault or not isinstance(value, list):
-            self._problems.add(fault or Fault(faults.BAD_SHAPE, ""), path)
+        if fault:
+            self._problems.add(fault, path)
             return None
+        assert isinstance(value, list), "anything else is a fault"
         last = depth == len(self._shape) - 1
         found = [
             self._entry(entry, (*path, i)) if last else self.read(entry, (*path, i), depth + 1)
@@ -99,6 +102,7 @@ class _Rows:
         return entries if len(entries) == len(found) else None
 
     def _entry(self, value: object, path: KeyPath) -> Expression | None:
+        """The coefficient at `path`; None where it is wrong, or one too many."""
         self._left -= 1
         if self._left < 0:
             if self._left == -1:
@@ -128,7 +132,7 @@ def read_number(
 
 
 def read_terms(table: Table, dilation: Dilation, parameters: Collection[str]) -> Terms | None:
-    """None where something is wrong, which is recorded."""
+    """The body that `terms` gives; None where something is wrong, which is recorded."""
     problems, path = table.problems, (*table.path, "terms")
     inner = table.table("terms", 'write terms = {"0,0" = 1, "1,0" = "1/2"}')
     if inner is None:

@@ -15,7 +15,7 @@ _INDEX = re.compile(r"\s*[+-]?[0-9]{1,9}\s*(,\s*[+-]?[0-9]{1,9}\s*)*")
 
 
 def integer_list(value: object, path: KeyPath, problems: Collector, what: str, help: str) -> tuple[int, ...] | None:
-    """A list of integers within ±MAX_INDEX; None where it is none, which is recorded: SD006 or SD010."""
+    """A list of integers within ±MAX_INDEX; None where it is none, which is recorded."""
     if not isinstance(value, list):
         problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list of integers, not {described(value)}", help), path)
         return None
@@ -40,7 +40,7 @@ def integer_list(value: object, path: KeyPath, problems: Collector, what: str, h
 
 
 def index_of_key(key: str) -> Index:
-    """ "1,-1" -> (1, -1). Raises Fault: SD010 or SD023."""
+    """The index that a key such as "1,-1" spells. Raises Fault."""
     help = 'write an integer for each variable: "1,-1" = "1/16"'
     if not _INDEX.fullmatch(key):
         if _INDEX.fullmatch(plain := mended(key)):

@@ -42,6 +42,7 @@ def grid(entries: Nested, start: Sequence[int], arity: int) -> Grid:
 
 
 def _dilation(arity: int, dimension: int) -> IntMatrix:
+    """The arity times the identity. Raises Fault where that is too much."""
     if arity**dimension > MAX_COSETS:
         message = f"the dilation has determinant {arity**dimension}; the limit is {MAX_COSETS}"
         raise Fault(faults.OUT_OF_BOUNDS, message, "use a smaller arity")
@@ -49,7 +50,7 @@ def _dilation(arity: int, dimension: int) -> IntMatrix:
 
 
 def _shape(entries: Nested) -> tuple[int, ...]:
-    """The lengths, the same everywhere. Raises Fault."""
+    """The lengths of nested lists, the same everywhere. Raises Fault."""
     shapes = {() if isinstance(entry, Expression) else _shape(entry) for entry in entries}
     if len(shapes) > 1:
         raise Fault(

@@ -57,6 +57,7 @@ def read_multivariate(table: Table, parameters: Collection[str], problems: Colle
 
 
 def _symbol(table: Table, dilation: Dilation, parameters: Collection[str]) -> LaurentSymbol | None:
+    """The body that `symbol` gives; None where something is wrong, which is recorded."""
     path, value = (*table.path, "symbol"), table.data["symbol"]
     help = 'write an expression in z1, z2, …: symbol = "(1+z1) (1+z2) (1+z1*z2) / 2"'
     if not isinstance(value, str):

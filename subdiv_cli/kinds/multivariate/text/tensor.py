@@ -20,7 +20,7 @@ _HELP = 'write tensor = [{symbol = "(1+z)^2/2"}, "four_point.toml"]: a mask or a
 
 
 def read_tensor(table: Table, dilation: Dilation, parameters: Collection[str]) -> Tensor | None:
-    """None where something is wrong, which is recorded."""
+    """The body of a tensor product; None where something is wrong, which is recorded."""
     value, path = table.data["tensor"], (*table.path, "tensor")
     fault = None
     if not isinstance(value, list):
@@ -29,9 +29,10 @@ def read_tensor(table: Table, dilation: Dilation, parameters: Collection[str]) -
         plural = "" if len(value) == 1 else "s"
         message = f"tensor has {len(value)} mask{plural}; there are 2 to {MAX_DIMENSION} variables"
         fault = Fault(faults.BAD_SHAPE, message, _HELP)
-    if fault or not isinstance(value, list):
-        table.problems.add(fault or Fault(faults.WRONG_TYPE, ""), path)
+    if fault:
+        table.problems.add(fault, path)
         return None
+    assert isinstance(value, list), "anything else is a fault"
     found = [_factor(factor, (*path, i), table, parameters) for i, factor in enumerate(value)]
     factors = tuple(factor for factor in found if factor is not None)
     if len(factors) < len(found) or not _agree(factors, dilation, table):
@@ -40,6 +41,7 @@ def read_tensor(table: Table, dilation: Dilation, parameters: Collection[str]) -
 
 
 def _factor(value: object, path: KeyPath, table: Table, parameters: Collection[str]) -> Coefficients | Symbol | None:
+    """The mask that a table or the name of a file gives; None where something is wrong, which is recorded."""
     if isinstance(value, dict):
         return read_scalar(Table(value, path, table.problems), parameters, table.problems)
     fault = Fault(faults.WRONG_TYPE, f"a mask or the name of a file was expected, not {described(value)}", _HELP)
