@@ -62,9 +62,11 @@ def _typography(element: str, start: int) -> Fault | None:
     first = element.lstrip("+-.")[:1]
     if first not in MENDS or first == "√":
         return None
-    help = plain if _TOML_NUMBER.fullmatch(plain) else f'"{plain}"'
+    written = plain if _TOML_NUMBER.fullmatch(plain) else f'"{plain}"'
     message = f"the character {named(first)} cannot stand in a TOML value"
-    return Fault(faults.TOML_SYNTAX, message, f"write {instead(first)} instead: {help}", start + element.index(first))
+    return Fault(
+        faults.TOML_SYNTAX, message, f"write {instead(first)} instead: {written}", start + element.index(first)
+    )
 
 
 def nesting(what: str, at: int) -> Fault:
