@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.model import Exponent, Judgement, Result, Verdict
 from subdiv_cli.model.properties import PROPERTIES
 
@@ -31,7 +32,7 @@ class Baseline:
         old = self._old.get(file)
         if old is None or old["status"] == "invalid" or result.status == "invalid":
             return result
-        worse = tuple(_worse(result, old))
+        worse = tuple(faults.BASELINE.problem(message, file=result.file) for message in _worse(result, old))
         return replace(result, regressions=worse, status="failed" if worse else "passed")
 
     def missing(self) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.problems import unreadable
 from subdiv_cli.maskfile.recognise import is_mask
@@ -53,11 +54,8 @@ def discover(paths: Iterable[str | Path]) -> Discovery:
     return Discovery(entries=tuple(found.entries), skipped=found.skipped)
 
 
-_NAMELESS = Problem(
-    code="SD002",
-    message="the name of a file is empty",
-    help="is it a variable that is not set? the directory here is .",
-    file='""',
+_NAMELESS = faults.UNREADABLE_FILE.problem(
+    "the name of a file is empty", "is it a variable that is not set? the directory here is .", file='""'
 )
 """Not the directory here, which `Path("")` is: nobody has asked for it."""
 
@@ -88,8 +86,8 @@ class _Found:
             else:
                 self.add(path, _identity(path))
         if not any(not Path(path).is_dir() or not _ANYTHING.search(pattern) for path in matches):
-            mend = "patterns are as in a shell, ** for any depth; quote them to have them read here"
-            self.entries.append(Problem(code="SD014", message="no file matches this", help=mend, file=pattern))
+            help = "patterns are as in a shell, ** for any depth; quote them to have them read here"
+            self.entries.append(faults.NO_MASKS.problem("no file matches this", help, file=pattern))
 
     def search(self, directory: str) -> None:
         """Takes the masks below a directory, or the problem that there are none."""
@@ -153,10 +151,7 @@ def _looks_like_mask(path: Path) -> bool:
 
 
 def _without_masks(path: str, others: int) -> Problem:
+    """The problem of a directory in which there are no masks."""
     what = f" ({others} other TOML files)" if others > 1 else " (one other TOML file)" if others else ""
-    return Problem(
-        code="SD014",
-        message=f"no mask files in this directory{what}",
-        help="a mask file is a *.toml with kind, mask or matrices at the top; name another directory or a file",
-        file=path,
-    )
+    help = "a mask file is a *.toml with kind, mask or matrices at the top; name another directory or a file"
+    return faults.NO_MASKS.problem(f"no mask files in this directory{what}", help, file=path)

@@ -19,7 +19,8 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.catalog.ordered import Numbered, Order
 from subdiv_cli.catalog.task import Done, Settings, Task, invalid, perform
-from subdiv_cli.model import Problem, Result, Verdict
+from subdiv_cli.maskfile import rules as faults
+from subdiv_cli.model import Result, Verdict
 
 MOST_TASKS = 1000
 """After so many a process is replaced, so that what leaks does not add up."""
@@ -164,15 +165,14 @@ class _Fate(NamedTuple):
 
 
 def _lost(task: Task, worker: Worker) -> Result:
-    """SD019: nothing is known of the mask."""
+    """The result of a mask whose worker died over it: nothing is known of the mask."""
     worker.process.join(1)
     return lost(task.file, f"the process that checked it {_Fate(worker.process.exitcode)}")
 
 
 def lost(file: str, why: str) -> Result:
     """The result of a mask whose process is gone."""
-    mend = "check it alone; if that ends in the same way, lower --effort or report the mask"
-    return invalid(file, (Problem(code="SD019", message=f"not checked: {why}", help=mend, file=file),))
+    return invalid(file, (faults.WORKER_LOST.problem(f"not checked: {why}", file=file),))
 
 
 def _stopped(task: Task) -> Result:

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.kinds import KINDS, kind_named
 from subdiv_cli.maskfile import MaskFileError
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.closed import read_closed_form
 from subdiv_cli.maskfile.option import parse_expectation
 from subdiv_cli.maskfile.problems import Fault, unreadable
@@ -79,8 +80,7 @@ def read_report(file: str) -> Report:
 
 
 def _no_report(file: str, why: str) -> ReportError:
-    mend = "write one with `subdiv check … --format json -o report.json`"
-    return ReportError(Problem(code="SD020", message=f"no JSON report: {why}", help=mend, file=file))
+    return ReportError(faults.NO_REPORT.problem(f"no JSON report: {why}", file=file))
 
 
 def join(reports: Sequence[Report]) -> tuple[list[Mapping[str, Any]], tuple[int, int] | None]:
@@ -147,7 +147,7 @@ def _result(data: Mapping[str, Any]) -> Result:
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),
-        regressions=None if data.get("regressions") is None else tuple(data["regressions"]),
+        regressions=_regressions(data),
     )
 
 
@@ -156,6 +156,14 @@ def _problem(data: Mapping[str, Any], file: str) -> Problem:
         code=data["code"], message=data["message"], help=data.get("help"), file=file, key=data.get("key"),
         line=data.get("line"), column=data.get("column"),
     )  # fmt: skip
+
+
+def _regressions(data: Mapping[str, Any]) -> tuple[Problem, ...] | None:
+    """What was worse than in a baseline; a report has the messages alone. None where there was no baseline."""
+    messages = data.get("regressions")
+    if messages is None:
+        return None
+    return tuple(faults.BASELINE.problem(message, file=data["file"]) for message in messages)
 
 
 def _smoothness(data: Mapping[str, Any]) -> Smoothness:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from subdiv_cli.catalog.cache import Cache, Entry, key
 from subdiv_cli.kinds.reading import load_path, read_bytes
 from subdiv_cli.maskfile import MaskFile, MaskFileError
+from subdiv_cli.maskfile.problems import internal_error
 from subdiv_cli.model import (
     DEFAULT_EFFORT,
     Drawing,
@@ -86,7 +87,7 @@ def perform(task: Task, settings: Settings) -> Done:
     except Exception as error:
         if settings.debug:
             raise
-        done = Done(invalid(task.file, (_internal(task.file, error),)))
+        done = Done(invalid(task.file, (internal_error(error, file=task.file),)))
     return done._replace(seconds=time.perf_counter() - start)
 
 
@@ -167,12 +168,3 @@ def _placed(judged: Judgement, mask: MaskFile) -> Judgement:
 def invalid(file: str, problems: tuple[Problem, ...]) -> Result:
     """The result of what could not be checked."""
     return Result(file=file, status="invalid", problems=problems)
-
-
-def _internal(file: str, error: Exception) -> Problem:
-    return Problem(
-        code="SD099",
-        message=f"internal error: {type(error).__name__}: {error}",
-        help="this is a fault of subdiv and not of the mask: please report it with the mask file and `--debug`",
-        file=file,
-    )

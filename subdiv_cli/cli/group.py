@@ -113,17 +113,13 @@ def _unwritten(error: Exception) -> bool:
 def _report(error: Exception, *, debug: bool) -> None:
     """Say that this is our mistake, not the reader's."""
     from subdiv_cli.cli.streams import emit, look_of
-    from subdiv_cli.model import Problem
+    from subdiv_cli.maskfile.problems import internal_error
     from subdiv_cli.report.problems import render
 
     if debug:
         from traceback import format_exception
 
         emit("".join(format_exception(error)), sys.stderr)
-    problem = Problem(
-        code="SD099",
-        message=f"internal error: {type(error).__name__}: {error}",
-        help="this is a bug in subdiv: please report it with the mask"
-        + ("" if debug else "; --debug shows the traceback"),
-    )
+    more = "" if debug else "; --debug shows the traceback"
+    problem = internal_error(error, "this is a bug in subdiv: please report it with the mask" + more)
     emit(render([problem], look_of(sys.stderr)), sys.stderr)

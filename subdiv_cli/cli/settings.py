@@ -22,11 +22,11 @@ _PATHS = ("baseline", "cache-dir")
 
 
 class Key(NamedTuple):
-    """A key of the table: the option it is a default for, and the types its value may have."""
+    """A key of the table: the option it is a default for, the types its value may have, and how to write it."""
 
     parameter: str
     types: tuple[type, ...]
-    mend: str
+    help: str
 
 
 KEYS = {
@@ -46,7 +46,7 @@ KEYS = {
 
 
 class SettingsError(Exception):
-    """The table cannot be used; `problem` (SD017) says why."""
+    """The table cannot be used; `problem` says why."""
 
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem.message)
@@ -72,7 +72,7 @@ def with_settings(ctx: click.Context, given: Mapping[str, Any]) -> dict[str, Any
         try:
             values[name] = parameters[name].process_value(ctx, converted)
         except click.BadParameter as error:
-            raise _error(file, text, key, error.message, KEYS[key].mend) from None
+            raise _wrong_key(file, text, key, error.message, KEYS[key].help) from None
     return values
 
 
@@ -105,15 +105,17 @@ def _upwards(targets: Sequence[str]) -> Iterator[Path]:
 def _table(file: Path, data: bytes) -> Mapping[str, Any] | None:
     from tomllib import TOMLDecodeError, loads
 
+    from subdiv_cli.maskfile import rules as faults
+
     try:
         document = loads(data.decode("utf-8"))
     except (TOMLDecodeError, UnicodeDecodeError, RecursionError, ValueError) as error:
-        raise SettingsError(Problem(code="SD017", message=f"not valid TOML: {error}"[:200], file=str(file))) from None
+        raise SettingsError(faults.SETTINGS.problem(f"not valid TOML: {error}"[:200], file=str(file))) from None
     tool = document.get("tool")
     table = tool.get("subdiv") if isinstance(tool, dict) else None
     if table is None or isinstance(table, dict):
         return table
-    raise SettingsError(Problem(code="SD017", message="tool.subdiv must be a table", file=str(file), key="tool.subdiv"))
+    raise SettingsError(faults.SETTINGS.problem("tool.subdiv must be a table", file=str(file), key="tool.subdiv"))
 
 
 def _checked(file: Path, text: str, key: str, value: object) -> Any:
@@ -123,28 +125,28 @@ def _checked(file: Path, text: str, key: str, value: object) -> Any:
         from subdiv_cli.maskfile.problems import near
 
         guess = near(key, KEYS)
-        mend = f"did you mean {guess}?" if guess else f"there are: {', '.join(KEYS)}"
-        raise _error(file, text, key, f'there is no setting "{key[:40]}"', mend)
+        help = f"did you mean {guess}?" if guess else f"there are: {', '.join(KEYS)}"
+        raise _wrong_key(file, text, key, f'there is no setting "{key[:40]}"', help)
     if not isinstance(value, known.types) or (isinstance(value, bool) and bool not in known.types):
-        raise _error(file, text, key, f"{key} cannot be {type(value).__name__}", known.mend)
+        raise _wrong_key(file, text, key, f"{key} cannot be {type(value).__name__}", known.help)
     if isinstance(value, list):
         if not all(isinstance(item, str) for item in value):
-            raise _error(file, text, key, f"{key} must be a list of strings", known.mend)
+            raise _wrong_key(file, text, key, f"{key} must be a list of strings", known.help)
         return tuple(value)
     if key == "cache":
         return not value
     return str(file.parent / str(value)) if key in _PATHS else value
 
 
-def _error(file: Path, text: str, key: str, message: str, mend: str) -> SettingsError:
+def _wrong_key(file: Path, text: str, key: str, message: str, help: str) -> SettingsError:
+    """The error of a key of the table, at the place where it stands."""
+    from subdiv_cli.maskfile import rules as faults
     from subdiv_cli.maskfile.positions import line_and_column
     from subdiv_cli.maskfile.scanner import scan
 
     spot = scan(text).spots.get(("tool", "subdiv", key))
     line, column, source = (None, None, None) if spot is None else line_and_column(text, spot.key)
+    where = f"tool.subdiv.{key[:40]}"
     return SettingsError(
-        Problem(
-            code="SD017", message=message, help=mend, file=str(file), key=f"tool.subdiv.{key[:40]}", line=line,
-            column=column, source=source,
-        )
-    )  # fmt: skip
+        faults.SETTINGS.problem(message, help, file=str(file), key=where, line=line, column=column, source=source)
+    )

@@ -7,6 +7,7 @@ from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from subdiv_cli.kinds.scalar.text import Coefficients, Symbol
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import Body, check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH, MAX_NESTING
 from subdiv_cli.maskfile.entries import fault_of_name
@@ -15,7 +16,7 @@ from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.grammar import Parser, parse
 from subdiv_cli.maskfile.mask import MaskFile
 from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum, product_of
-from subdiv_cli.maskfile.problems import Collector, Fault, Source, shown
+from subdiv_cli.maskfile.problems import Collector, Fault, Reason, Source, shown
 
 if TYPE_CHECKING:
     from subdiv_cli.kinds.multivariate.text.bodies import Nested
@@ -37,17 +38,20 @@ def from_option(text: str, *, start: int | Sequence[int] = 0, arity: int = 2, na
     problems = Collector(source)
     try:
         if len(text) > MAX_FILE_BYTES:
-            raise Fault("SD010", "the mask is too long", "write it to a file")
+            raise Fault(faults.OUT_OF_BOUNDS, "the mask is too long", "write it to a file")
         if not 2 <= arity <= MAX_ARITY:
-            raise Fault("SD010", f"the arity must be between 2 and {MAX_ARITY}, not {shown(str(arity))}", "--arity 2")
+            raise Fault(
+                faults.OUT_OF_BOUNDS,
+                f"the arity must be between 2 and {MAX_ARITY}, not {shown(str(arity))}",
+                "--arity 2",
+            )
         for name in names:
             if fault_there := fault_of_name(name):
                 raise fault_there
         body = _body(text, (start,) if isinstance(start, int) else tuple(start), arity, names)
         check_fixed_mask(body, problems)
     except Fault as fault:
-        _explain(fault, text, names)
-        problems.add(fault)
+        problems.add(_on_the_command_line(fault, text, names))
     problems.raise_any()
     used = frozenset().union(*(names_in(entry.node) for entry in body.expressions()))
     parameters = {name: None for name in names if name in used}
@@ -56,10 +60,12 @@ def from_option(text: str, *, start: int | Sequence[int] = 0, arity: int = 2, na
 
 
 def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str]) -> Body:
-    """Raises Fault."""
+    """The body that the text of `--mask` gives. Raises Fault."""
     if not text.lstrip().startswith("["):
         if any(start):
-            raise Fault("SD015", "--start and a symbol both say where the mask begins", "leave --start out")
+            raise Fault(
+                faults.DUPLICATE_KEY, "--start and a symbol both say where the mask begins", "leave --start out"
+            )
         if _SEVERAL.search(text):
             from subdiv_cli.kinds.multivariate.text.option import symbol
 
@@ -72,24 +78,26 @@ def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str])
 
         return grid(entries, start if len(start) > 1 or any(start) else (), arity)
     if len(start) > 1:
-        raise Fault("SD023", f"--start has {len(start)} components, and the mask has one variable", "--start 0")
+        raise Fault(
+            faults.BAD_SHAPE, f"--start has {len(start)} components, and the mask has one variable", "--start 0"
+        )
     if not -MAX_EXPONENT <= start[0] <= MAX_EXPONENT:
-        raise Fault("SD010", f"start must be between -{MAX_EXPONENT} and {MAX_EXPONENT}", "--start 0")
+        raise Fault(faults.OUT_OF_BOUNDS, f"start must be between -{MAX_EXPONENT} and {MAX_EXPONENT}", "--start 0")
     return Coefficients(arity=arity, start=start[0], entries=flat)
 
 
-def _explain(fault: Fault, text: str, names: Collection[str]) -> None:
-    """Mends of files, in the words of the command line."""
-    if fault.message.endswith("is not declared") and fault.help and "[parameters]" in fault.help:
-        name = shown(fault.about or "w")
-        fault.help = f"give it a value: -p {name}=1/16"
-    elif fault.message.startswith('","') and not text.lstrip().startswith("["):
-        try:
-            _list(f"[{text}]", names)
-            mend = f"[{shown(text.strip(), 100)}]"
-        except Fault:
-            mend = "[1, 2, 1]/2"
-        fault.message, fault.help = "a list of coefficients stands in brackets", f"put the list in brackets: {mend}"
+def _on_the_command_line(fault: Fault, text: str, names: Collection[str]) -> Fault:
+    """The fault in the words of the command line, where its help is about mask files."""
+    if fault.reason is Reason.UNDECLARED:
+        return Fault(fault.rule, fault.message, f"give it a value: -p {shown(fault.about or 'w')}=1/16", fault.at)
+    if fault.reason is not Reason.COMMA or text.lstrip().startswith("["):
+        return fault
+    try:
+        _list(f"[{text}]", names)
+        help = f"[{shown(text.strip(), 100)}]"
+    except Fault:
+        help = "[1, 2, 1]/2"
+    return Fault(fault.rule, "a list of coefficients stands in brackets", f"put the list in brackets: {help}", fault.at)
 
 
 def _list(text: str, names: Collection[str]) -> Nested:
@@ -121,28 +129,36 @@ def _rows(parser: Parser, text: str, depth: int) -> _Rows:
     """rows = "[" (rows | sum) { "," (rows | sum) } "]\""""
     opening = parser.advance()
     if depth > MAX_NESTING:
-        raise Fault("SD010", f"lists are nested more than {MAX_NESTING} deep", "write [[1, 2], [2, 1]]/2", opening.at)
+        raise Fault(
+            faults.OUT_OF_BOUNDS,
+            f"lists are nested more than {MAX_NESTING} deep",
+            "write [[1, 2], [2, 1]]/2",
+            opening.at,
+        )
     spans: _Rows = []
     while True:
         start = parser.token.at
         if parser.token.kind == "]" and not spans:
-            raise Fault("SD009", "the mask is empty", "write its coefficients: [1, 2, 1]/2", start)
+            raise Fault(faults.ZERO_MASK, "the mask is empty", "write its coefficients: [1, 2, 1]/2", start)
         if parser.token.kind == "[":
             spans.append(_rows(parser, text, depth + 1))
         else:
             node = parser.sum()
             spans.append(_Span(node, text[start : parser.token.at].strip()))
         if parser.token.kind == "end":
-            raise Fault("SD008", 'this "[" is never closed', 'add the missing "]"', opening.at)
+            raise Fault(faults.BAD_EXPRESSION, 'this "[" is never closed', 'add the missing "]"', opening.at)
         if parser.token.kind not in (",", "]"):
             raise parser.unexpected('a comma or "]"')
         if parser.advance().kind == "]":
             return spans
         if len(spans) > MAX_MASK_LENGTH:
-            raise Fault("SD010", f"more than {MAX_MASK_LENGTH} coefficients", "use a shorter mask", opening.at)
+            raise Fault(
+                faults.OUT_OF_BOUNDS, f"more than {MAX_MASK_LENGTH} coefficients", "use a shorter mask", opening.at
+            )
 
 
 def _scaled_rows(rows: _Rows, tail: list[Factor], scale: str) -> Nested:
+    """All coefficients times the factors behind the list, in the lists they stand in."""
     return tuple(
         _scaled(entry.node, entry.said, tail, scale) if isinstance(entry, _Span) else _scaled_rows(entry, tail, scale)
         for entry in rows

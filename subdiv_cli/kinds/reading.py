@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
@@ -63,18 +64,19 @@ def text_of(data: bytes, file: str) -> str:
 
 
 def _too_big(file: str) -> Problem:
+    """The problem of a file that is too large for a mask."""
     message = f"the file is larger than {MAX_FILE_BYTES >> 10} KiB, the limit for a mask file"
-    return Problem(code="SD010", message=message, help="is this really a mask file?", file=file)
+    return faults.OUT_OF_BOUNDS.problem(message, "is this really a mask file?", file=file)
 
 
 def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
+    """The problem of a file that is not UTF-8, at the first byte that is not."""
     start = data.rfind(b"\n", 0, error.start) + 1
     end = data.find(b"\n", error.start)
     wide = data.startswith((b"\xff\xfe", b"\xfe\xff"))
-    return Problem(
-        code="SD002",
-        message=f"the file is not UTF-8: byte 0x{data[error.start]:02x} at byte {error.start + 1}",
-        help="it looks like UTF-16; save it as UTF-8" if wide else "save it as UTF-8",
+    return faults.UNREADABLE_FILE.problem(
+        f"the file is not UTF-8: byte 0x{data[error.start]:02x} at byte {error.start + 1}",
+        "it looks like UTF-16; save it as UTF-8" if wide else "save it as UTF-8",
         file=file,
         line=data.count(b"\n", 0, error.start) + 1,
         column=len(data[start : error.start].decode("utf-8", "replace").removeprefix("\ufeff")) + 1,
@@ -134,19 +136,24 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
     where = ("kind" if "kind" in document else "mask" if "mask" in document else "matrices",)
     known = ", ".join(kinds_that(capability))
     if not isinstance(kind, str):
-        problems.add(Fault("SD006", f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'), where)
+        problems.add(
+            Fault(faults.WRONG_TYPE, f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'), where
+        )
     elif kind not in KINDS and kind not in PLANNED:
-        mend = f"this version reads: {known}; planned: {', '.join(PLANNED)}"
+        help = f"this version reads: {known}; planned: {', '.join(PLANNED)}"
         if guess := near(kind, KINDS):
-            mend = f'did you mean "{guess}"?'
-        problems.add(Fault("SD013", f'there is no kind "{shown(kind)}"', mend), where)
+            help = f'did you mean "{guess}"?'
+        problems.add(Fault(faults.KIND_NOT_BUILT, f'there is no kind "{shown(kind)}"', help), where)
     elif wanted not in (None, kind):
-        problems.add(Fault("SD013", f"a file of kind {wanted} was expected, not {kind}", "name another file"), where)
+        problems.add(
+            Fault(faults.KIND_NOT_BUILT, f"a file of kind {wanted} was expected, not {kind}", "name another file"),
+            where,
+        )
     elif wanted is None and (message := lacking(kind, capability)) is not None:
-        mend = f"this version reads: {known}"
+        help = f"this version reads: {known}"
         if kind == "matrices":
-            mend += "; `subdiv jsr` computes the joint spectral radius of matrices"
-        problems.add(Fault("SD013", message, mend), where)
+            help += "; `subdiv jsr` computes the joint spectral radius of matrices"
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, help), where)
     else:
         return kind
     problems.raise_any()
@@ -156,33 +163,37 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
 def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
     """Refuses a document that does not look like a mask at all; a misspelt [mask] passes."""
     if not document:
-        problems.add(Fault("SD016", "the file is empty", "write a mask: [mask] with start and coefficients"))
+        problems.add(Fault(faults.NOT_A_MASK, "the file is empty", "write a mask: [mask] with start and coefficients"))
     elif not any(
         key.lower() in (*_TOP, *MARKS) or key.lower() in _BELONGS or near(key, ("mask", "kind", "matrices"))
         for key in list(document)[:50]
     ):
-        mend = "a mask file has [mask] with start and coefficients, or symbol"
-        problems.add(Fault("SD016", "this is TOML, but no mask file: it has no kind, mask or matrices", mend))
+        help = "a mask file has [mask] with start and coefficients, or symbol"
+        problems.add(Fault(faults.NOT_A_MASK, "this is TOML, but no mask file: it has no kind, mask or matrices", help))
     problems.raise_any()
 
 
 def _format(document: Mapping[str, object], problems: Collector) -> None:
+    """Records a format that is not 1."""
     version = document.get("format", 1)
     if isinstance(version, bool) or not isinstance(version, int):
-        problems.add(Fault("SD006", f"format must be 1, not {described(version)}", "write format = 1"), ("format",))
+        problems.add(
+            Fault(faults.WRONG_TYPE, f"format must be 1, not {described(version)}", "write format = 1"), ("format",)
+        )
     elif version != 1:
         said = str(version) if version.bit_length() < 64 else "a long number"
-        mend = "write format = 1, or use a newer subdiv"
-        problems.add(Fault("SD006", f"format must be 1, not {said}", mend), ("format",))
+        help = "write format = 1, or use a newer subdiv"
+        problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {said}", help), ("format",))
 
 
 def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation, ...]:
+    """The expectations of [expect]; what is wrong with them is recorded."""
     found: list[Expectation] = []
     for key, value in table.data.items() if table else ():
         try:
             found.append(expectation(key, value))
         except Fault as fault:
-            problems.add(fault, ("expect", key), of_key=fault.code in ("SD004", "SD013"))
+            problems.add(fault, ("expect", key), of_key=fault.rule is faults.UNKNOWN_KEY)
     for later, contradiction in contradictions(found):
         problems.add(contradiction, ("expect", later))
     return tuple(found)

@@ -7,6 +7,7 @@ from fractions import Fraction
 from math import lcm
 from typing import Any, Protocol
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.evaluate import is_fixed
 from subdiv_cli.maskfile.expressions import Expression
@@ -25,23 +26,23 @@ class Body(Protocol):
 
 
 def check_fixed_mask(body: Body, problems: Collector) -> None:
-    """Expands a mask that does not hang on parameters, for SD009 and SD010."""
+    """Records what is wrong with the scheme of a mask that does not hang on parameters."""
     if all(is_fixed(entry.node) for entry in body.expressions()):
         body.scheme({}, problems, Work())
 
 
 def zero_mask(values: Mapping[str, Fraction]) -> Fault:
-    """All coefficients are zero, at these values of the parameters."""
-    mend = "at least one coefficient must not be zero" + ("; try other parameters" if values else "")
-    return Fault("SD009", "all coefficients of the mask are zero", mend)
+    """The fault of a mask whose coefficients are all zero at these values of the parameters."""
+    help = "at least one coefficient must not be zero" + ("; try other parameters" if values else "")
+    return Fault(faults.ZERO_MASK, "all coefficients of the mask are zero", help)
 
 
 def too_precise(coefficients: Iterable[Fraction]) -> Fault | None:
-    """A common denominator that is too long."""
+    """The fault of coefficients with a common denominator that is too long; None where it is not."""
     common = 1
     for c in coefficients:
         common = lcm(common, c.denominator)
         if common.bit_length() > MAX_BITS:
             message = f"the coefficients' common denominator has more than {MAX_DIGITS} digits"
-            return Fault("SD010", message, "use fractions with smaller denominators")
+            return Fault(faults.OUT_OF_BOUNDS, message, "use fractions with smaller denominators")
     return None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.problems import Fault, shown
 
 MENDS = dict.fromkeys("−–—‐‑‒﹣－", "-") | dict.fromkeys("×·⋅∙•∗✕", "*") | dict.fromkeys("÷⁄∕／", "/")
@@ -35,26 +36,34 @@ def mended(text: str) -> str:
 
 
 def _power(found: re.Match[str]) -> str:
+    """A power as typography writes it, in plain characters."""
     return "^" + ("-" if found[1] == "⁻" else "") + "".join(MENDS[c][1] for c in found[2])
 
 
 def stray(text: str, i: int, at: int) -> Fault:
-    """The character at `i` of an expression that begins no token; `at` is its offset for the fault."""
+    """The fault of the character at `i` of an expression, which begins no token; `at` is its offset for the fault."""
     c = text[i]
     if c == "√":
-        return Fault("SD008", "a square root is not rational", RATIONAL_ONLY, at)
+        return Fault(faults.BAD_EXPRESSION, "a square root is not rational", RATIONAL_ONLY, at)
     if power := _POWER.match(text, i):
-        return Fault("SD008", f"the character {named(c)} is not understood here", f"write {_power(power)} instead", at)
+        return Fault(
+            faults.BAD_EXPRESSION,
+            f"the character {named(c)} is not understood here",
+            f"write {_power(power)} instead",
+            at,
+        )
     if c in MENDS:
-        return Fault("SD008", f"the character {named(c)} is not understood here", f"write {instead(c)} instead", at)
+        return Fault(
+            faults.BAD_EXPRESSION, f"the character {named(c)} is not understood here", f"write {instead(c)} instead", at
+        )
     if c in QUOTES:
-        mend = "leave it out: straight quotes are round the whole expression already"
-        return Fault("SD008", f"the character {named(c)} is not understood here", mend, at)
-    mend = 'an expression has numbers, names, + - * / ^ and parentheses: "1/2 + w"'
+        help = "leave it out: straight quotes are round the whole expression already"
+        return Fault(faults.BAD_EXPRESSION, f"the character {named(c)} is not understood here", help, at)
+    help = 'an expression has numbers, names, + - * / ^ and parentheses: "1/2 + w"'
     if c in "{}":
-        mend = "write parentheses in place of braces"
+        help = "write parentheses in place of braces"
         if text[i - 1 : i] == "^" and (found := _BRACED.match(text, i)):
             base = _BASE.search(text[max(0, i - 30) : i])
             power_of = shown(base[0]) if base else "^"
-            mend = f"write {power_of}{found[1]} or {power_of}({found[1]})"
-    return Fault("SD008", f"the character {named(c)} cannot stand in an expression", mend, at)
+            help = f"write {power_of}{found[1]} or {power_of}({found[1]})"
+    return Fault(faults.BAD_EXPRESSION, f"the character {named(c)} cannot stand in an expression", help, at)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.evaluate import evaluate
 from subdiv_cli.maskfile.grammar import ROOT_FORM, parse
 from subdiv_cli.maskfile.laurent import Work
@@ -41,7 +42,7 @@ def read_closed_form(text: str, at: int = 0) -> ClosedForm:
     """
     value = _value(parse(text, (), logarithms=True, at=at))
     if isinstance(value, Root):
-        raise Fault("SD012", "a root is no exponent, its logarithm is", f"write -log2({ROOT_FORM})", at)
+        raise Fault(faults.BAD_EXPECTATION, "a root is no exponent, its logarithm is", f"write -log2({ROOT_FORM})", at)
     return value._replace(text=text.strip()) if isinstance(value, RootLog) else value
 
 
@@ -78,7 +79,7 @@ def _product(node: Product) -> _Value:
             else:
                 divisor = _rational(value, "a quotient", factor.at)
                 if not divisor:
-                    raise Fault("SD007", "division by zero", "write a divisor that is not zero", factor.at)
+                    raise Fault(faults.BAD_NUMBER, "division by zero", "write a divisor that is not zero", factor.at)
                 value = 1 / divisor
         if isinstance(result, Fraction):
             result = _times(value, result, factor.at)
@@ -92,38 +93,47 @@ def _rational(value: _Value, what: str, at: int) -> Fraction:
     if isinstance(value, Fraction):
         return value
     name = "roots" if isinstance(value, Root) else "logarithms"
-    raise Fault("SD012", f"{what} of {name} is no closed form", _LOG, at)
+    raise Fault(faults.BAD_EXPECTATION, f"{what} of {name} is no closed form", _LOG, at)
 
 
 def _root(node: RootOf) -> _Value:
     """The root of a polynomial between two bounds, as a number where the polynomial is of degree 1."""
     low, high = (_rational(_value(end), "a bound", end.at) for end in (node.low, node.high))
     if low > high or low <= 0 <= high:
-        mend = f"write the smaller one first, both of one sign: {ROOT_FORM}"
-        raise Fault("SD012", f"{shown_number(low)} and {shown_number(high)} are no bounds of a root", mend, node.low.at)
+        help = f"write the smaller one first, both of one sign: {ROOT_FORM}"
+        raise Fault(
+            faults.BAD_EXPECTATION,
+            f"{shown_number(low)} and {shown_number(high)} are no bounds of a root",
+            help,
+            node.low.at,
+        )
     numerators = evaluate(node.polynomial, {}, Work()).numerators
     first, last = min(numerators, default=0), max(numerators, default=0)
     coefficients = tuple(numerators.get(k, 0) for k in range(first, min(last, first + MAX_ROOT_DEGREE) + 1))
     if last - first > MAX_ROOT_DEGREE or max(map(int.bit_length, coefficients)) > MAX_ROOT_BITS:
         message = f"the polynomial of a root is too large; the limit is degree {MAX_ROOT_DEGREE}"
-        raise Fault("SD010", message, "write its irreducible factor, the minimal polynomial", node.polynomial.at)
+        raise Fault(
+            faults.OUT_OF_BOUNDS, message, "write its irreducible factor, the minimal polynomial", node.polynomial.at
+        )
     count = roots_between(coefficients, low, high) if len(coefficients) > 1 else 0
     if count != 1:
         what = {0: "no root", None: "more than one root, or a multiple one,"}.get(count, f"{count} roots")
         message = f"the polynomial has {what} between {shown_number(low)} and {shown_number(high)}"
-        mend = f"write bounds between which it has one simple root: {ROOT_FORM}"
-        raise Fault("SD012", message, mend, node.polynomial.at)
+        help = f"write bounds between which it has one simple root: {ROOT_FORM}"
+        raise Fault(faults.BAD_EXPECTATION, message, help, node.polynomial.at)
     return Fraction(-coefficients[0], coefficients[1]) if len(coefficients) == 2 else Root(coefficients, low, high)
 
 
 def _logarithm(node: Logarithm) -> ClosedForm:
     argument = _value(node.argument)
     if not 2 <= node.base <= MAX_LOG_BASE:
-        raise Fault("SD012", f"the base of a logarithm must be 2 to {MAX_LOG_BASE}", "write log2(64/9)", node.at)
+        raise Fault(
+            faults.BAD_EXPECTATION, f"the base of a logarithm must be 2 to {MAX_LOG_BASE}", "write log2(64/9)", node.at
+        )
     if isinstance(argument, Log | RootLog):
-        raise Fault("SD012", "a logarithm of a logarithm is no closed form", _LOG, node.at)
+        raise Fault(faults.BAD_EXPECTATION, "a logarithm of a logarithm is no closed form", _LOG, node.at)
     if (argument.low if isinstance(argument, Root) else argument) <= 0:
-        raise Fault("SD012", "the argument of a logarithm must be positive", _LOG, node.at)
+        raise Fault(faults.BAD_EXPECTATION, "the argument of a logarithm must be positive", _LOG, node.at)
     if isinstance(argument, Root):
         base, divisor = unpowered(node.base, 1)
         return RootLog(base, inverse(argument), divisor, "")
@@ -133,18 +143,18 @@ def _logarithm(node: Logarithm) -> ClosedForm:
 def _bounded(value: Fraction, at: int) -> Fraction:
     if max(value.numerator.bit_length(), value.denominator.bit_length()) > MAX_LOG_BITS:
         message = f"the expected number is too long; the limit is {MAX_LOG_BITS} bits"
-        raise Fault("SD010", message, "use a shorter number", at)
+        raise Fault(faults.OUT_OF_BOUNDS, message, "use a shorter number", at)
     return value
 
 
 def _power(base: Fraction, exponent: int, at: int) -> Fraction:
     """base^exponent, its size bounded before it is computed."""
     if not base and exponent < 0:
-        raise Fault("SD007", "division by zero", "write a divisor that is not zero", at)
+        raise Fault(faults.BAD_NUMBER, "division by zero", "write a divisor that is not zero", at)
     bits = max(abs(base.numerator).bit_length(), base.denominator.bit_length()) - 1
     if bits * abs(exponent) > MAX_LOG_BITS:
         message = f"the expected number is too long; the limit is {MAX_LOG_BITS} bits"
-        raise Fault("SD010", message, "use a smaller power", at)
+        raise Fault(faults.OUT_OF_BOUNDS, message, "use a smaller power", at)
     return _bounded(Fraction(base**exponent), at)
 
 
@@ -155,11 +165,13 @@ def _times(x: _Value, factor: Fraction, at: int) -> _Value:
         return multiplied(x, factor) if factor else factor
     divisor = x.divisor * factor.denominator
     if divisor > MAX_LOG_DIVISOR:
-        raise Fault("SD010", f"the divisor of a logarithm is beyond {MAX_LOG_DIVISOR}", "use a smaller divisor", at)
+        raise Fault(
+            faults.OUT_OF_BOUNDS, f"the divisor of a logarithm is beyond {MAX_LOG_DIVISOR}", "use a smaller divisor", at
+        )
     if isinstance(x, RootLog):
         if abs(factor.numerator) != 1:
-            mend = "divide it by integers, and write multiples as a logarithm of another root"
-            raise Fault("SD012", "a multiple of the logarithm of a root is no closed form", mend, at)
+            help = "divide it by integers, and write multiples as a logarithm of another root"
+            raise Fault(faults.BAD_EXPECTATION, "a multiple of the logarithm of a root is no closed form", help, at)
         return x._replace(root=x.root if factor > 0 else inverse(x.root), divisor=divisor)
     return logarithm(x.base, _power(x.argument, factor.numerator, at), divisor)
 
@@ -168,16 +180,20 @@ def _plus(x: _Value, y: _Value, at: int) -> _Value:
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return _bounded(x + y, at)
     if isinstance(x, Root | RootLog) or isinstance(y, Root | RootLog):
-        raise Fault("SD012", "a sum with a root in it is no closed form", _LOG, at)
+        raise Fault(faults.BAD_EXPECTATION, "a sum with a root in it is no closed form", _LOG, at)
     if isinstance(x, Fraction):
         x, y = y, x
     assert isinstance(x, Log)
     if isinstance(y, Fraction):  # y = log_base(base^numerator) / denominator
         y = Log(base=x.base, argument=_power(Fraction(x.base), y.numerator, at), divisor=y.denominator)
     if x.base != y.base:
-        raise Fault("SD012", "logarithms to different bases cannot be added", "use one base, or an interval", at)
+        raise Fault(
+            faults.BAD_EXPECTATION, "logarithms to different bases cannot be added", "use one base, or an interval", at
+        )
     if x.divisor * y.divisor > MAX_LOG_DIVISOR:
-        raise Fault("SD010", f"the divisor of a logarithm is beyond {MAX_LOG_DIVISOR}", "use a smaller divisor", at)
+        raise Fault(
+            faults.OUT_OF_BOUNDS, f"the divisor of a logarithm is beyond {MAX_LOG_DIVISOR}", "use a smaller divisor", at
+        )
     argument = _bounded(_power(x.argument, y.divisor, at) * _power(y.argument, x.divisor, at), at)
     return logarithm(x.base, argument, x.divisor * y.divisor)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Mapping
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.characters import mended
 from subdiv_cli.maskfile.evaluate import evaluate, is_fixed
@@ -12,7 +13,7 @@ from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.nodes import Number
-from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, near, shown
+from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, Reason, near, shown
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.maskfile.values import Decimal, described
 
@@ -41,54 +42,58 @@ class Table:
                 continue
             where = f"in [{'.'.join(map(str, self.path))}]" if self.path else "at the top"
             if elsewhere and key in elsewhere:
-                mend, meant = elsewhere[key]
+                help, meant = elsewhere[key]
                 self._meant.add(meant)
             elif not self.problems.full and (guess := near(key, known)):
-                mend = f"did you mean {guess}?"
+                help = f"did you mean {guess}?"
                 self._meant.add(guess)
             else:
-                mend = "known keys: " + ", ".join(known)
+                help = "known keys: " + ", ".join(known)
             self.problems.add(
-                Fault("SD004", f'unknown key "{shown(key)}" {where}', mend), (*self.path, key), of_key=True
+                Fault(faults.UNKNOWN_KEY, f'unknown key "{shown(key)}" {where}', help), (*self.path, key), of_key=True
             )
 
-    def missing(self, key: str, message: str, mend: str, *, instead: Collection[str] = ()) -> None:
+    def missing(self, key: str, message: str, help: str, *, instead: Collection[str] = ()) -> None:
         """Records a missing key (SD005), unless a misspelt or misplaced one is meant, which `only` has recorded.
 
         `instead`: keys that would do as well.
         """
         if self._meant.isdisjoint((key, *instead)):
-            self.problems.add(Fault("SD005", message, mend), (*self.path, key), of_key=True)
+            self.problems.add(Fault(faults.MISSING_KEY, message, help), (*self.path, key), of_key=True)
 
-    def table(self, key: str, mend: str | None = None) -> Table | None:
+    def table(self, key: str, help: str | None = None) -> Table | None:
         """The table at `key`; None where it is missing or (recorded, SD006) something else."""
         value = self.data.get(key)
         if isinstance(value, dict):
             return Table(value, (*self.path, key), self.problems)
         if key in self.data:
             fault = Fault(
-                "SD006", f"{key} must be a table, not {described(value)}", mend or f"write [{key}] on its own line"
+                faults.WRONG_TYPE,
+                f"{key} must be a table, not {described(value)}",
+                help or f"write [{key}] on its own line",
             )
             self.problems.add(fault, (*self.path, key))
         return None
 
-    def integer(self, key: str, default: int | None, lowest: int, highest: int, mend: str) -> int | None:
+    def integer(self, key: str, default: int | None, lowest: int, highest: int, help: str) -> int | None:
         """The integer at `key`; None where it is missing without default (SD005), no integer (SD006), out of bounds."""
         if key not in self.data and default is None:
-            self.missing(key, f"{key} is missing", mend)
+            self.missing(key, f"{key} is missing", help)
             return None
         value = self.data.get(key, default)
         if isinstance(value, bool) or not isinstance(value, int):
             said = f'the string "{shown(value)}"' if isinstance(value, str) else described(value)
             if isinstance(value, str) and _INTEGER.fullmatch(plain := mended(value.strip())):
-                mend = f"write it without quotes: {key} = {plain}"
+                help = f"write it without quotes: {key} = {plain}"
             elif isinstance(value, Decimal) and (whole := _WHOLE.fullmatch(value.text)):
-                mend = f"write it without a point: {key} = {whole[1]}"
-            self.problems.add(Fault("SD006", f"{key} must be an integer, not {said}", mend), (*self.path, key))
+                help = f"write it without a point: {key} = {whole[1]}"
+            self.problems.add(
+                Fault(faults.WRONG_TYPE, f"{key} must be an integer, not {said}", help), (*self.path, key)
+            )
             return None
         if not lowest <= value <= highest:
             said = str(value) if value.bit_length() < 64 else "a long number"
-            fault = Fault("SD010", f"{key} must be between {lowest} and {highest}, not {said}", mend)
+            fault = Fault(faults.OUT_OF_BOUNDS, f"{key} must be between {lowest} and {highest}, not {said}", help)
             self.problems.add(fault, (*self.path, key))
             return None
         return value
@@ -106,7 +111,9 @@ def text_at(table: Table, key: str) -> str | None:
     """The string at `key`, None where there is none; another type is recorded (SD006)."""
     value = table.data.get(key)
     if value is not None and not isinstance(value, str):
-        fault = Fault("SD006", f"{key} must be a string, not {described(value)}", f'put it in quotes: {key} = "…"')
+        fault = Fault(
+            faults.WRONG_TYPE, f"{key} must be a string, not {described(value)}", f'put it in quotes: {key} = "…"'
+        )
         table.problems.add(fault, (*table.path, key))
         return None
     return value
@@ -116,19 +123,19 @@ def read_expression(value: object, path: KeyPath, names: Collection[str]) -> Exp
     """An exact number or an expression over `names`, as TOML gives it. Raises Fault: SD006, SD007, SD008 or SD010."""
     if isinstance(value, int) and not isinstance(value, bool):
         if value.bit_length() > MAX_BITS:
-            raise Fault("SD010", f"the number has more than {MAX_DIGITS} digits", "use a shorter number")
+            raise Fault(faults.OUT_OF_BOUNDS, f"the number has more than {MAX_DIGITS} digits", "use a shorter number")
         text = str(value)
     elif isinstance(value, Decimal):
         text = value.text
         if text.lstrip("+-") in ("nan", "inf"):
-            raise Fault("SD007", f"{text} is not a rational number", "write a finite number")
+            raise Fault(faults.BAD_NUMBER, f"{text} is not a rational number", "write a finite number")
     elif isinstance(value, str):
         text = value
     else:
-        mend = 'write an integer, a decimal or a string such as "-1/16"'
+        help = 'write an integer, a decimal or a string such as "-1/16"'
         if isinstance(value, list):
-            mend = 'a scalar mask is one flat list: [1, 2, 1]; lists of lists are for kind = "multivariate"'
-        raise Fault("SD006", f"a number was expected, not {described(value)}", mend)
+            help = 'a scalar mask is one flat list: [1, 2, 1]; lists of lists are for kind = "multivariate"'
+        raise Fault(faults.WRONG_TYPE, f"a number was expected, not {described(value)}", help)
     return Expression(text=text, node=parse(text, names), path=path)
 
 
@@ -139,7 +146,7 @@ def check_fixed(expression: Expression, work: Work) -> None:
 
 
 def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expression | None]:
-    """name -> default in order of declaration: a number, an expression in earlier parameters, or "" for none."""
+    """The defaults by name, in order of declaration: a number, an expression in earlier parameters, or None for ""."""
     found: dict[str, Expression | None] = {}
     for name, value in table.data.items() if table else ():
         path = ("parameters", name)
@@ -150,29 +157,29 @@ def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expre
         try:
             expression = read_expression(value, path, found) if value != "" else None
         except Fault as wrong:
-            if wrong.code == "SD008" and wrong.message.endswith("is not declared") and table:
-                _explain_order(wrong, name, table.data)
-            problems.add(wrong, path)
+            problems.add(_out_of_order(wrong, name, table.data if table else ()) or wrong, path)
         found[name] = expression
     return found
 
 
 def fault_of_name(name: str) -> Fault | None:
-    """SD011 for what cannot be a parameter's name."""
+    """The fault of what cannot be a parameter's name; None for one that can."""
     if _VARIABLE.fullmatch(name):
-        return Fault("SD011", f"{name} is the variable of symbols and cannot be a parameter", "call it w")
+        return Fault(faults.BAD_PARAMETER, f"{name} is the variable of symbols and cannot be a parameter", "call it w")
     if not is_name(name):
         message = f'"{shown(name)}" cannot be a parameter\'s name'
-        return Fault("SD011", message, "use letters, digits and _: w, w_1")
+        return Fault(faults.BAD_PARAMETER, message, "use letters, digits and _: w, w_1")
     return None
 
 
-def _explain_order(fault: Fault, name: str, declared: Mapping[str, object]) -> None:
-    used = fault.message.split('"')[1]
-    if used == name or used in declared:
-        fault.about = None
+def _out_of_order(fault: Fault, name: str, declared: Collection[str]) -> Fault | None:
+    """The fault of a default that uses its own parameter or one declared below; None where `fault` is another."""
+    used = fault.about
+    if used is None or fault.reason not in (Reason.UNDECLARED, Reason.MISTAKEN):
+        return None
     if used == name:
-        fault.message, fault.help = f"the default of {shown(name)} uses itself", "write a number"
-    elif used in declared:
-        fault.message = f"{shown(used)} is declared after {shown(name)}, whose default uses it"
-        fault.help = f"move {shown(used)} above {shown(name)}"
+        return Fault(fault.rule, f"the default of {shown(name)} uses itself", "write a number", fault.at)
+    if used not in declared:
+        return None
+    message = f"{shown(used)} is declared after {shown(name)}, whose default uses it"
+    return Fault(fault.rule, message, f"move {shown(used)} above {shown(name)}", fault.at)

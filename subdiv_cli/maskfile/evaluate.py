@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from subdiv_cli.maskfile import laurent
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.laurent import VARIABLES, Laurent, TooLargeError, Work, packed
 from subdiv_cli.maskfile.nodes import Logarithm, Name, Node, Number, Power, Product, RootOf, Sum
 from subdiv_cli.maskfile.problems import Fault, shown, shown_number
@@ -51,7 +52,7 @@ def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
             return _power(node, values, work)
     except TooLargeError as error:
         raise Fault(
-            "SD010", f"the expression is too large: {error}", "use smaller powers and numbers", node.at
+            faults.OUT_OF_BOUNDS, f"the expression is too large: {error}", "use smaller powers and numbers", node.at
         ) from None
     raise AssertionError(f"{type(node).__name__} has no value as a Laurent polynomial")
 
@@ -88,21 +89,22 @@ def _power(node: Power, values: Mapping[str, Fraction], work: Work) -> Laurent:
 
 
 def _quotient(a: Laurent, divisor: Laurent, at: int, work: Work) -> Laurent:
+    """The quotient. Raises Fault where there is a remainder."""
     if (result := laurent.quotient(a, divisor, work)) is not None:
         return result
     small, large = laurent.spelled(divisor) or "this divisor", laurent.spelled(a) or "what stands before it"
-    mend = "divide by numbers, parameters, powers of z and polynomials that leave no remainder"
-    raise Fault("SD008", f"{small} does not divide {large} exactly", mend, at)
+    help = "divide by numbers, parameters, powers of z and polynomials that leave no remainder"
+    raise Fault(faults.BAD_EXPRESSION, f"{small} does not divide {large} exactly", help, at)
 
 
 def _nonzero(node: Node, at: int, values: Mapping[str, Fraction], work: Work) -> Laurent:
-    """A divisor. Raises Fault for zero."""
+    """The value of a divisor. Raises Fault for zero."""
     divisor = evaluate(node, values, work)
     if divisor.numerators:
         return divisor
     names = sorted(names_in(node) & values.keys())
     if not names:
-        raise Fault("SD007", "division by zero", "write a divisor that is not zero", at)
+        raise Fault(faults.BAD_NUMBER, "division by zero", "write a divisor that is not zero", at)
     given = ", ".join(f"{shown(name)} = {shown_number(values[name])}" for name in names)
-    mend = f"give it another value: -p {shown(names[0])}=1/16"
-    raise Fault("SD011", f"division by zero where {given}", mend, at)
+    help = f"give it another value: -p {shown(names[0])}=1/16"
+    raise Fault(faults.BAD_PARAMETER, f"division by zero where {given}", help, at)

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_EXPONENT, MAX_NESTING
 from subdiv_cli.maskfile.nodes import Factor, Logarithm, Name, Node, Number, Power, RootOf, Sum, product_of
-from subdiv_cli.maskfile.problems import Fault, shown
+from subdiv_cli.maskfile.problems import Fault, Reason, shown
 from subdiv_cli.maskfile.tokens import Token, number, tokens
 
 ROOT_FORM = "root(x^2-x-1, 1.61, 1.62)"
@@ -40,7 +41,12 @@ class Parser:
         self._variable: str | None = None
         self.token = next(self._tokens)
         if self.token.kind == "end":
-            raise Fault("SD008", "the expression is empty", 'write a number or an expression, for instance "-1/16"', at)
+            raise Fault(
+                faults.BAD_EXPRESSION,
+                "the expression is empty",
+                'write a number or an expression, for instance "-1/16"',
+                at,
+            )
 
     def advance(self) -> Token:
         """Takes the next token."""
@@ -53,23 +59,32 @@ class Parser:
         if self.token.kind == "end":
             return
         if self.token.kind == ")":
-            raise Fault("SD008", 'this ")" closes nothing', 'remove it, or add the "(" it belongs to', self.token.at)
+            raise Fault(
+                faults.BAD_EXPRESSION,
+                'this ")" closes nothing',
+                'remove it, or add the "(" it belongs to',
+                self.token.at,
+            )
         raise self.unexpected("an operator or the end")
 
     def unexpected(self, expected: str) -> Fault:
         """The fault of a token that cannot stand where it does."""
         token = self.token
         if token.kind == "end":
-            return Fault("SD008", f"the expression ends where {expected} was expected", "complete it", token.at)
+            return Fault(
+                faults.BAD_EXPRESSION, f"the expression ends where {expected} was expected", "complete it", token.at
+            )
         if token.kind == ",":
-            mend = "write decimals with a point: 0.5"
+            help = "write decimals with a point: 0.5"
         elif token.kind == "^":
-            mend = "a power needs a base before ^ and a single integer after it: (z^2)^3"
+            help = "a power needs a base before ^ and a single integer after it: (z^2)^3"
         elif token.kind in ("[", "]"):
-            mend = "an expression has no lists; use parentheses"
+            help = "an expression has no lists; use parentheses"
         else:
-            mend = f"remove it or write {expected} before it"
-        return Fault("SD008", f'"{shown(token.text)}" stands where {expected} was expected', mend, token.at)
+            help = f"remove it or write {expected} before it"
+        message = f'"{shown(token.text)}" stands where {expected} was expected'
+        reason = Reason.COMMA if token.kind == "," else None
+        return Fault(faults.BAD_EXPRESSION, message, help, token.at, reason=reason)
 
     def sum(self) -> Node:
         """sum = product { ("+" | "-") product }"""
@@ -92,7 +107,7 @@ class Parser:
             elif self.token.kind in ("name", "("):
                 if factors[-1].divides:
                     raise Fault(
-                        "SD008",
+                        faults.BAD_EXPRESSION,
                         f'"{shown(self.token.text)}" directly after a division has two readings',
                         "write * to multiply, 1/2 * w, or put the divisor in parentheses, 1/(2 w)",
                         where,
@@ -100,7 +115,7 @@ class Parser:
                 factors.append(Factor(self.power(), False, where))
             elif self.token.kind == "number":
                 raise Fault(
-                    "SD008",
+                    faults.BAD_EXPRESSION,
                     f"the number {shown(self.token.text)} stands directly after {_in_words(factors[-1].node)}",
                     "write * or / or + between them, or ^ for a power",
                     where,
@@ -130,7 +145,9 @@ class Parser:
         self.advance()
         node = Power(base, self.exponent(), at)
         if self.token.kind == "^":
-            raise Fault("SD008", "a power of a power has two readings", "use parentheses: (z^2)^3", self.token.at)
+            raise Fault(
+                faults.BAD_EXPRESSION, "a power of a power has two readings", "use parentheses: (z^2)^3", self.token.at
+            )
         return node
 
     def exponent(self) -> int:
@@ -146,16 +163,19 @@ class Parser:
         if token.kind != "number" or not token.text.isdigit():
             what = "ends" if token.kind == "end" else f'continues with "{shown(token.text)}"'
             message = f"an integer was expected after ^, but the expression {what}"
-            raise Fault("SD008", message, "an exponent is an integer: z^2, z^-3", token.at)
+            raise Fault(faults.BAD_EXPRESSION, message, "an exponent is an integer: z^2, z^-3", token.at)
         value = number(token)
         if value > MAX_EXPONENT:
             message = f"the exponent {shown(token.text)} is too large; the limit is {MAX_EXPONENT}"
-            raise Fault("SD010", message, "use a smaller power", token.at)
+            raise Fault(faults.OUT_OF_BOUNDS, message, "use a smaller power", token.at)
         self.advance()
         for _ in range(closing):
             if self.token.kind != ")":
                 raise Fault(
-                    "SD008", "an exponent must be a single integer", "write the integer: z^2, z^-3", self.token.at
+                    faults.BAD_EXPRESSION,
+                    "an exponent must be a single integer",
+                    "write the integer: z^2, z^-3",
+                    self.token.at,
                 )
             self.advance()
         return sign * int(value)
@@ -195,12 +215,12 @@ class Parser:
         self._depth += 1
         if self._depth > MAX_NESTING:
             message = f"parentheses are nested more than {MAX_NESTING} deep"
-            raise Fault("SD010", message, "multiply something out", opening.at)
+            raise Fault(faults.OUT_OF_BOUNDS, message, "multiply something out", opening.at)
         return opening
 
     def _close(self, opening: Token) -> None:
         if self.token.kind == "end":
-            raise Fault("SD008", 'this "(" is never closed', 'add the missing ")"', opening.at)
+            raise Fault(faults.BAD_EXPRESSION, 'this "(" is never closed', 'add the missing ")"', opening.at)
         if self.token.kind != ")":
             raise self.unexpected('an operator or ")"')
         self.advance()
@@ -215,7 +235,12 @@ class Parser:
         bounds = []
         for _ in range(2):
             if self.token.kind != ",":
-                raise Fault("SD012", "a root has a polynomial and two bounds", f"write {ROOT_FORM}", self.token.at)
+                raise Fault(
+                    faults.BAD_EXPECTATION,
+                    "a root has a polynomial and two bounds",
+                    f"write {ROOT_FORM}",
+                    self.token.at,
+                )
             self.advance()
             bounds.append(self.sum())
         self._logarithms = True
@@ -226,7 +251,7 @@ class Parser:
         """The variable of a root's polynomial, whatever its letter is."""
         if len(token.text) > 1 or self._variable not in (None, token.text):
             message = f'"{shown(token.text)}" stands in a polynomial of one variable, a single letter'
-            raise Fault("SD012", message, f"write {ROOT_FORM}", token.at)
+            raise Fault(faults.BAD_EXPECTATION, message, f"write {ROOT_FORM}", token.at)
         self._variable = token.text
         return Name("z", token.at)
 

@@ -89,7 +89,7 @@ def packed(powers: Iterable[int]) -> int:
 
 
 def exponents(k: int) -> tuple[int, ...]:
-    """Those of z, z1, … z4."""
+    """The exponents of z, z1, … z4 in a monomial."""
     digits = []
     for _ in VARIABLES:
         digit = ((k + _HALF) & (2 * _HALF - 1)) - _HALF

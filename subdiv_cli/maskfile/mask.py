@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import Body
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.expressions import Expression, number_of
@@ -73,14 +74,16 @@ def parameter_values(
             problems.add(_no_parameter(name, parameters))
         elif max(value.numerator.bit_length(), value.denominator.bit_length()) > MAX_BITS:
             message = f"the value of {shown(name)} has more than {MAX_DIGITS} digits"
-            problems.add(Fault("SD010", message, "use a shorter number"))
+            problems.add(Fault(faults.OUT_OF_BOUNDS, message, "use a shorter number"))
     values: dict[str, Fraction] = {}
     for name, default in parameters.items():
         if name in overrides:
             values[name] = overrides[name]
         elif default is None:
-            mend = f"give it one: -p {shown(name)}=1/16, or a default in [parameters]"
-            problems.add(Fault("SD011", f"the parameter {shown(name)} has no value", mend), ("parameters", name))
+            help = f"give it one: -p {shown(name)}=1/16, or a default in [parameters]"
+            problems.add(
+                Fault(faults.BAD_PARAMETER, f"the parameter {shown(name)} has no value", help), ("parameters", name)
+            )
         else:
             number = number_of(default, values, problems, work)
             if number is not None:
@@ -89,9 +92,12 @@ def parameter_values(
 
 
 def _no_parameter(name: str, parameters: Mapping[str, object]) -> Fault:
+    """The fault of a value for a parameter that the mask does not have."""
     message = f"this mask has no parameter {shown(name)}"
     if guess := near(name, parameters):
-        return Fault("SD011", message, f"did you mean {shown(guess)}?")
+        return Fault(faults.BAD_PARAMETER, message, f"did you mean {shown(guess)}?")
     if parameters:
-        return Fault("SD011", message, "its parameters: " + ", ".join(shown(p) for p in list(parameters)[:8]))
-    return Fault("SD011", message, "it has none: leave -p out, or declare it in [parameters]")
+        return Fault(
+            faults.BAD_PARAMETER, message, "its parameters: " + ", ".join(shown(p) for p in list(parameters)[:8])
+        )
+    return Fault(faults.BAD_PARAMETER, message, "it has none: leave -p out, or declare it in [parameters]")

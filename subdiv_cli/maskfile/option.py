@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.evaluate import evaluate
 from subdiv_cli.maskfile.grammar import parse
@@ -12,25 +13,31 @@ from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Fault, MaskFileError, near, shown
 from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
-from subdiv_cli.model import Expectation, Problem
+from subdiv_cli.model import Expectation
 
 _ORDER = re.compile(r"C\^?([0-9]+)")
 _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
 
 
 def parse_override(text: str) -> tuple[str, Fraction]:
-    """`-p w=1/20` -> ("w", 1/20); any expression in numbers. Raises MaskFileError (SD011, or what the number is)."""
+    """The name and the value that `-p w=1/20` gives, any expression in numbers. Raises MaskFileError."""
     name, equals, value = text.partition("=")
     said = name.strip()
     try:
         if not equals:
-            raise Fault("SD011", f'"{shown(text)}" gives no value', "write NAME=VALUE: -p w=1/20", len(text))
+            raise Fault(
+                faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', "write NAME=VALUE: -p w=1/20", len(text)
+            )
         if not is_name(said):
-            raise Fault("SD011", f'"{shown(said)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20")
+            raise Fault(
+                faults.BAD_PARAMETER, f'"{shown(said)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20"
+            )
         if not value.strip():
-            raise Fault("SD011", f"no value for {shown(said)}", f"write a number: -p {shown(said)}=1/20", len(text))
+            raise Fault(
+                faults.BAD_PARAMETER, f"no value for {shown(said)}", f"write a number: -p {shown(said)}=1/20", len(text)
+            )
         if len(text) > MAX_FILE_BYTES:
-            raise Fault("SD010", "the value is too long", "use a shorter number")
+            raise Fault(faults.OUT_OF_BOUNDS, "the value is too long", "use a shorter number")
         node = parse(value, (), at=len(name) + 1)
         number = evaluate(node, {}, Work()).constant()
     except Fault as fault:
@@ -51,7 +58,7 @@ def parse_expectation(key: str, value: object) -> Expectation:
 
 
 def parse_property(text: str) -> Expectation:
-    """`holder>=1.5`, `smoothness=1`, `C1` (smoothness >= 1), `convergent`, `stable=false`. Raises MaskFileError."""
+    """The expectation that `holder>=1.5`, `C1` (smoothness >= 1) or `stable=false` states. Raises MaskFileError."""
     try:
         return _property(text)
     except Fault as fault:
@@ -59,39 +66,41 @@ def parse_property(text: str) -> Expectation:
 
 
 def _property(text: str) -> Expectation:
+    """The expectation that a property states. Raises Fault."""
     body = text.strip()
     if len(body) > 10_000:
-        raise Fault("SD010", "the property is too long", "write for instance holder>=1.5")
+        raise Fault(faults.OUT_OF_BOUNDS, "the property is too long", "write for instance holder>=1.5")
     at = len(text) - len(text.lstrip())
     if found := _ORDER.fullmatch(body):
         return comparison("smoothness", f">={found[1]}", at + found.start(1) - 2)
     parts = _PROPERTY.fullmatch(body)
     if parts is None:
-        raise Fault("SD012", f'"{shown(text)}" is no property', "write for instance C1, holder>=1.5 or convergent", at)
+        raise Fault(
+            faults.BAD_EXPECTATION,
+            f'"{shown(text)}" is no property',
+            "write for instance C1, holder>=1.5 or convergent",
+            at,
+        )
     key, rest = parts[1], parts[2]
     if key not in KEYS:
         guess = near(key, KEYS)
-        mend = f"did you mean {guess}?" if guess else "properties: C1, " + ", ".join(KEYS)
-        raise Fault("SD012", f'there is no property "{shown(key)}"', mend, at)
+        help = f"did you mean {guess}?" if guess else "properties: C1, " + ", ".join(KEYS)
+        raise Fault(faults.BAD_EXPECTATION, f'there is no property "{shown(key)}"', help, at)
     if key in TRUTHS:
         truth = rest.lstrip("= ").lower() if rest else "true"
         if truth not in ("true", "false") or (rest and not rest.startswith("=")):
-            raise Fault("SD012", f"{key} is true or false", f"write {key} or {key}=false", at + parts.start(2))
+            raise Fault(
+                faults.BAD_EXPECTATION, f"{key} is true or false", f"write {key} or {key}=false", at + parts.start(2)
+            )
         return expectation(key, truth == "true")
     if not rest:
-        raise Fault("SD012", f"{key} needs a number", f"write for instance {key}>=1", at + len(body))
+        raise Fault(faults.BAD_EXPECTATION, f"{key} needs a number", f"write for instance {key}>=1", at + len(body))
     return comparison(key, rest, at + parts.start(2))
 
 
 def _of_option(text: str, fault: Fault, key: str | None) -> MaskFileError:
-    at = min(fault.at, len(text))
-    problem = Problem(
-        code=fault.code,
-        message=fault.message,
-        help=fault.help,
-        key=key,
-        line=1 if text else None,
-        column=at + 1 if text else None,
-        source=text or None,
-    )
-    return MaskFileError([problem])
+    """The error of a fault in the text of an option; no position where there is no text."""
+    if not text:
+        return MaskFileError([fault.problem(key=key)])
+    column = min(fault.at, len(text)) + 1
+    return MaskFileError([fault.problem(key=key, line=1, column=column, source=text)])

@@ -10,8 +10,8 @@ from fractions import Fraction
 from itertools import product
 from pathlib import Path
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.problems import MaskFileError, shown, unreadable
-from subdiv_cli.model import Problem
 
 MAX_POINTS = 2_000
 MAX_NET = 10_000
@@ -79,6 +79,7 @@ def net(text: str, file: str) -> Net:
 
 
 def _text(file: str, limit: int) -> str:
+    """The text of a file of points. Raises MaskFileError."""
     try:
         if file == "-":
             data = sys.stdin.buffer.read(_MAX_BYTES + 1)
@@ -96,13 +97,13 @@ def _text(file: str, limit: int) -> str:
     return text
 
 
-def _rows(text: str, file: str, mend: str) -> Iterator[tuple[int, list[str]]]:
+def _rows(text: str, file: str, help: str) -> Iterator[tuple[int, list[str]]]:
     """Rows of cells with their lines; without empty ones, comments and a header."""
     separator = ";" if ";" in text else ","
     try:
         rows = list(csv.reader(text.splitlines(), delimiter=separator, strict=True))
     except csv.Error as error:
-        raise _bad(file, f"this is not CSV: {error}", mend) from None
+        raise _bad(file, f"this is not CSV: {error}", help) from None
     begun = False
     for line, row in enumerate(rows, 1):
         cells = [cell.strip() for cell in row]
@@ -114,15 +115,18 @@ def _rows(text: str, file: str, mend: str) -> Iterator[tuple[int, list[str]]]:
 
 
 def _is_number(cell: str) -> bool:
+    """Whether a cell is a number that a Fraction can be made of."""
     return bool(_NUMBER.fullmatch(cell) and not re.search(r"/0+$", cell))
 
 
-def _numbers(cells: list[str], count: int, what: str, mend: str, file: str, line: int) -> list[Fraction]:
+def _numbers(cells: list[str], count: int, what: str, help: str, file: str, line: int) -> list[Fraction]:
+    """The numbers of a row, `count` of them. Raises MaskFileError."""
     if len(cells) != count or not all(map(_is_number, cells)):
         wrong = next((cell for cell in cells if not _is_number(cell)), f"{len(cells)} cells")
-        raise _bad(file, f'"{shown(wrong)}" is not {what}', mend, line)
+        raise _bad(file, f'"{shown(wrong)}" is not {what}', help, line)
     return list(map(Fraction, cells))
 
 
-def _bad(file: str, message: str, mend: str, line: int | None = None) -> MaskFileError:
-    return MaskFileError([Problem(code="SD021", message=message, help=mend, file=file, line=line)])
+def _bad(file: str, message: str, help: str, line: int | None = None) -> MaskFileError:
+    """The error of a text that is no list of points."""
+    return MaskFileError([faults.BAD_POINTS.problem(message, help, file=file, line=line)])

@@ -45,16 +45,7 @@ class Positions:
         line = column = source = None
         if offset is not None:
             line, column, source = line_and_column(self._source.text, offset)
-        return Problem(
-            code=fault.code,
-            message=fault.message,
-            help=fault.help,
-            file=self._source.file,
-            key=key,
-            line=line,
-            column=column,
-            source=source,
-        )
+        return fault.problem(file=self._source.file, key=key, line=line, column=column, source=source)
 
 
 def line_and_column(text: str, offset: int) -> tuple[int, int, str]:

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
+from enum import Enum
 from fractions import Fraction
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_PROBLEMS
+from subdiv_cli.maskfile.rules import FaultRule
 from subdiv_cli.model import Problem
 
 KeyPath = tuple[str | int, ...]
@@ -25,17 +29,61 @@ class MaskFileError(Exception):
         return "\n".join(f"{p.code}: {p.message}" for p in self.problems)
 
 
+class Reason(Enum):
+    """What a fault is, where the one who catches it acts upon that; no code looks into a message."""
+
+    UNDECLARED = "undeclared"
+    """A name that is not declared, and the help is to declare it."""
+    MISTAKEN = "mistaken"
+    """A name that is not declared, and the help says what was probably meant."""
+    COMMA = "comma"
+    """A comma where an expression cannot have one: the text may be a list."""
+    NOT_QUOTED = "not quoted"
+    """A fraction or an expression that must be a string in TOML."""
+
+
 class Fault(Exception):  # noqa: N818 (most are recorded, not handled)
     """Something wrong at an offset (0-based) in a value's text; the caller knows the file and the key."""
 
-    def __init__(self, code: str, message: str, help: str | None = None, at: int = 0) -> None:
+    def __init__(
+        self,
+        rule: FaultRule,
+        message: str,
+        help: str | None = None,
+        at: int = 0,
+        *,
+        reason: Reason | None = None,
+        about: str | None = None,
+    ) -> None:
         super().__init__(message)
-        self.code = code
+        self.rule = rule
+        """The row of `rules` that it is a case of."""
         self.message = message
-        self.help = help
+        """What is wrong, in one line: for readers, never to be looked into."""
+        self.help = rule.help if help is None else help
+        """How to mend it, in one line: what its row says where nothing else is given."""
         self.at = at
-        self.about: str | None = None
-        """What the fault is about, where telling it once in a file is enough: an undeclared name."""
+        self.reason = reason
+        """What it is, where that matters to the one who catches it."""
+        self.about = about
+        """The name that it is about, where telling it once in a file is enough."""
+
+    @property
+    def code(self) -> str:
+        """The code of its row."""
+        return self.rule.code
+
+    def problem(
+        self,
+        *,
+        file: str | None = None,
+        key: str | None = None,
+        line: int | None = None,
+        column: int | None = None,
+        source: str | None = None,
+    ) -> Problem:
+        """The problem of this fault at a place."""
+        return self.rule.problem(self.message, self.help, file=file, key=key, line=line, column=column, source=source)
 
 
 class Source:
@@ -84,7 +132,7 @@ class Collector:
         return len(self._faults) >= MAX_PROBLEMS
 
     def add(self, fault: Fault, path: KeyPath = (), *, of_key: bool = False) -> None:
-        """Records a fault in the value at `path`, or (of_key) in the key itself; one that is only `about` once."""
+        """Records a fault in the value at `path`, or (of_key) in the key itself; one `about` a name only once."""
         if fault.about is not None:
             same = (fault.message, fault.about)
             if same in self._again:
@@ -102,16 +150,22 @@ class Collector:
             return
         from subdiv_cli.maskfile.positions import Positions
 
-        for fault, _, _ in self._faults:
-            if fault.about is not None and (more := self._again[fault.message, fault.about]):
-                fault.message += f" (and in {more} more place{'s' if more > 1 else ''})"
         positions = Positions(self._source)
-        problems = [positions.problem(*entry) for entry in self._faults]
+        problems = [
+            self._counted(fault, positions.problem(fault, path, of_key)) for fault, path, of_key in self._faults
+        ]
         problems.sort(key=lambda p: (p.line is None, p.line or 0, p.column or 0))
         if self._left_out:
             message = f"{self._left_out} more problems in this file are not shown"
-            problems.append(Problem(code="SD010", message=message, file=self._source.file))
+            problems.append(faults.OUT_OF_BOUNDS.problem(message, file=self._source.file))
         raise MaskFileError(problems)
+
+    def _counted(self, fault: Fault, problem: Problem) -> Problem:
+        """The problem of a fault, with the number of places where the same was left out."""
+        more = 0 if fault.about is None else self._again[fault.message, fault.about]
+        if not more:
+            return problem
+        return replace(problem, message=f"{problem.message} (and in {more} more place{'s' if more > 1 else ''})")
 
 
 def near(name: str, candidates: Iterable[str]) -> str | None:
@@ -139,7 +193,7 @@ def shown_number(value: Fraction) -> str:
 
 
 def shown_path(path: KeyPath) -> str:
-    """mask.coefficients[3]"""
+    """A key path as a message quotes it: mask.coefficients[3]."""
     out = ""
     for part in path:
         if isinstance(part, int):
@@ -151,26 +205,19 @@ def shown_path(path: KeyPath) -> str:
 
 
 def unreadable(file: str, error: OSError) -> Problem:
-    """SD002 for a file that the system does not give us."""
+    """The problem of a file that the system does not give us."""
     if isinstance(error, FileNotFoundError):
-        return Problem(
-            code="SD002",
-            message="there is no such file",
-            help="check the path, or use - to read standard input",
-            file=file,
-        )
-    if isinstance(error, IsADirectoryError):
-        return Problem(
-            code="SD002", message="this is a directory, not a mask file", help="name a file in it", file=file
-        )
-    if isinstance(error, PermissionError):
-        return Problem(
-            code="SD002",
-            message="permission to read this file is denied",
-            help=f"allow it: chmod +r {file}",
-            file=file,
-        )
-    reason = error.strerror or type(error).__name__
-    return Problem(
-        code="SD002", message=f"the file cannot be read: {reason}", help="check the path and the disk", file=file
-    )
+        message, help = "there is no such file", "check the path, or use - to read standard input"
+    elif isinstance(error, IsADirectoryError):
+        message, help = "this is a directory, not a mask file", "name a file in it"
+    elif isinstance(error, PermissionError):
+        message, help = "permission to read this file is denied", f"allow it: chmod +r {file}"
+    else:
+        reason = error.strerror or type(error).__name__
+        message, help = f"the file cannot be read: {reason}", "check the path and the disk"
+    return faults.UNREADABLE_FILE.problem(message, help, file=file)
+
+
+def internal_error(error: Exception, help: str | None = None, *, file: str | None = None) -> Problem:
+    """The problem that an exception nobody has foreseen is ours, and not that of the input."""
+    return faults.INTERNAL_ERROR.problem(f"internal error: {type(error).__name__}: {error}", help, file=file)

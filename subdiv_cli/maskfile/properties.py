@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_ORDER
 from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
 from subdiv_cli.maskfile.problems import Fault, near, shown
@@ -31,20 +32,22 @@ def expectation(key: str, value: object) -> Expectation:
     """
     if key not in KEYS:
         guess = near(key, KEYS)
-        mend = f"did you mean {guess}?" if guess else "properties: " + ", ".join(KEYS)
-        raise Fault("SD004", f'there is no property "{shown(key)}"', mend)
+        help = f"did you mean {guess}?" if guess else "properties: " + ", ".join(KEYS)
+        raise Fault(faults.UNKNOWN_KEY, f'there is no property "{shown(key)}"', help)
     if key in TRUTHS:
         if isinstance(value, bool):
             return Expectation(key=key, text=str(value).lower(), lower=value, upper=value)
         said = f'"{shown(value)}"' if isinstance(value, str) else described(value)
-        raise Fault("SD006", f"{key} must be true or false, not {said}", f"write {key} = true, without quotes")
+        raise Fault(
+            faults.WRONG_TYPE, f"{key} must be true or false, not {said}", f"write {key} = true, without quotes"
+        )
     if isinstance(value, bool) or not isinstance(value, int | str | Decimal):
         what = "an integer or a string" if key in ORDERS else "a number or a string"
-        mend = f'write {key} = 1 or {key} = ">= 1"' if key in ORDERS else f'write {key} = "2" or {key} = ">= 1.99"'
-        raise Fault("SD006", f"{key} must be {what}, not {described(value)}", mend)
+        help = f'write {key} = 1 or {key} = ">= 1"' if key in ORDERS else f'write {key} = "2" or {key} = ">= 1.99"'
+        raise Fault(faults.WRONG_TYPE, f"{key} must be {what}, not {described(value)}", help)
     if isinstance(value, int):
         if value.bit_length() > 64:
-            raise Fault("SD010", f"the expected {key} is far too large", f"the limit is {MAX_ORDER}")
+            raise Fault(faults.OUT_OF_BOUNDS, f"the expected {key} is far too large", f"the limit is {MAX_ORDER}")
         value = str(value)
     elif isinstance(value, Decimal):
         value = value.text
@@ -54,36 +57,39 @@ def expectation(key: str, value: object) -> Expectation:
 def comparison(key: str, text: str, at: int = 0) -> Expectation:
     """`1`, `= 1`, `>= 1.99`, `1.99 .. 2.01` for a property that has a number. Raises Fault."""
     if not text.strip():
-        raise Fault("SD012", f"the expected {key} is empty", _form(key), at)
+        raise Fault(faults.BAD_EXPECTATION, f"the expected {key} is empty", _form(key), at)
     body = text.lstrip()
     at += len(text) - len(body)
     body = body.rstrip()
     if body.startswith(("≥", "=>", "≤", "<", ">")) and not body.startswith(">="):
-        raise Fault("SD012", f'"{shown(body[:2].strip())}" is no comparison here', _form(key), at)
+        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:2].strip())}" is no comparison here', _form(key), at)
     equals = len(body) - len(body.lstrip("="))
     if equals > 2:
-        raise Fault("SD012", f'"{shown(body[:equals])}" is no comparison here', _form(key), at)
+        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:equals])}" is no comparison here', _form(key), at)
     at += len(body) - len(body[equals:].lstrip())
     body = body[equals:].strip()
     if body.startswith(">="):
         if key == "smoothness" and (order := _ORDER.fullmatch(body[2:].strip())):
-            raise Fault("SD012", f'"{shown(body)}" gives no integer', f'write smoothness = ">= {order[1]}"', at)
+            raise Fault(
+                faults.BAD_EXPECTATION, f'"{shown(body)}" gives no integer', f'write smoothness = ">= {order[1]}"', at
+            )
         lower = _number(key, body[2:], at + 2)
         return Expectation(key=key, text=f">= {body[2:].strip()}", lower=lower)
     if ".." in body:
         first, second = body.split("..", 1)
         lower, upper = _number(key, first, at), _number(key, second, at + len(first) + 2)
         if certainly_less(Fraction(upper) if isinstance(upper, int) else upper, _closed(lower)):
-            mend = "write the smaller end first: 1.99 .. 2.01"
-            raise Fault("SD012", f"the interval {shown(body)} is empty", mend, at)
+            help = "write the smaller end first: 1.99 .. 2.01"
+            raise Fault(faults.BAD_EXPECTATION, f"the interval {shown(body)} is empty", help, at)
         return Expectation(key=key, text=f"{first.strip()} .. {second.strip()}", lower=lower, upper=upper)
     if key == "smoothness" and (order := _ORDER.fullmatch(body)):
-        raise Fault("SD012", f'"{shown(body)}" is no integer', f"write smoothness = {order[1]}", at)
+        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body)}" is no integer', f"write smoothness = {order[1]}", at)
     value = _number(key, body, at)
     return Expectation(key=key, text=body, lower=value, upper=value)
 
 
 def _form(key: str) -> str:
+    """The help that shows how an expectation of this property is written."""
     if key in ORDERS:
         return f'write {key} = 1 for exactly, or {key} = ">= 1" for at least'
     return f'write {key} = "2" for exactly, ">= 1.99" for at least, or "1.99 .. 2.01"'
@@ -96,21 +102,23 @@ def _closed(value: int | ClosedForm) -> ClosedForm:
 def _number(key: str, text: str, at: int) -> int | ClosedForm:
     """An integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
     if not text.strip():
-        raise Fault("SD012", f"a number is missing in the expected {key}", _form(key), at)
+        raise Fault(faults.BAD_EXPECTATION, f"a number is missing in the expected {key}", _form(key), at)
     try:
         value = read_closed_form(text, at)
     except Fault as fault:
-        code = "SD012" if fault.code == "SD008" else fault.code
-        raise Fault(code, fault.message, fault.help, fault.at) from None
+        rule = faults.BAD_EXPECTATION if fault.rule is faults.BAD_EXPRESSION else fault.rule
+        raise Fault(rule, fault.message, fault.help, fault.at) from None
     if key not in ORDERS:
         return value
     start = at + len(text) - len(text.lstrip())
     if not isinstance(value, Fraction) or value.denominator != 1:
-        raise Fault("SD012", f"{key} is an integer, not {shown(text.strip())}", _form(key), start)
+        raise Fault(faults.BAD_EXPECTATION, f"{key} is an integer, not {shown(text.strip())}", _form(key), start)
     if value < 0:
-        raise Fault("SD012", f"{key} cannot be negative", "write 0 or more, or leave it out", start)
+        raise Fault(faults.BAD_EXPECTATION, f"{key} cannot be negative", "write 0 or more, or leave it out", start)
     if value > MAX_ORDER:
-        raise Fault("SD010", f"the expected {key} is too large; the limit is {MAX_ORDER}", "lower it", start)
+        raise Fault(
+            faults.OUT_OF_BOUNDS, f"the expected {key} is too large; the limit is {MAX_ORDER}", "lower it", start
+        )
     return int(value)
 
 
@@ -124,7 +132,11 @@ def contradictions(expectations: Sequence[Expectation]) -> list[tuple[str, Fault
             said = [
                 shown(f"{k} {'' if given[k].text.startswith('>') else '= '}{given[k].text}") for k in (first, second)
             ]
-            fault = Fault("SD012", f"{said[0]} contradicts {said[1]}: {why}", "correct one of the two, or leave it out")
+            fault = Fault(
+                faults.BAD_EXPECTATION,
+                f"{said[0]} contradicts {said[1]}: {why}",
+                "correct one of the two, or leave it out",
+            )
             found.append((max(first, second, key=order.index), fault))
     return found
 

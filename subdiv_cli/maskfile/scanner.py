@@ -10,6 +10,7 @@ import re
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile import stuck
 from subdiv_cli.maskfile.bounds import MAX_DIGITS, MAX_NESTING
 from subdiv_cli.maskfile.problems import Fault, KeyPath
@@ -211,7 +212,7 @@ class _Scanner:
             raise stuck.value(self.text, start)
         if self.i - start > MAX_DIGITS + 10:
             message = f"the number has {self.i - start} digits; the limit is {MAX_DIGITS}"
-            raise Fault("SD010", message, "use a shorter number", start)
+            raise Fault(faults.OUT_OF_BOUNDS, message, "use a shorter number", start)
         if self._next() not in ("", " ", "\t", "\r", "\n", ",", "]", "}", "#"):
             raise stuck.after_value(self.text, start, self.i)
 
@@ -227,7 +228,12 @@ class _Scanner:
                 self.path = path
                 raise stuck.unclosed(opening, "[", "]")
             if self._next() == ",":
-                raise Fault("SD001", "a value is missing before this comma", "remove the comma or add a value", self.i)
+                raise Fault(
+                    faults.TOML_SYNTAX,
+                    "a value is missing before this comma",
+                    "remove the comma or add a value",
+                    self.i,
+                )
             start = self.i
             self._value((*path, index))
             index += 1

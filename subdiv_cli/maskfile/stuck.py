@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_NESTING
 from subdiv_cli.maskfile.characters import MENDS, QUOTES, RATIONAL_ONLY, instead, mended, named
-from subdiv_cli.maskfile.problems import Fault, shown
+from subdiv_cli.maskfile.problems import Fault, Reason, shown
 from subdiv_cli.maskfile.tokens import is_name
 
 _ELEMENT = re.compile(r"[^,\[\]{}#\r\n\"']*")
@@ -41,159 +42,185 @@ def _as_string(element: str) -> str:
 
 
 def _comment(text: str, at: int, marks: tuple[str, ...] = _COMMENTS) -> Fault | None:
-    """A comment as other languages write it."""
+    """The fault of a comment as other languages write it; None where there is none."""
     if not text.startswith(marks, at):
         return None
     message = f"a comment in TOML does not begin with {_here(text, at)}"
-    return Fault("SD001", message, "comments begin with #", at)
+    return Fault(faults.TOML_SYNTAX, message, "comments begin with #", at)
 
 
 def _typography(element: str, start: int) -> Fault | None:
-    """A value with typographic quotation marks, or one that begins with a character that is no plain one."""
+    """The fault of typographic quotation marks, or of a value that begins with no plain character; None without."""
     plain = mended(element)
     for i, c in enumerate(element):
         if c in QUOTES:
             whole = element[0] in QUOTES and element[-1] in QUOTES and len(element) > 1
-            mend = f'write straight quotes: "{plain}"' if whole else 'write straight quotes: "1/8"'
+            help = f'write straight quotes: "{plain}"' if whole else 'write straight quotes: "1/8"'
             if whole and _TOML_NUMBER.fullmatch(plain):
-                mend = f"write it without quotes: {plain}"
-            return Fault("SD001", f"the character {named(c)} is no quotation mark in TOML", mend, start + i)
+                help = f"write it without quotes: {plain}"
+            return Fault(faults.TOML_SYNTAX, f"the character {named(c)} is no quotation mark in TOML", help, start + i)
     first = element.lstrip("+-.")[:1]
     if first not in MENDS or first == "√":
         return None
-    mend = plain if _TOML_NUMBER.fullmatch(plain) else f'"{plain}"'
+    written = plain if _TOML_NUMBER.fullmatch(plain) else f'"{plain}"'
     message = f"the character {named(first)} cannot stand in a TOML value"
-    return Fault("SD001", message, f"write {instead(first)} instead: {mend}", start + element.index(first))
+    return Fault(
+        faults.TOML_SYNTAX, message, f"write {instead(first)} instead: {written}", start + element.index(first)
+    )
 
 
 def nesting(what: str, at: int) -> Fault:
-    """Deeper than any mask needs."""
-    return Fault("SD010", f"{what} is nested more than {MAX_NESTING} deep", "a mask file needs two levels", at)
+    """The fault of nesting that is deeper than any mask needs."""
+    return Fault(
+        faults.OUT_OF_BOUNDS, f"{what} is nested more than {MAX_NESTING} deep", "a mask file needs two levels", at
+    )
 
 
 def value(text: str, start: int) -> Fault:
-    """No value begins here."""
+    """The fault where no value begins."""
     if fault := _comment(text, start, _BESIDE_VALUES):
         return fault
     element = _element(text, start)
     if not element:
         return Fault(
-            "SD001", f"a value was expected, not {_here(text, start)}", 'write a value, for instance "1/16"', start
+            faults.TOML_SYNTAX,
+            f"a value was expected, not {_here(text, start)}",
+            'write a value, for instance "1/16"',
+            start,
         )
     if fault := _typography(element, start):
         return fault
     if element.lower() in ("true", "false"):
-        return Fault("SD001", f"{element} is not a TOML value", f"write {element.lower()} in lower case", start)
+        return Fault(
+            faults.TOML_SYNTAX, f"{element} is not a TOML value", f"write {element.lower()} in lower case", start
+        )
     if re.match(r"[+-]?\.[0-9]", element):
-        mend = f'write 0 before the point, or a string: "{element}"'
-        return Fault("SD001", "a decimal in TOML has a digit before its point", mend, start)
+        help = f'write 0 before the point, or a string: "{element}"'
+        return Fault(faults.TOML_SYNTAX, "a decimal in TOML has a digit before its point", help, start)
     at = start + (element[0] in "+-")
     message = "text and expressions must be quoted: no TOML value begins like this"
-    return Fault("SD001", message, _as_string(element), at)
+    return Fault(faults.TOML_SYNTAX, message, _as_string(element), at)
 
 
 def after_value(text: str, start: int, at: int) -> Fault:
-    """Something directly after a value, or on the same line, that does not belong there. `start`: of the value."""
+    """The fault of what stands after a value, or on its line, and does not belong there. `start`: of the value."""
     if fault := _comment(text, at, _BESIDE_VALUES):
         return fault
     c = text[at : at + 1]
     if c and MENDS.get(c) == "a space":
-        return Fault("SD001", f"the character {named(c)} is no space in TOML", "write a plain space instead", at)
+        return Fault(
+            faults.TOML_SYNTAX, f"the character {named(c)} is no space in TOML", "write a plain space instead", at
+        )
     element = _element(text, start)
     if not element:  # a header, a string, an array or a table: there is nothing to quote
-        return Fault("SD001", f"the line should end here, not continue with {_here(text, at)}", "start a new line", at)
+        return Fault(
+            faults.TOML_SYNTAX, f"the line should end here, not continue with {_here(text, at)}", "start a new line", at
+        )
     if c == "/":
         return Fault(
-            "SD003",
+            faults.FRACTION_NOT_QUOTED,
             "fraction not quoted: TOML has no fractions",
             f'write exact numbers as strings: "{mended(element)}"',
             at,
+            reason=Reason.NOT_QUOTED,
         )
     if c == ".":
-        mend = f'write 1.0 for 1., or a string: "{element}"'
-        return Fault("SD001", "a decimal in TOML has a digit after its point", mend, at)
+        help = f'write 1.0 for 1., or a string: "{element}"'
+        return Fault(faults.TOML_SYNTAX, "a decimal in TOML has a digit after its point", help, at)
     if c.isdigit() and text[start:at] == "0" and (whole := _WHOLE_PART.search(text, max(0, start - 20), start)):
-        mend = f"decimals need a point: {whole[1]}.{element}"
-        return Fault("SD001", "a number in TOML does not begin with 0; is the comma a decimal comma?", mend, at)
+        help = f"decimals need a point: {whole[1]}.{element}"
+        return Fault(
+            faults.TOML_SYNTAX, "a number in TOML does not begin with 0; is the comma a decimal comma?", help, at
+        )
     if c.isdigit() and text[start:at] in ("0", "-0", "+0"):
         return Fault(
-            "SD001", "a number in TOML does not begin with 0", f"write {element.lstrip('+-0') or '0'} instead", at
+            faults.TOML_SYNTAX,
+            "a number in TOML does not begin with 0",
+            f"write {element.lstrip('+-0') or '0'} instead",
+            at,
         )
     if c and (c in "*^+-(" or c in MENDS or c.isidentifier() or c.isdigit()):
-        return Fault("SD001", "expression not quoted: TOML has single numbers only", _as_string(element), at)
-    return Fault("SD001", f"the value should end here, not continue with {_here(text, at)}", "start a new line", at)
+        message = "expression not quoted: TOML has single numbers only"
+        return Fault(faults.TOML_SYNTAX, message, _as_string(element), at, reason=Reason.NOT_QUOTED)
+    return Fault(
+        faults.TOML_SYNTAX, f"the value should end here, not continue with {_here(text, at)}", "start a new line", at
+    )
 
 
 def separator(text: str, opening: int, start: int, at: int, closing: str) -> Fault:
-    """Neither a comma nor the end of an array or an inline table. `start`: of the value before."""
+    """The fault where an array or an inline table neither goes on nor ends. `start`: of the value before."""
     same_line = "\n" not in text[start:at]
     if same_line and text[at] not in "\"'[{" and text[start] not in "\"'[{" and not text[at].isdigit():
         fault = after_value(text, start, at)
-        if "quoted" in fault.message:
+        if fault.reason is Reason.NOT_QUOTED:
             return fault
     line = text.count("\n", 0, opening) + 1
     message = f'a comma or "{closing}" was expected, not {_here(text, at)}'
-    mend = f'put a comma between values, or close the "{text[opening]}" of line {line}'
-    return Fault("SD001", message, mend, at)
+    help = f'put a comma between values, or close the "{text[opening]}" of line {line}'
+    return Fault(faults.TOML_SYNTAX, message, help, at)
 
 
 def unclosed(opening: int, bracket: str, closing: str) -> Fault:
-    """The file ends inside an array or an inline table."""
-    return Fault("SD001", f'this "{bracket}" is never closed', f'add the missing "{closing}"', opening)
+    """The fault of a file that ends inside an array or an inline table."""
+    return Fault(faults.TOML_SYNTAX, f'this "{bracket}" is never closed', f'add the missing "{closing}"', opening)
 
 
 def string(text: str, start: int, quote: str) -> Fault:
-    """A string without end."""
+    """The fault of a string without end."""
     for at in range(start + 1, min(len(text), start + 1000)):
         if text[at] in "\r\n" or len(quote) == 3:
             break
         if text[at] in QUOTES:
-            mend = f"write a straight quote instead: {quote}"
-            return Fault("SD001", f"the character {named(text[at])} is no quotation mark in TOML", mend, at)
+            help = f"write a straight quote instead: {quote}"
+            return Fault(faults.TOML_SYNTAX, f"the character {named(text[at])} is no quotation mark in TOML", help, at)
     where = "" if len(quote) == 3 else " on its line"
-    return Fault("SD001", f"this string is not closed{where}", f"add the missing {quote}", start)
+    return Fault(faults.TOML_SYNTAX, f"this string is not closed{where}", f"add the missing {quote}", start)
 
 
 def escape(text: str, at: int) -> Fault:
-    """A backslash before a letter that TOML does not know."""
-    mend = "write \\\\ for a backslash, or put the text in single quotes"
-    return Fault("SD001", f'"{shown(text[at : at + 2])}" is no escape in TOML', mend, at)
+    """The fault of a backslash before a letter that TOML does not know."""
+    help = "write \\\\ for a backslash, or put the text in single quotes"
+    return Fault(faults.TOML_SYNTAX, f'"{shown(text[at : at + 2])}" is no escape in TOML', help, at)
 
 
 def header(text: str, at: int, closing: str) -> Fault:
-    """A table header without end."""
+    """The fault of a table header without end."""
     message = f'"{closing}" was expected to close the table name, not {_here(text, at)}'
-    return Fault("SD001", message, "write a table as [mask]", at)
+    return Fault(faults.TOML_SYNTAX, message, "write a table as [mask]", at)
 
 
 def key(text: str, at: int) -> Fault:
-    """No key begins here."""
+    """The fault where no key begins."""
     if fault := _comment(text, at) or _beyond_ascii(text, at, at):
         return fault
-    return Fault("SD001", f"a key was expected, not {_here(text, at)}", "write one key = value on each line", at)
+    return Fault(
+        faults.TOML_SYNTAX, f"a key was expected, not {_here(text, at)}", "write one key = value on each line", at
+    )
 
 
 def _beyond_ascii(text: str, start: int, at: int) -> Fault | None:
-    """A bare key with a letter that needs quotes at `at`, or quotation marks that are none."""
+    """The fault of a letter at `at` that a bare key cannot have, or of quotation marks that are none; None without."""
     c = text[at : at + 1]
     if c and c in QUOTES:
-        return Fault("SD001", f"the character {named(c)} is no quotation mark in TOML", 'write straight quotes: "', at)
+        return Fault(
+            faults.TOML_SYNTAX, f"the character {named(c)} is no quotation mark in TOML", 'write straight quotes: "', at
+        )
     if c.isascii() or not ("a" + c).isidentifier():
         return None
-    mend = 'quote the key: "ω" = "1/16"'
+    help = 'quote the key: "ω" = "1/16"'
     if (line := _KEY_LINE.match(text, start)) and is_name(name := line[1].strip()):
         value = _SAFE_VALUE.fullmatch(line[2])
-        mend = f'quote the key: "{shown(name)}" = ' + (value[1] if value else '"1/16"')
-    return Fault("SD001", f"{_here(text, at)} cannot stand in a bare key", mend, at)
+        help = f'quote the key: "{shown(name)}" = ' + (value[1] if value else '"1/16"')
+    return Fault(faults.TOML_SYNTAX, f"{_here(text, at)} cannot stand in a bare key", help, at)
 
 
 def equals(text: str, start: int, at: int) -> Fault:
-    """A key without its "="."""
+    """The fault of a key without its "="."""
     if fault := _beyond_ascii(text, start, at):
         return fault
     name = shown(text[start:at].strip())
     message = f'"=" was expected after the key {name}, not {_here(text, at)}'
-    mend = f"write {name} = value"
+    help = f"write {name} = value"
     if text[at : at + 1] == ",":
-        mend = f'an index is a key in quotes: "{name},0" = 1'
-    return Fault("SD001", message, mend, at)
+        help = f'an index is a key in quotes: "{name},0" = 1'
+    return Fault(faults.TOML_SYNTAX, message, help, at)

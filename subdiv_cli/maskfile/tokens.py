@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.characters import MENDS, stray
 from subdiv_cli.maskfile.problems import Fault, shown
@@ -35,7 +36,9 @@ def tokens(text: str, at: int = 0) -> Iterator[Token]:
         c = text[position]
         if c in _OPERATORS:
             if text.startswith("**", position):
-                raise Fault("SD008", '"**" is not the power here', "write ^ for a power: z^2", at + position)
+                raise Fault(
+                    faults.BAD_EXPRESSION, '"**" is not the power here', "write ^ for a power: z^2", at + position
+                )
             kind, end = c, position + 1
         elif found := _NUMBER.match(text, position):
             kind, end = "number", found.end()
@@ -74,17 +77,17 @@ def number(token: Token) -> Fraction:
     digits = whole + decimals
     if len(digits) > MAX_DIGITS:
         message = f"the number has {len(digits)} digits; the limit is {MAX_DIGITS}"
-        raise Fault("SD010", message, "use a shorter number", token.at)
+        raise Fault(faults.OUT_OF_BOUNDS, message, "use a shorter number", token.at)
     exponent = 0
     if power:
         size = power.lstrip("+-").lstrip("0")
         if len(size) > len(str(MAX_DIGITS)) or int(size or "0") > MAX_DIGITS:
             message = f"the decimal exponent {shown(power, 20)} is too large; the limit is {MAX_DIGITS}"
-            raise Fault("SD010", message, "use a number of a sensible size", token.at)
+            raise Fault(faults.OUT_OF_BOUNDS, message, "use a number of a sensible size", token.at)
         exponent = int(power)
     exponent -= len(decimals)
     value = Fraction(int(digits) * 10 ** max(exponent, 0), 10 ** max(-exponent, 0))
     if max(value.numerator.bit_length(), value.denominator.bit_length()) > MAX_BITS:
         message = f"the number {shown(token.text, 30)} has more than {MAX_DIGITS} digits"
-        raise Fault("SD010", message, "use a number of a sensible size", token.at)
+        raise Fault(faults.OUT_OF_BOUNDS, message, "use a number of a sensible size", token.at)
     return value

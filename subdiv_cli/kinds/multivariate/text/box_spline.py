@@ -8,17 +8,18 @@ from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.multivariate.text.bodies import BoxSpline
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.integers import integer_list
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_DIMENSION, MAX_FACTORS
 from subdiv_cli.maskfile.entries import Table
 from subdiv_cli.maskfile.problems import Fault
 from subdiv_cli.maskfile.values import described
 
-_MEND = "write box_spline = {directions = [[1,0],[0,1],[1,1]], multiplicities = [2,2,2]}"
+_HELP = "write box_spline = {directions = [[1,0],[0,1],[1,1]], multiplicities = [2,2,2]}"
 
 
 def read_box_spline(table: Table, dilation: Dilation) -> BoxSpline | None:
-    """None where something is wrong, which is recorded."""
-    inner = table.table("box_spline", _MEND)
+    """The body of a box spline; None where something is wrong, which is recorded."""
+    inner = table.table("box_spline", _HELP)
     if inner is None:
         return None
     inner.only(("directions", "multiplicities"))
@@ -26,8 +27,8 @@ def read_box_spline(table: Table, dilation: Dilation) -> BoxSpline | None:
     multiplicities = None if directions is None else _multiplicities(inner, len(directions))
     if dilation.rows is not None and dilation.factor is None:
         message = "a box spline is refined by its mask for dilations 2, 3, … only, not for this matrix"
-        mend = "give the mask itself: symbol in z1, z2, …, or terms"
-        table.problems.add(Fault("SD022", message, mend), dilation.path)
+        help = "give the mask itself: symbol in z1, z2, …, or terms"
+        table.problems.add(Fault(faults.BAD_DILATION, message, help), dilation.path)
         return None
     if directions is None:
         return None
@@ -40,18 +41,21 @@ def read_box_spline(table: Table, dilation: Dilation) -> BoxSpline | None:
 def _directions(inner: Table) -> tuple[Index, ...] | None:
     value, path = inner.data.get("directions"), (*inner.path, "directions")
     if value is None:
-        inner.missing("directions", "the directions of the box spline are missing", _MEND)
+        inner.missing("directions", "the directions of the box spline are missing", _HELP)
         return None
     fault = None
     if not isinstance(value, list) or not value:
         said = "an empty list" if value == [] else described(value)
-        fault = Fault("SD006", f"directions must be a list of vectors, not {said}", _MEND)
+        fault = Fault(faults.WRONG_TYPE, f"directions must be a list of vectors, not {said}", _HELP)
     elif len(value) > MAX_FACTORS:
-        fault = Fault("SD010", f"{len(value)} directions; the limit is {MAX_FACTORS}", "use multiplicities")
-    if fault or not isinstance(value, list):
-        inner.problems.add(fault or Fault("SD006", ""), path)
+        fault = Fault(
+            faults.OUT_OF_BOUNDS, f"{len(value)} directions; the limit is {MAX_FACTORS}", "use multiplicities"
+        )
+    if fault:
+        inner.problems.add(fault, path)
         return None
-    found = [integer_list(x, (*path, i), inner.problems, "a direction", _MEND) for i, x in enumerate(value)]
+    assert isinstance(value, list), "anything else is a fault"
+    found = [integer_list(x, (*path, i), inner.problems, "a direction", _HELP) for i, x in enumerate(value)]
     directions = tuple(direction for direction in found if direction is not None)
     if len(directions) < len(found):
         return None
@@ -62,35 +66,44 @@ def _directions(inner: Table) -> tuple[Index, ...] | None:
 
 
 def _of_directions(directions: tuple[Index, ...]) -> Fault | None:
+    """The fault of directions that give no box spline; None where they do."""
     s = len(directions[0])
     if any(len(direction) != s for direction in directions):
-        return Fault("SD023", "the directions have different numbers of components", "give each one for each variable")
+        return Fault(
+            faults.BAD_SHAPE, "the directions have different numbers of components", "give each one for each variable"
+        )
     if not 2 <= s <= MAX_DIMENSION:
         message = f"the directions have {s} component{'' if s == 1 else 's'}; there are 2 to {MAX_DIMENSION} variables"
-        return Fault("SD023", message, _MEND)
+        return Fault(faults.BAD_SHAPE, message, _HELP)
     if rank(directions) < s:
         message = f"the directions span {rank(directions)} of {s} dimensions: there is no such box spline"
-        return Fault("SD023", message, "add a direction: [1,0], [0,1]")
+        return Fault(faults.BAD_SHAPE, message, "add a direction: [1,0], [0,1]")
     if not all(map(any, directions)):
-        return Fault("SD023", "a direction is zero", "leave it out")
+        return Fault(faults.BAD_SHAPE, "a direction is zero", "leave it out")
     return None
 
 
 def _multiplicities(inner: Table, count: int) -> tuple[int, ...] | None:
-    """All 1 where none are given."""
+    """The multiplicities, all 1 where none are given; None where something is wrong, which is recorded."""
     if "multiplicities" not in inner.data:
         return (1,) * count
     path = (*inner.path, "multiplicities")
-    found = integer_list(inner.data["multiplicities"], path, inner.problems, "multiplicities", _MEND)
+    found = integer_list(inner.data["multiplicities"], path, inner.problems, "multiplicities", _HELP)
     if found is None:
         return None
     fault = None
     if len(found) != count:
-        fault = Fault("SD023", f"{len(found)} multiplicities for {count} directions", "give each direction one")
+        fault = Fault(
+            faults.BAD_SHAPE, f"{len(found)} multiplicities for {count} directions", "give each direction one"
+        )
     elif min(found) < 1:
-        fault = Fault("SD010", f"a multiplicity must be at least 1, not {min(found)}", "leave the direction out")
+        fault = Fault(
+            faults.OUT_OF_BOUNDS, f"a multiplicity must be at least 1, not {min(found)}", "leave the direction out"
+        )
     elif sum(found) > MAX_FACTORS:
-        fault = Fault("SD010", f"{sum(found)} factors; the limit is {MAX_FACTORS}", "use smaller multiplicities")
+        fault = Fault(
+            faults.OUT_OF_BOUNDS, f"{sum(found)} factors; the limit is {MAX_FACTORS}", "use smaller multiplicities"
+        )
     if fault:
         inner.problems.add(fault, path)
         return None
@@ -98,7 +111,7 @@ def _multiplicities(inner: Table, count: int) -> tuple[int, ...] | None:
 
 
 def rank(vectors: tuple[Index, ...]) -> int:
-    """Of their span, by elimination."""
+    """The dimension of their span, by elimination."""
     rows = [list(map(Fraction, vector)) for vector in vectors]
     found = 0
     for column in range(len(vectors[0])):

@@ -9,16 +9,17 @@ from subdiv_cli.kinds.multivariate.scheme import (
     multiple_of_identity,
 )
 from subdiv_cli.kinds.multivariate.text.integers import integer_list
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_COSETS, MAX_DIMENSION
 from subdiv_cli.maskfile.entries import Table
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
 from subdiv_cli.maskfile.values import described
 
-MEND = "write dilation = 2, or a matrix by rows: dilation = [[1, 1], [1, -1]]"
+HELP = "write dilation = 2, or a matrix by rows: dilation = [[1, 1], [1, -1]]"
 
 
 class Dilation:
-    """What [mask] says of it, which may be nothing; faults are recorded: SD006, SD010, SD022."""
+    """What [mask] says of the dilation, which may be nothing; faults are recorded."""
 
     def __init__(self, table: Table) -> None:
         self.path: KeyPath = (*table.path, "dilation")
@@ -33,11 +34,11 @@ class Dilation:
             self.rows = _matrix(value, self.path, self._problems)
             self.factor = _factor(self.rows) if self.rows else None
         elif isinstance(value, bool) or not isinstance(value, int):
-            fault = Fault("SD006", f"dilation must be an integer or a matrix, not {described(value)}", MEND)
+            fault = Fault(faults.WRONG_TYPE, f"dilation must be an integer or a matrix, not {described(value)}", HELP)
             self._problems.add(fault, self.path)
         elif not 2 <= value <= MAX_ARITY:
             said = str(value) if value.bit_length() < 64 else "a long number"
-            fault = Fault("SD010", f"dilation must be between 2 and {MAX_ARITY}, not {said}", MEND)
+            fault = Fault(faults.OUT_OF_BOUNDS, f"dilation must be between 2 and {MAX_ARITY}, not {said}", HELP)
             self._problems.add(fault, self.path)
         else:
             self.factor = value
@@ -48,7 +49,7 @@ class Dilation:
             if len(self.rows) == dimension:
                 return self.rows
             message = f"the dilation matrix has {len(self.rows)} rows, and the mask has {dimension} variables"
-            self._problems.add(Fault("SD022", message, "give it a row for each variable"), self.path)
+            self._problems.add(Fault(faults.BAD_DILATION, message, "give it a row for each variable"), self.path)
         elif self.factor is not None:
             if self.factor**dimension <= MAX_COSETS:
                 return multiple_of_identity(self.factor, dimension)
@@ -57,8 +58,9 @@ class Dilation:
 
 
 def _matrix(value: list[object], path: KeyPath, problems: Collector) -> IntMatrix | None:
+    """The rows of an expanding matrix; None where they are wrong, which is recorded."""
     found = [
-        integer_list(row, (*path, i), problems, "a row of the dilation matrix", MEND) for i, row in enumerate(value)
+        integer_list(row, (*path, i), problems, "a row of the dilation matrix", HELP) for i, row in enumerate(value)
     ]
     rows = tuple(row for row in found if row is not None)
     if len(rows) < len(found):
@@ -71,34 +73,44 @@ def _matrix(value: list[object], path: KeyPath, problems: Collector) -> IntMatri
 
 
 def _wrong_shape(rows: IntMatrix) -> Fault | None:
+    """The fault of rows that make no square matrix of the orders there are; None where they do."""
     n = len(rows)
     if n == 1:
-        mend = 'one variable is kind = "scalar", with an arity'
-        return Fault("SD022", "the dilation matrix has one row: the mask has one variable", mend)
+        help = 'one variable is kind = "scalar", with an arity'
+        return Fault(faults.BAD_DILATION, "the dilation matrix has one row: the mask has one variable", help)
     if not 2 <= n <= MAX_DIMENSION:
         message = f"the dilation matrix has {n} rows; there are 2 to {MAX_DIMENSION} variables"
-        return Fault("SD022" if n == 0 else "SD010", message, MEND)
+        return Fault(faults.BAD_DILATION if n == 0 else faults.OUT_OF_BOUNDS, message, HELP)
     wrong = next((len(row) for row in rows if len(row) != n), None)
     if wrong is not None:
-        return Fault("SD022", f"the dilation matrix is not square: {n} rows, and one of length {wrong}", MEND)
+        return Fault(
+            faults.BAD_DILATION, f"the dilation matrix is not square: {n} rows, and one of length {wrong}", HELP
+        )
     return None
 
 
 def _wrong_eigenvalues(rows: IntMatrix) -> Fault | None:
+    """The fault of a matrix that is not expanding, or too much so; None for one that will do."""
     polynomial = characteristic_polynomial(rows)
     if not is_expanding(rows):
         message = f"the dilation matrix is not expanding: {_spelled(polynomial)} has a zero in |x| <= 1"
-        return Fault("SD022", message, "all eigenvalues must be larger than 1 in size: [[1, 1], [1, -1]]")
+        return Fault(faults.BAD_DILATION, message, "all eigenvalues must be larger than 1 in size: [[1, 1], [1, -1]]")
     if abs(polynomial[0]) > MAX_COSETS:
         return _too_many_cosets(abs(polynomial[0]))
     return None
 
 
 def _too_many_cosets(count: int) -> Fault:
-    return Fault("SD010", f"the dilation has determinant {count}; the limit is {MAX_COSETS}", "use a smaller dilation")
+    """The fault of a dilation with so many cosets."""
+    return Fault(
+        faults.OUT_OF_BOUNDS,
+        f"the dilation has determinant {count}; the limit is {MAX_COSETS}",
+        "use a smaller dilation",
+    )
 
 
 def _factor(rows: IntMatrix) -> int | None:
+    """The c of a matrix cI; None for another."""
     c = rows[0][0]
     return c if rows == multiple_of_identity(c, len(rows)) else None
 

@@ -8,6 +8,7 @@ from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.multivariate.text.bodies import Grid, Nested, Terms
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.integers import index_of_key, integer_list
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_DIMENSION, MAX_GRID, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
 from subdiv_cli.maskfile.expressions import Expression
@@ -19,7 +20,7 @@ _NESTED = 'write a list of rows: coefficients = [["1/4", "1/2"], ["1/2", 1]]'
 
 
 def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> Grid | None:
-    """None where something is wrong, which is recorded."""
+    """The body that `start` and `coefficients` give; None where something is wrong, which is recorded."""
     problems = table.problems
     start = _start(table)
     path = (*table.path, "coefficients")
@@ -30,7 +31,7 @@ def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> 
     if start is not None and len(start) != len(shape):
         plural = "" if len(start) == 1 else "s"
         message = f"start has {len(start)} component{plural}, and coefficients are nested {len(shape)} deep"
-        problems.add(Fault("SD023", message, "give both one for each variable"), (*table.path, "start"))
+        problems.add(Fault(faults.BAD_SHAPE, message, "give both one for each variable"), (*table.path, "start"))
         start = None
     entries = _Rows(shape, parameters, problems).read(table.data["coefficients"], path)
     if matrix is None or start is None or entries is None:
@@ -39,15 +40,16 @@ def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> 
 
 
 def _start(table: Table) -> Index | None:
-    mend = "write the index of the first coefficient: start = [-1, -1]"
+    """The index of the first coefficient; None where it is wrong or missing, which is recorded."""
+    help = "write the index of the first coefficient: start = [-1, -1]"
     if "start" not in table.data:
-        table.missing("start", "start is missing", mend)
+        table.missing("start", "start is missing", help)
         return None
-    return integer_list(table.data["start"], (*table.path, "start"), table.problems, "start", mend)
+    return integer_list(table.data["start"], (*table.path, "start"), table.problems, "start", help)
 
 
 def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...] | None:
-    """The lengths of the lists on the way to the first number."""
+    """The lengths of the lists on the way to the first number; None where they are wrong, which is recorded."""
     shape: list[int] = []
     first = value
     while isinstance(first, list) and first:
@@ -55,15 +57,15 @@ def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...]
         first = first[0]
     fault = None
     if isinstance(first, list):
-        fault = Fault("SD009", "the mask is empty" if not shape else "the first row is empty", _NESTED)
+        fault = Fault(faults.ZERO_MASK, "the mask is empty" if not shape else "the first row is empty", _NESTED)
     elif not shape:
-        fault = Fault("SD006", f"coefficients must be a list of lists, not {described(value)}", _NESTED)
+        fault = Fault(faults.WRONG_TYPE, f"coefficients must be a list of lists, not {described(value)}", _NESTED)
     elif len(shape) == 1:
-        mend = f'{_NESTED}; a mask in one variable is of kind "scalar"'
-        fault = Fault("SD023", "coefficients are one flat list, and there are at least two variables", mend)
+        help = f'{_NESTED}; a mask in one variable is of kind "scalar"'
+        fault = Fault(faults.BAD_SHAPE, "coefficients are one flat list, and there are at least two variables", help)
     elif len(shape) > MAX_DIMENSION:
         message = f"coefficients are nested {len(shape)} deep; there are 2 to {MAX_DIMENSION} variables"
-        fault = Fault("SD010", message, _NESTED)
+        fault = Fault(faults.OUT_OF_BOUNDS, message, _NESTED)
     if fault:
         problems.add(fault, path)
         return None
@@ -71,7 +73,7 @@ def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...]
 
 
 class _Rows:
-    """Lists of lists of the lengths that the first ones have; what is wrong is recorded."""
+    """Reads lists of lists of the lengths that the first ones have; what is wrong is recorded."""
 
     def __init__(self, shape: tuple[int, ...], parameters: Collection[str], problems: Collector) -> None:
         self._shape, self._parameters, self._problems = shape, parameters, problems
@@ -79,16 +81,18 @@ class _Rows:
         self._left = MAX_GRID
 
     def read(self, value: object, path: KeyPath, depth: int = 0) -> Nested | None:
+        """The coefficients in the list at `path`; None where one is wrong."""
         expected = self._shape[depth]
         fault = None
         if not isinstance(value, list):
-            fault = Fault("SD023", f"a list of {expected} was expected, not {described(value)}", _NESTED)
+            fault = Fault(faults.BAD_SHAPE, f"a list of {expected} was expected, not {described(value)}", _NESTED)
         elif len(value) != expected:
             message = f"a list of {expected} was expected, as the first one is; this has {len(value)}"
-            fault = Fault("SD023", message, "write zeros where there is no coefficient")
-        if fault or not isinstance(value, list):
-            self._problems.add(fault or Fault("SD023", ""), path)
+            fault = Fault(faults.BAD_SHAPE, message, "write zeros where there is no coefficient")
+        if fault:
+            self._problems.add(fault, path)
             return None
+        assert isinstance(value, list), "anything else is a fault"
         last = depth == len(self._shape) - 1
         found = [
             self._entry(entry, (*path, i)) if last else self.read(entry, (*path, i), depth + 1)
@@ -98,15 +102,18 @@ class _Rows:
         return entries if len(entries) == len(found) else None
 
     def _entry(self, value: object, path: KeyPath) -> Expression | None:
+        """The coefficient at `path`; None where it is wrong, or one too many."""
         self._left -= 1
         if self._left < 0:
             if self._left == -1:
-                mend = "give those that are not zero: terms = {…}"
-                self._problems.add(Fault("SD010", f"more than {MAX_GRID} coefficients, zeros included", mend), path)
+                help = "give those that are not zero: terms = {…}"
+                self._problems.add(
+                    Fault(faults.OUT_OF_BOUNDS, f"more than {MAX_GRID} coefficients, zeros included", help), path
+                )
             return None
         if isinstance(value, list):
             message = f"coefficients are nested deeper here than at the first one, {len(self._shape)} deep"
-            self._problems.add(Fault("SD023", message, _NESTED), path)
+            self._problems.add(Fault(faults.BAD_SHAPE, message, _NESTED), path)
             return None
         return read_number(value, path, self._parameters, self._problems, self._work)
 
@@ -125,17 +132,21 @@ def read_number(
 
 
 def read_terms(table: Table, dilation: Dilation, parameters: Collection[str]) -> Terms | None:
-    """None where something is wrong, which is recorded."""
+    """The body that `terms` gives; None where something is wrong, which is recorded."""
     problems, path = table.problems, (*table.path, "terms")
     inner = table.table("terms", 'write terms = {"0,0" = 1, "1,0" = "1/2"}')
     if inner is None:
         return None
     fault = None
     if not inner.data:
-        fault = Fault("SD009", "the mask is empty", 'write its coefficients: terms = {"0,0" = 1, "1,0" = "1/2"}')
+        fault = Fault(
+            faults.ZERO_MASK, "the mask is empty", 'write its coefficients: terms = {"0,0" = 1, "1,0" = "1/2"}'
+        )
     elif len(inner.data) > MAX_GRID:
         fault = Fault(
-            "SD010", f"terms: {len(inner.data)} entries; the limit is {MAX_MASK_LENGTH}", "use a smaller mask"
+            faults.OUT_OF_BOUNDS,
+            f"terms: {len(inner.data)} entries; the limit is {MAX_MASK_LENGTH}",
+            "use a smaller mask",
         )
     if fault:
         problems.add(fault, path)
@@ -160,6 +171,6 @@ def _fits(index: Index, found: dict[Index, Expression | None]) -> None:
     """Raises Fault for an index of another length than the first (SD023), and for one that was there (SD015)."""
     if found and len(index) != len(first := next(iter(found))):
         message = f"an index with {len(index)} components, and the first one has {len(first)}"
-        raise Fault("SD023", message, "give each index one for each variable")
+        raise Fault(faults.BAD_SHAPE, message, "give each index one for each variable")
     if index in found:
-        raise Fault("SD015", f"the index {','.join(map(str, index))} is given twice", "keep one of the two")
+        raise Fault(faults.DUPLICATE_KEY, f"the index {','.join(map(str, index))} is given twice")

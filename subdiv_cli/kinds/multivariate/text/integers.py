@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from subdiv_cli.kinds.multivariate.scheme import Index
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_DIMENSION, MAX_INDEX
 from subdiv_cli.maskfile.characters import mended
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, shown
@@ -13,41 +14,45 @@ from subdiv_cli.maskfile.values import described
 _INDEX = re.compile(r"\s*[+-]?[0-9]{1,9}\s*(,\s*[+-]?[0-9]{1,9}\s*)*")
 
 
-def integer_list(value: object, path: KeyPath, problems: Collector, what: str, mend: str) -> tuple[int, ...] | None:
-    """A list of integers within ±MAX_INDEX; None where it is none, which is recorded: SD006 or SD010."""
+def integer_list(value: object, path: KeyPath, problems: Collector, what: str, help: str) -> tuple[int, ...] | None:
+    """A list of integers within ±MAX_INDEX; None where it is none, which is recorded."""
     if not isinstance(value, list):
-        problems.add(Fault("SD006", f"{what} must be a list of integers, not {described(value)}", mend), path)
+        problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list of integers, not {described(value)}", help), path)
         return None
     if len(value) > MAX_INDEX:
-        problems.add(Fault("SD010", f"{what} has {len(value)} entries; the limit is {MAX_INDEX}", mend), path)
+        problems.add(
+            Fault(faults.OUT_OF_BOUNDS, f"{what} has {len(value)} entries; the limit is {MAX_INDEX}", help), path
+        )
         return None
     entries: list[int] = []
     for i, entry in enumerate(value):
         if isinstance(entry, bool) or not isinstance(entry, int):
             said = f'the string "{shown(entry)}"' if isinstance(entry, str) else described(entry)
-            problems.add(Fault("SD006", f"an integer was expected, not {said}", mend), (*path, i))
+            problems.add(Fault(faults.WRONG_TYPE, f"an integer was expected, not {said}", help), (*path, i))
         elif abs(entry) > MAX_INDEX:
             said = str(entry) if entry.bit_length() < 64 else "a long number"
-            problems.add(Fault("SD010", f"{said} is beyond {MAX_INDEX} in size", "use smaller integers"), (*path, i))
+            problems.add(
+                Fault(faults.OUT_OF_BOUNDS, f"{said} is beyond {MAX_INDEX} in size", "use smaller integers"), (*path, i)
+            )
         else:
             entries.append(entry)
     return tuple(entries) if len(entries) == len(value) else None
 
 
 def index_of_key(key: str) -> Index:
-    """ "1,-1" -> (1, -1). Raises Fault: SD010 or SD023."""
-    mend = 'write an integer for each variable: "1,-1" = "1/16"'
+    """The index that a key such as "1,-1" spells. Raises Fault."""
+    help = 'write an integer for each variable: "1,-1" = "1/16"'
     if not _INDEX.fullmatch(key):
         if _INDEX.fullmatch(plain := mended(key)):
-            mend = f'write it in plain characters: "{plain}"'
-        raise Fault("SD023", f'the key "{shown(key)}" is no index', mend)
+            help = f'write it in plain characters: "{plain}"'
+        raise Fault(faults.BAD_SHAPE, f'the key "{shown(key)}" is no index', help)
     index = tuple(map(int, key.split(",")))
     if max(map(abs, index)) > MAX_INDEX:
-        raise Fault("SD010", f"the index {shown(key)} is beyond {MAX_INDEX}", "shift the mask towards 0")
+        raise Fault(faults.OUT_OF_BOUNDS, f"the index {shown(key)} is beyond {MAX_INDEX}", "shift the mask towards 0")
     if not 2 <= len(index) <= MAX_DIMENSION:
         plural = "" if len(index) == 1 else "s"
         message = (
             f'the index "{shown(key)}" has {len(index)} component{plural}; there are 2 to {MAX_DIMENSION} variables'
         )
-        raise Fault("SD023", message, mend)
+        raise Fault(faults.BAD_SHAPE, message, help)
     return index

@@ -7,6 +7,7 @@ from math import prod
 
 from subdiv_cli.kinds.multivariate.scheme import IntMatrix, multiple_of_identity
 from subdiv_cli.kinds.multivariate.text.bodies import Grid, LaurentSymbol, Nested
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_COSETS, MAX_DIMENSION, MAX_GRID, MAX_INDEX
 from subdiv_cli.maskfile.evaluate import names_in
 from subdiv_cli.maskfile.expressions import Expression
@@ -20,7 +21,7 @@ def symbol(text: str, arity: int, names: Collection[str]) -> LaurentSymbol:
     node = parse(text, (*VARIABLES[1:], *names))
     dimension = max((VARIABLES.index(name) for name in names_in(node) & frozenset(VARIABLES)), default=0)
     if dimension < 2:
-        raise Fault("SD023", "z2 is not in the symbol: it has one variable", "write z for z1, or a mask file")
+        raise Fault(faults.BAD_SHAPE, "z2 is not in the symbol: it has one variable", "write z for z1, or a mask file")
     return LaurentSymbol(dilation=_dilation(arity, dimension), expression=Expression(text=text.strip(), node=node))
 
 
@@ -30,30 +31,35 @@ def grid(entries: Nested, start: Sequence[int], arity: int) -> Grid:
     if start and len(start) != len(shape):
         plural = "" if len(start) == 1 else "s"
         message = f"--start has {len(start)} component{plural}, and the lists are nested {len(shape)} deep"
-        raise Fault("SD023", message, f"--start {','.join('0' * len(shape))}")
+        raise Fault(faults.BAD_SHAPE, message, f"--start {','.join('0' * len(shape))}")
     if prod(shape) > MAX_GRID:
-        raise Fault("SD010", f"more than {MAX_GRID} coefficients, zeros included", "write terms in a mask file")
+        raise Fault(
+            faults.OUT_OF_BOUNDS, f"more than {MAX_GRID} coefficients, zeros included", "write terms in a mask file"
+        )
     if any(abs(k) > MAX_INDEX for k in start):
-        raise Fault("SD010", f"start is beyond {MAX_INDEX}", f"--start {','.join('0' * len(shape))}")
+        raise Fault(faults.OUT_OF_BOUNDS, f"start is beyond {MAX_INDEX}", f"--start {','.join('0' * len(shape))}")
     return Grid(dilation=_dilation(arity, len(shape)), start=tuple(start) or (0,) * len(shape), coefficients=entries)
 
 
 def _dilation(arity: int, dimension: int) -> IntMatrix:
+    """The arity times the identity. Raises Fault where that is too much."""
     if arity**dimension > MAX_COSETS:
         message = f"the dilation has determinant {arity**dimension}; the limit is {MAX_COSETS}"
-        raise Fault("SD010", message, "use a smaller arity")
+        raise Fault(faults.OUT_OF_BOUNDS, message, "use a smaller arity")
     return multiple_of_identity(arity, dimension)
 
 
 def _shape(entries: Nested) -> tuple[int, ...]:
-    """The lengths, the same everywhere. Raises Fault."""
+    """The lengths of nested lists, the same everywhere. Raises Fault."""
     shapes = {() if isinstance(entry, Expression) else _shape(entry) for entry in entries}
     if len(shapes) > 1:
         raise Fault(
-            "SD023", "the lists are of different lengths or depths", "write zeros where there is no coefficient"
+            faults.BAD_SHAPE,
+            "the lists are of different lengths or depths",
+            "write zeros where there is no coefficient",
         )
     shape = (len(entries), *shapes.pop())
     if len(shape) > MAX_DIMENSION:
         message = f"lists are nested {len(shape)} deep; there are at most {MAX_DIMENSION} variables"
-        raise Fault("SD010", message, "write [[1, 2], [2, 1]]/2")
+        raise Fault(faults.OUT_OF_BOUNDS, message, "write [[1, 2], [2, 1]]/2")
     return shape

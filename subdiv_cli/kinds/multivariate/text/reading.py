@@ -9,6 +9,7 @@ from subdiv_cli.kinds.multivariate.text.box_spline import read_box_spline
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.grid import read_grid, read_terms
 from subdiv_cli.kinds.multivariate.text.tensor import read_tensor
+from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bodies import Body
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
 from subdiv_cli.maskfile.evaluate import names_in
@@ -37,12 +38,12 @@ def read_multivariate(table: Table, parameters: Collection[str], problems: Colle
     dilation = Dilation(table)
     given = [key for key in table.data if key in FORMS]
     if not given:
-        mend = f'give one of {", ".join(FORMS)}: symbol = "(1+z1) (1+z2) (1+z1*z2) / 2"'
-        table.missing("coefficients", "nothing gives the coefficients of the mask", mend, instead=FORMS)
+        help = f'give one of {", ".join(FORMS)}: symbol = "(1+z1) (1+z2) (1+z1*z2) / 2"'
+        table.missing("coefficients", "nothing gives the coefficients of the mask", help, instead=FORMS)
         return None
     form = given[0]
     for other in given[1:] + (["start"] if "start" in table.data and form != "coefficients" else []):
-        fault = Fault("SD015", f"{form} and {other} both give the mask", "keep one of the two")
+        fault = Fault(faults.DUPLICATE_KEY, f"{form} and {other} both give the mask")
         problems.add(fault, (*table.path, other), of_key=True)
     if form == "coefficients":
         return read_grid(table, dilation, parameters)
@@ -56,10 +57,11 @@ def read_multivariate(table: Table, parameters: Collection[str], problems: Colle
 
 
 def _symbol(table: Table, dilation: Dilation, parameters: Collection[str]) -> LaurentSymbol | None:
+    """The body that `symbol` gives; None where something is wrong, which is recorded."""
     path, value = (*table.path, "symbol"), table.data["symbol"]
-    mend = 'write an expression in z1, z2, …: symbol = "(1+z1) (1+z2) (1+z1*z2) / 2"'
+    help = 'write an expression in z1, z2, …: symbol = "(1+z1) (1+z2) (1+z1*z2) / 2"'
     if not isinstance(value, str):
-        table.problems.add(Fault("SD006", f"symbol must be a string, not {described(value)}", mend), path)
+        table.problems.add(Fault(faults.WRONG_TYPE, f"symbol must be a string, not {described(value)}", help), path)
         return None
     variables = VARIABLES[1 : None if dilation.rows is None else len(dilation.rows) + 1]
     try:
@@ -72,8 +74,8 @@ def _symbol(table: Table, dilation: Dilation, parameters: Collection[str]) -> La
     dimension = max((VARIABLES.index(name) for name in used), default=0) if dilation.rows is None else len(variables)
     if dimension < 2:
         message = "the symbol does not say how many variables there are: z2 is not in it"
-        mend = "give the dilation as a matrix, [[2, 0], [0, 2]]; one variable is z, in a scalar mask"
-        table.problems.add(Fault("SD023", message, mend), path)
+        help = "give the dilation as a matrix, [[2, 0], [0, 2]]; one variable is z, in a scalar mask"
+        table.problems.add(Fault(faults.BAD_SHAPE, message, help), path)
         return None
     matrix = dilation.of(dimension)
     return None if matrix is None else LaurentSymbol(dilation=matrix, expression=expression)
