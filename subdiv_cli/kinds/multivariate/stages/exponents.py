@@ -57,9 +57,9 @@ def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     ρ_k^length.
     """
     if numbers.box is not None:
-        return _of_box_spline_of_exponent(numbers.box.depth)
+        return _holder_of_box_spline(numbers.box.depth)
     if numbers.parts:
-        return (_least_of_of_exponent(numbers.parts), _least_above(numbers.parts))
+        return (_least_holder(numbers.parts), _least_above(numbers.parts))
     reason = None if numbers.lattice.is_isotropic else ANISOTROPIC
     reason = reason if numbers.order else "no sum rule holds"
     if reason is not None:
@@ -74,7 +74,7 @@ def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (_below(numbers, stably), _above(numbers, stably))
 
 
-def _of_box_spline_of_exponent(depth: int) -> tuple[Finding, ...]:
+def _holder_of_box_spline(depth: int) -> tuple[Finding, ...]:
     if depth < 2:
         reason = "φ is a box spline that is not continuous"
         return (HOLDER_LOWER.skipped(_BELOW, reason), HOLDER_UPPER.skipped(_ABOVE, reason))
@@ -87,7 +87,7 @@ def _of_box_spline_of_exponent(depth: int) -> tuple[Finding, ...]:
     )
 
 
-def _least_of_of_exponent(parts: tuple[Part, ...]) -> Finding:
+def _least_holder(parts: tuple[Part, ...]) -> Finding:
     found = products.least(parts, questions.HOLDER_LOWER)
     if found is None:
         return HOLDER_LOWER.undecided(
@@ -198,9 +198,9 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     the sequences.
     """
     if numbers.box is not None:
-        return (_of_box_spline_of_sobolev(numbers.box.depth),)
+        return (_sobolev_of_box_spline(numbers.box.depth),)
     if numbers.parts:
-        return (_least_of_of_sobolev(numbers.parts),)
+        return (_least_sobolev(numbers.parts),)
     reason = None if numbers.lattice.is_isotropic else ANISOTROPIC
     reason = reason if numbers.order else "no sum rule holds"
     if reason is not None:
@@ -215,13 +215,13 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (_found(numbers, found.growth, facts.verdict(STABILITY) is Verdict.PROVED),)
 
 
-def _of_box_spline_of_sobolev(depth: int) -> Finding:
+def _sobolev_of_box_spline(depth: int) -> Finding:
     s = depth - Fraction(1, 2)
     statement = f"s = {s}: {depth} directions must go until the others do not span"
     return SOBOLEV.proved(statement, {"by": BOX_SPLINE.code, "value": s}, interval(s), s)
 
 
-def _least_of_of_sobolev(parts: tuple[Part, ...]) -> Finding:
+def _least_sobolev(parts: tuple[Part, ...]) -> Finding:
     found = products.least(parts, questions.SOBOLEV)
     if found is None:
         return SOBOLEV.undecided(

@@ -10,7 +10,7 @@ from subdiv_cli.exact.formulas import partial_operator
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.numbers.quasi_interpolation import Point, QuasiInterpolation
+from subdiv_cli.kinds.multivariate.numbers.polynomials import Point, QuasiInterpolation
 from subdiv_cli.kinds.multivariate.rules import CONVERGENCE, COSET_SUMS, QUASI_INTERPOLATION, REPRODUCTION, SUM_RULES
 from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.scalar.stages.wording import series

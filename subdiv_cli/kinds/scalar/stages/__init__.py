@@ -9,8 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.kinds.kind import Analysis, Stage, run_stages
-from subdiv_cli.kinds.scalar.numbers.facts import facts
-from subdiv_cli.kinds.scalar.numbers.hints import hints
+from subdiv_cli.kinds.scalar.numbers.facts import facts, hints
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.scalar.stages import (
@@ -35,13 +34,13 @@ STAGES: tuple[Stage, ...] = (
     stability.independence,
     stability.stability,
     stability.reduced_mask,
-    spectra.eigen_condition_of_s,
+    spectra.of_scheme,
     joint_radius.joint_radius,
     smoothness.convergence,
     smoothness.contractivity,
     smoothness.smoothness,
     smoothness.next_smoothness,
-    spectra.eigen_conditions_of_derived,
+    spectra.of_derived_schemes,
     holder.holder_lower,
     holder.holder_upper,
     holder.holder_attained,

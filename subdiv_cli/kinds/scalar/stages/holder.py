@@ -18,9 +18,9 @@ from subdiv_cli.jsr.products import lyndon_words, radius_bound
 from subdiv_cli.jsr.result import Radius, root_data
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.estimate import estimated_exponent
-from subdiv_cli.kinds.scalar.numbers.exponents import exponent_bound
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
+from subdiv_cli.kinds.scalar.numbers.radius import exponent_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import HOLDER_ATTAINED, HOLDER_LOWER, HOLDER_UPPER
 from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, product_witness, shown

@@ -1,4 +1,4 @@
-"""The joint spectral radius of the last difference scheme (SD310), and products of matrices as obstacles to smoothness."""
+"""The joint spectral radius of the last difference scheme (SD310), and products of matrices as obstacles to C^n."""
 
 from __future__ import annotations
 

@@ -14,12 +14,12 @@ from subdiv_cli.kinds.scalar.rules import EIGEN_CONDITION, RESIDUE_SUMS, SMOOTHN
 from subdiv_cli.kinds.scalar.stages.wording import derived_names, integer
 from subdiv_cli.model import Data, Finding, Verdict
 
-_EIGEN_CONDITION_OF_S_QUESTION = (
+_EIGEN_CONDITION_QUESTION = (
     "do the refinement matrices have the simple eigenvalue 1 and all others inside the unit disc?"
 )
 
 
-def eigen_condition_of_s(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
+def of_scheme(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD202: the eigen-condition of a convergent scheme.
 
     Theorem (Dyn 1992, Theorem 4.2): if S converges uniformly, each refinement matrix A_ε has the simple eigenvalue 1
@@ -31,12 +31,12 @@ def eigen_condition_of_s(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding,
     and `stencil_start`, its first index.
     """
     if facts.verdict(RESIDUE_SUMS) is not Verdict.PROVED:
-        return (EIGEN_CONDITION.skipped(_EIGEN_CONDITION_OF_S_QUESTION, "the residue sums are not 1"),)
+        return (EIGEN_CONDITION.skipped(_EIGEN_CONDITION_QUESTION, "the residue sums are not 1"),)
     spectra = numbers.spectra
     if spectra is None:
         return (
             EIGEN_CONDITION.undecided(
-                _EIGEN_CONDITION_OF_S_QUESTION, "the refinement matrices are too large for this effort"
+                _EIGEN_CONDITION_QUESTION, "the refinement matrices are too large for this effort"
             ),
         )
     eigenvalues = tuple(_listed(spectrum) for spectrum in spectra)
@@ -70,7 +70,7 @@ def _size(entry: tuple[AlgebraicNumber, int]) -> float:
 _MOST_LISTED = 6
 
 
-def eigen_conditions_of_derived(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
+def of_derived_schemes(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD304: the eigen-conditions of the derived schemes.
 
     Theorem (Dyn 1992, Theorem 4.2 and (4.12), for any arity p): where S_ν exists and converges, each refinement matrix

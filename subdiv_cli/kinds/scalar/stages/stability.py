@@ -9,8 +9,8 @@ from flint import fmpq_poly
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import laurent
 from subdiv_cli.kinds.kind import Facts
-from subdiv_cli.kinds.scalar.numbers.reduction import Step
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.numbers.stability import Step
 from subdiv_cli.kinds.scalar.rules import INDEPENDENCE, REDUCTION, STABILITY
 from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED
 from subdiv_cli.model import Data, Finding, Verdict
@@ -28,10 +28,10 @@ def independence(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     Witness, proved: `largest_n`, up to which cycles were looked for (the degree of the factor rules out larger ones);
     the Bezout cofactors of the components are in SD402. Refuted: `gcd`, or `cycle`, the n.
     """
-    return (_decide_of_independence(numbers),)
+    return (_independence(numbers),)
 
 
-def _decide_of_independence(numbers: ScalarNumbers) -> Finding:
+def _independence(numbers: ScalarNumbers) -> Finding:
     p = numbers.p
     if not numbers.is_normalised:
         return INDEPENDENCE.skipped("are the integer translates of φ linearly independent?", NOT_NORMALISED)
@@ -62,10 +62,10 @@ def stability(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     Witness, proved: `gcd` of the polyphase components, `starts` and `cofactors` (see below). Refuted: `circle_factor`,
     lowest coefficient first, or `cycle`.
     """
-    return (_decide_of_stability(numbers, facts),)
+    return (_stability(numbers, facts),)
 
 
-def _decide_of_stability(numbers: ScalarNumbers, facts: Facts) -> Finding:
+def _stability(numbers: ScalarNumbers, facts: Facts) -> Finding:
     independent = facts.verdict(INDEPENDENCE)
     if independent is Verdict.SKIPPED:
         return STABILITY.skipped("are the integer translates of φ stable?", facts[INDEPENDENCE].reason or "")

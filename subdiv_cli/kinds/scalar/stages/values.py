@@ -9,8 +9,7 @@ from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import ContradictionError, Facts
 from subdiv_cli.kinds.scalar.numbers.facts import interpolation_shift
-from subdiv_cli.kinds.scalar.numbers.polynomials import parameter_shift
-from subdiv_cli.kinds.scalar.numbers.quasi_interpolation import eigen_sequence, moments, operator, stencil
+from subdiv_cli.kinds.scalar.numbers.polynomials import eigen_sequence, moments, operator, parameter_shift, stencil
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers, support
 from subdiv_cli.kinds.scalar.rules import (
@@ -87,7 +86,7 @@ def unusable(facts: Facts) -> str | None:
 
 
 _LIMIT_STENCILS_QUESTION = "how is the limit read off the data of a level?"
-_MOST_WEIGHTS_LIMIT_STENCILS = 7
+_MOST_WEIGHTS_OF_LIMIT = 7
 
 
 def limit_stencils(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -119,12 +118,12 @@ def limit_stencils(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 def _text(w: Laurent) -> str:
     c = w.coefficients()
-    if len(c) > _MOST_WEIGHTS_LIMIT_STENCILS:
+    if len(c) > _MOST_WEIGHTS_OF_LIMIT:
         return f"a combination of f_(i{w.low:+d}), …, f_(i{w.low + len(c) - 1:+d})"
     return combination(w.low, c, lambda index: f"f_({index})" if len(index) > 1 else f"f_{index}")
 
 
-_MOST_WEIGHTS_QUASI_INTERPOLATION = 9
+_MOST_WEIGHTS_OF_Q = 9
 
 
 def quasi_interpolation(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -155,7 +154,7 @@ def quasi_interpolation(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, 
     }
     statement = f"on polynomials of degree {m} S^∞ Q f = f with Q f = {formula(q)}"
     weights = t.coefficients()
-    if len(weights) <= _MOST_WEIGHTS_QUASI_INTERPOLATION:
+    if len(weights) <= _MOST_WEIGHTS_OF_Q:
         statement += f", Q f(i) = {combination(t.low, weights, lambda index: f'f({index})')}"
     return (QUASI_INTERPOLATION.proved(statement, witness),)
 
