@@ -9,8 +9,8 @@ from functools import cache
 
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
-from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.reading import read_path
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import Effort, Finding, Result
 from subdiv_cli.pipeline import check
 

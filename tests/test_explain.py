@@ -8,8 +8,8 @@ import pytest
 
 from subdiv_cli.catalog.run import check_all
 from subdiv_cli.explain import codes, page
-from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.kinds.reading import read_text
+from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.portrait import portrait
 

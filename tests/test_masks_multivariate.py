@@ -12,9 +12,8 @@ import pytest
 
 from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.kinds.multivariate.scheme import characteristic_polynomial, is_expanding
-from subdiv_cli.kinds.writing import from_scheme
 from subdiv_cli.kinds.reading import read_path, read_text
-from subdiv_cli.kinds.writing import write
+from subdiv_cli.kinds.writing import from_scheme, write
 
 HERE = Path(__file__).parent
 MASKS = HERE.parent / "masks" / "multivariate"

@@ -113,9 +113,10 @@ def times_of_checking(times: int = 5) -> list[Checking]:
 
 
 def _time_of_checking(scheme: ScalarScheme) -> tuple[float, float, float]:
+    from subdiv_cli.kinds.scalar.stages.scalar import analyse
+
     from subdiv_cli.certificate import certificate
     from subdiv_cli.checker import check_document, matrices
-    from subdiv_cli.kinds.scalar.stages.scalar import analyse
     from subdiv_cli.model import Effort
 
     matrices._characteristic_polynomial.cache_clear()

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from subdiv_cli.catalog.discovery import Discovery, discover
-from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.kinds.reading import read_path
+from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.model import Problem
 
 MASK = "[mask]\nstart = 0\ncoefficients = [1, 1]\n"

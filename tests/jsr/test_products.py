@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.jsr.products import best_product, lyndon_words, radius_bound
-from subdiv_cli.kinds.scalar.numbers.exponents import exponent_bound
+from subdiv_cli.kinds.scalar.numbers.radius import exponent_bound
 from subdiv_cli.model import Effort
 
 

@@ -9,8 +9,8 @@ import broken_multivariate
 import pytest
 from broken_files import Broken
 
-from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.kinds.reading import read_path, read_text
+from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.model import Problem
 
 BROKEN = [*broken_files.BROKEN, *broken_multivariate.BROKEN]

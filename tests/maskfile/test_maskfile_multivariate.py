@@ -10,14 +10,13 @@ from itertools import product
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from subdiv_cli.maskfile.canonical import canonical
 
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.maskfile import MaskFile, MaskFileError
-from subdiv_cli.kinds.writing import from_scheme
 from subdiv_cli.kinds.reading import read_path, read_text
-from subdiv_cli.maskfile.canonical import canonical
+from subdiv_cli.kinds.writing import from_scheme, write
+from subdiv_cli.maskfile import MaskFile, MaskFileError
 from subdiv_cli.maskfile.laurent import Laurent, Work, exponents, packed, quotient, times
-from subdiv_cli.kinds.writing import write
 
 HEAD = 'kind = "multivariate"\n[mask]\n'
 QUINCUNX = ((1, 1), (1, -1))

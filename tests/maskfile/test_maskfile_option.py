@@ -8,12 +8,12 @@ from typing import Any
 import pytest
 
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.maskfile import MaskFileError
-from subdiv_cli.kinds.reading import read_text
 from subdiv_cli.kinds.option import from_option
-from subdiv_cli.maskfile.option import parse_override
+from subdiv_cli.kinds.reading import read_text
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.writing import write
+from subdiv_cli.maskfile import MaskFileError
+from subdiv_cli.maskfile.option import parse_override
 
 
 def four_point(w: Q) -> ScalarScheme:

@@ -11,14 +11,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.maskfile import MaskFile, MaskFileError
-from subdiv_cli.kinds.writing import from_scheme
-from subdiv_cli.kinds.reading import read_path, read_text
 from subdiv_cli.kinds.option import from_option
+from subdiv_cli.kinds.reading import read_path, read_text
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.kinds.writing import from_scheme, write
+from subdiv_cli.maskfile import MaskFile, MaskFileError
 from subdiv_cli.maskfile.option import parse_expectation, parse_override
 from subdiv_cli.maskfile.recognise import is_mask
-from subdiv_cli.kinds.writing import write
 from subdiv_cli.model import Expectation, Problem
 
 FOUR_POINT = """\

@@ -12,7 +12,7 @@ from support import answer, b_spline, corner_cutting, deslauriers_dubuc, four_po
 
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.kinds.scalar.numbers.operators import apply
-from subdiv_cli.kinds.scalar.numbers.quasi_interpolation import eigen_sequence, moments, operator, stencil
+from subdiv_cli.kinds.scalar.numbers.polynomials import eigen_sequence, moments, operator, stencil
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers
 from subdiv_cli.model import Effort

@@ -7,9 +7,9 @@ import pytest
 from support import b_spline, corner_cutting, deslauriers_dubuc, four_point, scheme
 
 from subdiv_cli.catalog.shipped import masks_directory
+from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.scalar.numbers.curve import curve, drawing, integer_values, rule
 from subdiv_cli.kinds.scalar.numbers.operators import apply, symbol
-from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Stencil, Verdict
 
 

@@ -5,8 +5,7 @@ from fractions import Fraction
 import pytest
 from support import b_spline, four_point, scheme
 
-from subdiv_cli.kinds.scalar.numbers.facts import facts
-from subdiv_cli.kinds.scalar.numbers.hints import hints
+from subdiv_cli.kinds.scalar.numbers.facts import facts, hints
 
 
 def test_facts_of_the_four_point_scheme():

@@ -13,11 +13,11 @@ from support import answer, findings, shipped_answer, shipped_surface, surface
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.numbers.quasi_interpolation import expansion, inverse, quasi_interpolation
+from subdiv_cli.kinds.multivariate.numbers.polynomials import expansion, inverse, quasi_interpolation
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
 from subdiv_cli.kinds.multivariate.numbers.values import at_integers
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.kinds.scalar.numbers.quasi_interpolation import moments, operator
+from subdiv_cli.kinds.scalar.numbers.polynomials import moments, operator
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers as at_integers_of_curves
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme

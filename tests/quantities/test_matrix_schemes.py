@@ -11,8 +11,7 @@ import pytest
 from support import answer, findings, shipped_surface, surface
 
 from subdiv_cli.kinds.multivariate.numbers.box_spline import multiplied
-from subdiv_cli.kinds.multivariate.numbers.matrix_norms import iterates, matrix_norm
-from subdiv_cli.kinds.multivariate.numbers.matrix_schemes import by_lemma, least, question
+from subdiv_cli.kinds.multivariate.numbers.matrix_norms import by_lemma, iterates, least, matrix_norm, question
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.model import Effort, Verdict
 

@@ -12,10 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
-from subdiv_cli.kinds.multivariate.numbers.coset_sums import sum_rule_order
 from subdiv_cli.kinds.multivariate.numbers.mean_squares import autocorrelation, mean_squares
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.numbers.reproduction import reproduction
+from subdiv_cli.kinds.multivariate.numbers.polynomials import reproduction, sum_rule_order
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.multivariate.stages import coset_sums, sobolev
 from subdiv_cli.kinds.reading import read_path

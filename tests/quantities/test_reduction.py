@@ -9,7 +9,7 @@ from support import answer, four_point, scheme
 
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.kinds.scalar.numbers.operators import apply, symbol
-from subdiv_cli.kinds.scalar.numbers.reduction import reduction
+from subdiv_cli.kinds.scalar.numbers.stability import reduction
 from subdiv_cli.model import Verdict
 
 HAT = Laurent.from_coefficients(0, [Fraction(1, 2), 1, Fraction(1, 2)])

@@ -13,15 +13,14 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
+from subdiv_cli.maskfile.canonical import canonical
 
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.catalog.task import Settings, Task, perform
 from subdiv_cli.checker import check_text
-from subdiv_cli.maskfile import MaskFileError
-from subdiv_cli.kinds.writing import from_scheme
 from subdiv_cli.kinds.reading import read_bytes
-from subdiv_cli.maskfile.canonical import canonical
-from subdiv_cli.kinds.writing import write
+from subdiv_cli.kinds.writing import from_scheme, write
+from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.model import Verdict
 
 COUNT = int(os.environ.get("SUBDIV_FUZZ_SIZE", "10000"))

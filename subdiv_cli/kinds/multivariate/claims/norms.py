@@ -1,11 +1,12 @@
-"""Findings on norms of masks on Z^s as claims: matrix schemes of differences, quotients by directional factors."""
+"""Findings on norms and on Gram sequences of masks on Z^s as claims."""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import prod
 from typing import cast
 
-from subdiv_cli.certificate.claims import Claims
+from subdiv_cli.certificate.claims import Claims, Json
 from subdiv_cli.certificate.radius import spelled
 from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple
 from subdiv_cli.model import Data, Finding
@@ -58,3 +59,19 @@ def _length(quotient: Data, c: int, level: int) -> int:
     growth = (c**level - 1) // (c - 1)
     spans = [cast(int, max(column)) - cast(int, min(column)) for column in zip(*indices, strict=True)]
     return prod(span * growth + 1 for span in spans)
+
+
+def gram_sequence(claims: Claims, finding: Finding, statement: Json, convergent: int, terms: int) -> int:
+    """The number of the claim on it, from the number of that on convergence and of the terms of the mask."""
+    proof, uses = finding.proof, [convergent]
+    g = as_tuple(proof["gram"])
+    columns = list(zip(*(cast("tuple[tuple[int, ...], Fraction]", term)[0] for term in g), strict=True))
+    work = terms**2 + as_integer(proof["correlations"]) * len(g)
+    if "tree" not in proof:
+        n = as_integer(finding.witness["order"])
+        witness: Json = {"gram": spelled(g), "point": spelled(finding.witness["zero"]), "order": n}
+        return claims.prove("gram-unstable", statement, witness, uses, work + len(g) + n**2)
+    tree = as_tuple(proof["tree"])
+    lengths = [2 * max(map(abs, column)) + 1 for column in columns]
+    work += (len(tree) + 2 ** len(columns)) * prod(lengths) * max(lengths)
+    return claims.prove("gram-stable", statement, {"gram": spelled(g), "tree": spelled(tree)}, uses, work)

@@ -1,4 +1,24 @@
-"""Norms of matrix schemes of differences, and the search for one that is small enough.
+"""Matrix schemes of differences, for any dilation: ∇^μ S^r = Σ_ν S_(q_μν) ∇^ν, |μ| = |ν| = k.
+
+In symbols (1-z)^μ a^[r](z) = Σ_ν q_μν(z) (1-z^M^r)^ν, a^[r] the mask of S^r: Dyn 1992, Lemma 6.6 and Proposition 6.8
+for k = 1, M = 2I. Let γ + M^r β, β in Z^s, be the indices of a coset, and p(y) = Σ_β p_(γ + M^r β) y^β, p the left
+side there. The right side is Σ_ν q_ν(y) (1-y)^ν, and there are such q_ν iff p vanishes at y = 1 to order k: for all
+cosets, and all μ, if the sum rules hold of order k, as then transition operators map U_k to U_k.
+
+For k > 1 this is the scheme S_k of Dyn's section 7, but for the factor: S_k = λ^k times it for M = λI. It is had in
+one step from the sum rules, and (7.3), which says that the S_j for j < k reproduce constants, is not asked for.
+
+The q_ν are not unique. Two choices:
+
+* as in the proof of Lemma 6.6, one variable after the other: p = Σ_(i<k) (1-y_1)^i c_i(y_2, …) + (1-y_1)^k r(y), and
+  c_i vanishes at 1 to order k - i.
+* with the least sum of all |coefficients|, for each coset and μ: a linear programme. For k = 1 that is the cost of
+  moving the positive part of p to the negative part along edges of Z^s, by duality the largest Σ_β p_β f_β for data f
+  with differences at most 1: no reduction has a smaller norm, and the norm is that of S_Δ on differences (6.45).
+
+All stay in the smallest box that holds the support of p, which must have sides of at least k.
+
+Norms of matrix schemes of differences, and the search for one that is small enough.
 
 For Q, the reduction of S^r, ‖S_Q^t‖∞ is the largest Σ_ν Σ_β |Q_μν| over μ and the cosets γ + M^(rt) β, of
 Q(z) Q(z^(M^r)) … Q(z^(M^(r(t-1)))) (Dyn 1992, Proposition 6.10). It bounds ρ_k^(rt) from above.
@@ -6,16 +26,163 @@ Q(z) Q(z^(M^r)) … Q(z^(M^(r(t-1)))) (Dyn 1992, Proposition 6.10). It bounds ρ
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import product
 from math import lcm, prod
 from typing import NamedTuple
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
-from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated
-from subdiv_cli.kinds.multivariate.numbers.matrix_schemes import Question, Reduction, Terms, by_lemma, least, question
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.exact.linalg import Combination, combinations
+from subdiv_cli.kinds.multivariate.lattice import Lattice, box, indices_of_degree
+from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated, multiplied
+from subdiv_cli.kinds.multivariate.numbers.difference_space import difference
+from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
 from subdiv_cli.model import Effort
+
+Terms = dict[Index, Fraction]
+Shifted = tuple[Index, Index]
+"""β and ν for y^β (1-y)^ν."""
+
+_LARGEST_WINDOW = 128
+_MOST_PARTS = 400
+
+
+class Part(NamedTuple):
+    """A coset of (1-z)^μ a^[r](z): the terms at γ + M^r β, `terms` from β = 0 of its smallest box."""
+
+    row: int
+    """The number of μ."""
+    origin: Index
+    """The index in Z^s where β = 0."""
+    terms: Terms
+
+
+class Question(NamedTuple):
+    """The parts of all cosets and μ, and a box that holds each of them."""
+
+    order: int
+    """k."""
+    lattice: Lattice
+    """Of M^r."""
+    parts: tuple[Part, ...]
+    spans: Index
+
+    @property
+    def components(self) -> tuple[Index, ...]:
+        """All ν with |ν| = k in lexicographic order."""
+        return tuple(indices_of_degree(self.lattice.dimension, self.order))
+
+
+class Reduction(NamedTuple):
+    """Coefficients of the y^β (1-y)^ν for each part; their sum of absolute values, where it is largest."""
+
+    question: Question
+    coefficients: tuple[dict[Shifted, Fraction], ...]
+
+    @property
+    def norm(self) -> Fraction:
+        """Of the matrix scheme (Dyn 1992, 6.47)."""
+        return max(sum(map(abs, found.values()), Fraction(0)) for found in self.coefficients)
+
+    def entries(self) -> dict[tuple[int, int], Terms]:
+        """The Laurent polynomials q_μν that are not zero, by the numbers of μ and ν."""
+        components, total = self.question.components, dict[tuple[int, int], Terms]()
+        for part, found in zip(self.question.parts, self.coefficients, strict=True):
+            for (beta, nu), x in found.items():
+                at = _sum(part.origin, self.question.lattice.image(beta))
+                total.setdefault((part.row, components.index(nu)), {})[at] = x
+        return total
+
+
+def question(scheme: MultivariateScheme, lattice: Lattice, k: int, power: int) -> Question | None:
+    """For S^power and differences of order k >= 1, at most that of the sum rules; None where it is too large."""
+    symbol = iterated(scheme, lattice, power)
+    s, dilation = lattice.dimension, lattice.dilation
+    if symbol is None:
+        return None
+    for _ in range(power - 1):
+        dilation = _product(lattice.dilation, dilation)
+    whole, parts = Lattice(dilation), list[Part]()
+    for row, mu in enumerate(indices_of_degree(s, k)):
+        cosets: dict[Index, Terms] = {}
+        for alpha, x in multiplied(symbol, {beta: Fraction(y) for beta, y in difference(mu).items()}).items():
+            cosets.setdefault(whole.coset(alpha), {})[alpha] = x
+        parts += [_part(whole, row, terms) for terms in cosets.values()]
+    highest = zip(*(map(max, zip(*part.terms, strict=True)) for part in parts), strict=True)
+    spans = tuple(max(k, *column) for column in highest)
+    if prod(x + 1 for x in spans) > _LARGEST_WINDOW or len(parts) > _MOST_PARTS:
+        return None
+    return Question(k, whole, tuple(parts), spans)
+
+
+def by_lemma(asked: Question) -> Reduction:
+    """One variable after the other, as in the proof of Lemma 6.6."""
+    columns, names, basis, targets = _programme(asked)
+    found = combinations(columns, targets, basis)
+    assert found is not None
+    return _named(asked, names, found)
+
+
+def least(asked: Question) -> Reduction:
+    """The one of least norm within the box, as far as floats tell; exact, whether or not it is the least."""
+    from subdiv_cli.jsr.least import least_combinations  # numpy comes with it
+
+    columns, names, basis, targets = _programme(asked)
+    return _named(asked, names, least_combinations(columns, targets, basis))
+
+
+def _programme(asked: Question) -> tuple[list[list[int]], list[Shifted], list[int], list[list[Fraction]]]:
+    """Columns y^β (1-y)^ν in the box, their names, those of the lemma, and the parts, all at indices |β| >= k.
+
+    A sequence that annihilates π_(k-1) and vanishes there vanishes: values at |β| < k, β >= 0, determine π_(k-1).
+    """
+    k, spans = asked.order, asked.spans
+    places = [beta for beta in box((0,) * len(spans), spans) if sum(beta) >= k]
+    columns, names = [], []
+    for nu in asked.components:
+        for beta in box((0,) * len(spans), tuple(n - x for n, x in zip(spans, nu, strict=True))):
+            shifted = {_sum(alpha, beta): x for alpha, x in difference(nu).items()}
+            columns.append([shifted.get(place, 0) for place in places])
+            names.append((beta, nu))
+    numbers = {name: i for i, name in enumerate(names)}
+    basis = [numbers[name] for name in _basis(k, spans)]
+    targets = [[part.terms.get(place, Fraction(0)) for place in places] for part in asked.parts]
+    return columns, names, basis, targets
+
+
+def _basis(k: int, spans: Index) -> list[Shifted]:
+    """Of the polynomials in the box that vanish at 1 to order k, one variable after the other."""
+    if not spans:
+        return []
+    first, rest = spans[0], spans[1:]
+    found: list[Shifted] = [((0, *beta), (i, *nu)) for i in range(k) for beta, nu in _basis(k - i, rest)]
+    whole = product(range(first - k + 1), *(range(n + 1) for n in rest))
+    return [*found, *((beta, (k, *((0,) * len(rest)))) for beta in whole)]
+
+
+def _named(asked: Question, names: Sequence[Shifted], found: Sequence[Combination]) -> Reduction:
+    return Reduction(asked, tuple({names[i]: x for i, x in each.items()} for each in found))
+
+
+def _part(lattice: Lattice, row: int, terms: Terms) -> Part:
+    first = next(iter(terms))
+    places = {}
+    for alpha, x in terms.items():
+        beta = lattice.preimage(tuple(i - j for i, j in zip(alpha, first, strict=True)))
+        assert beta is not None
+        places[beta] = x
+    lowest = tuple(map(min, zip(*places, strict=True)))
+    moved = {tuple(i - j for i, j in zip(beta, lowest, strict=True)): x for beta, x in places.items()}
+    return Part(row, _sum(first, lattice.image(lowest)), moved)
+
+
+def _sum(alpha: Index, beta: Index) -> Index:
+    return tuple(i + j for i, j in zip(alpha, beta, strict=True))
+
+
+def _product(a: IntMatrix, b: IntMatrix) -> IntMatrix:
+    return tuple(tuple(sum(x * y for x, y in zip(row, col, strict=True)) for col in zip(*b, strict=True)) for row in a)
+
 
 HIGHEST_POWER = 3
 """r."""

@@ -12,15 +12,24 @@ from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Part
 from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import BoxSpline, box_spline
-from subdiv_cli.kinds.multivariate.numbers.coset_sums import coset_sums, sum_rule_order
 from subdiv_cli.kinds.multivariate.numbers.difference_space import DifferenceSpace, difference_space
-from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, contractions
-from subdiv_cli.kinds.multivariate.numbers.directional_pairs import PairContraction, pair_contractions
+from subdiv_cli.kinds.multivariate.numbers.directional import (
+    Contraction,
+    PairContraction,
+    contractions,
+    pair_contractions,
+)
 from subdiv_cli.kinds.multivariate.numbers.gram import Gram, gram
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm, matrix_norm
 from subdiv_cli.kinds.multivariate.numbers.mean_squares import MeanSquares, mean_squares
-from subdiv_cli.kinds.multivariate.numbers.quasi_interpolation import QuasiInterpolation, quasi_interpolation
-from subdiv_cli.kinds.multivariate.numbers.reproduction import Reproduction, reproduction
+from subdiv_cli.kinds.multivariate.numbers.polynomials import (
+    QuasiInterpolation,
+    Reproduction,
+    coset_sums,
+    quasi_interpolation,
+    reproduction,
+    sum_rule_order,
+)
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
 from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
 from subdiv_cli.model import Effort

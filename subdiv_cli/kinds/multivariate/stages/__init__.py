@@ -11,45 +11,28 @@ from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbe
 from subdiv_cli.kinds.multivariate.numbers.symmetries import facts
 from subdiv_cli.kinds.multivariate.numbers.tensor import Factor, tensor_factors
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.kinds.multivariate.stages import (
-    box_splines,
-    convergence,
-    coset_sums,
-    difference_radius,
-    directional_norms,
-    directional_smoothness,
-    exponent,
-    matrix_norms,
-    positive_mask,
-    quasi_interpolation,
-    reproduction,
-    smoothness,
-    sobolev,
-    stability,
-    tensor_products,
-    total_sum_rules,
-)
+from subdiv_cli.kinds.multivariate.stages import exponents, norms, products, smoothness, sum_rules
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.scalar.stages import analyse as analyse_univariate
 from subdiv_cli.model import Effort
 
 STAGES: tuple[Stage, ...] = (
-    coset_sums.run,
-    total_sum_rules.run,
-    box_splines.run,
-    tensor_products.run,
-    directional_norms.run,
-    difference_radius.run,
-    positive_mask.run,
-    directional_smoothness.run,
-    matrix_norms.run,
-    convergence.run,
-    stability.run,
-    smoothness.run,
-    exponent.run,
-    sobolev.run,
-    reproduction.run,
-    quasi_interpolation.run,
+    sum_rules.coset_sums,
+    sum_rules.sum_rules,
+    products.box_spline,
+    products.tensor_product,
+    norms.directional_norms,
+    smoothness.difference_radius,
+    norms.positive_mask,
+    norms.directional_smoothness,
+    norms.matrix_norms,
+    smoothness.convergence,
+    smoothness.stability,
+    smoothness.smoothness,
+    exponents.holder,
+    exponents.sobolev,
+    sum_rules.reproduction,
+    sum_rules.quasi_interpolation,
 )
 
 

@@ -1,103 +1,315 @@
-"""SD612: the largest n for which φ, and with it every limit function, is proved C^n. SD613: is C^(n+1) refuted?
-
-Theorems. For isotropic M, λ = |det M|^(1/s) (Jia 1998; Han 2003): sum rules of order k > n and ρ_k < λ^-n give C^n;
-stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k > n of its sum rules. Box splines (SD603):
-C^n iff n <= d - 2, whatever their stability. Tensor products (SD609): iff all factors are. Hypotheses: M isotropic,
-checked (others are skipped); stability (SD616), for refutations that are not of box splines.
-
-In the mean, ρ_k² is at most m Λ, Λ the growth of the mean squares of differences (SD617). Where neither tells, a matrix
-scheme of differences (SD606) or quotients by pairs of directional factors (SD607) may.
-
-Witness: `order`; `by`, SD605, SD617, SD606, SD607, SD609 or SD603; SD613: `by`, SD603, SD609, SD602 (the sum rules are
-too few) or
-SD605 with `word`.
-"""
+"""Stages on convergence, stability and smoothness (SD605, SD611 to SD613, SD616)."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
+from subdiv_cli.exact.linalg import rows_of
+from subdiv_cli.exact.text import rounded_up
 from subdiv_cli.jsr.products import Product
-from subdiv_cli.kinds.kind import Facts, Part
-from subdiv_cli.kinds.multivariate import rules
+from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.kind import ContradictionError, Facts, Part
+from subdiv_cli.kinds.multivariate.numbers.difference_space import DifferenceSpace
+from subdiv_cli.kinds.multivariate.numbers.gram import LEAF, Gram
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.stages import tensor_products
-from subdiv_cli.kinds.multivariate.stages.rule import ANISOTROPIC, growth_proof, not_spanning, spanning
-from subdiv_cli.kinds.scalar.stages.stage import integer, product_name
+from subdiv_cli.kinds.multivariate.rules import (
+    BOX_SPLINE,
+    CONVERGENCE,
+    COSET_SUMS,
+    DIFFERENCE_RADIUS,
+    DIRECTIONAL_NORMS,
+    DIRECTIONAL_SMOOTHNESS,
+    MATRIX_NORMS,
+    NEXT_SMOOTHNESS,
+    POSITIVE_MASK,
+    SMOOTHNESS,
+    SOBOLEV,
+    STABILITY,
+    SUM_RULES,
+    TENSOR_PRODUCT,
+)
+from subdiv_cli.kinds.multivariate.stages import products
+from subdiv_cli.kinds.multivariate.stages.wording import ANISOTROPIC, growth_proof, not_spanning, spanning
+from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, shown
+from subdiv_cli.kinds.scalar.stages.wording import integer, product_name
 from subdiv_cli.model import Data, Finding, Smoothness, Verdict, exact_root
 from subdiv_cli.model import findings as questions
 
-RULE = rules.SMOOTHNESS
-NEXT = rules.NEXT_SMOOTHNESS
-
-_QUESTION = "how smooth is φ?"
+_DIFFERENCE_RADIUS_QUESTION = "how fast do differences decay?"
 
 
-def run(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+def difference_radius(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    """SD605: ρ_k, the joint spectral radius of the transition operators T_ε on V_k, k the order of the sum rules.
+
+    V_k is the smallest space that holds the differences ∇^μ δ, |μ| = k, and is mapped into itself by the T_ε; its basis
+    and the matrices are exact (numbers/difference_space.py, with the theorems on ρ_k). It is not the smallest invariant
+    window with polynomials divided out: differences that cross windows count. The radius is found and proved as SD310
+    says. Hypothesis, k >= 1: checked. Not asked of tensor products (SD609), nor where φ is a box spline (SD603) and
+    convergence is proved without it (SD604, SD617).
+
+    Witness: `order`, k; `dimension` of V_k; `method`; `word` of a product, as numbers of coset representatives;
+    `length` and `bound`, or `length` and `root`: ρ_k^length is at most the bound, or is the root. `proof`: the space
+    and the radius.
+    """
+    if not numbers.order:
+        return (DIFFERENCE_RADIUS.skipped(_DIFFERENCE_RADIUS_QUESTION, "no sum rule holds"),)
+    if numbers.parts:
+        return (
+            DIFFERENCE_RADIUS.skipped(_DIFFERENCE_RADIUS_QUESTION, "φ is a tensor product, and its factors decide"),
+        )
+    contracts = numbers.contractions is not None or ((mean := numbers.mean_decay) is not None and mean < 1)
+    if numbers.box is not None and contracts:
+        return (
+            DIFFERENCE_RADIUS.skipped(
+                _DIFFERENCE_RADIUS_QUESTION, "φ is a box spline, and S is seen to converge without it"
+            ),
+        )
+    space, radius = numbers.space, numbers.radius
+    if space is None:
+        return (
+            DIFFERENCE_RADIUS.undecided(
+                _DIFFERENCE_RADIUS_QUESTION, f"the space V_{numbers.order} of differences is too large"
+            ),
+        )
+    if radius is None:
+        ended = "time budget" if numbers.effort.struck else "effort"
+        return (DIFFERENCE_RADIUS.undecided(_DIFFERENCE_RADIUS_QUESTION, f"the {ended} ended before a bound"),)
+    witness: dict[str, Data] = {
+        "order": space.order,
+        "dimension": space.basis.nrows(),
+        "method": radius.proof["rule"],
+        **({} if radius.word is None else {"word": radius.word}),
+        **{key: radius.proof[key] for key in ("length", "root", "bound") if key in radius.proof},
+    }
+    value = enclosed(radius)
+    size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
+    statement = f"ρ_{space.order} {size} on V_{space.order} of dimension {space.basis.nrows()}{_how(radius)}"
+    return (
+        DIFFERENCE_RADIUS.proved(
+            statement, witness, value, proof={"space": _data(numbers, space), "radius": radius.proof}
+        ),
+    )
+
+
+def _how(radius: Radius) -> str:
+    parts: Any = radius.proof.get("sizes")
+    by = f": {len(parts)} diagonal blocks" if parts else ""
+    attains = f", attained by {product_name(radius.word)}" if radius.exact is not None and radius.word else ""
+    return by + attains
+
+
+def _data(numbers: MultivariateNumbers, space: DifferenceSpace) -> dict[str, Data]:
+    """The space as certificates have it."""
+    return {
+        "order": space.order,
+        "cosets": numbers.lattice.representatives,
+        "window": space.window,
+        "basis": tuple(tuple(int(x) for x in row) for row in rows_of(space.basis)),
+        "matrices": tuple(rows_of(m) for m in space.matrices),
+        "generators": rows_of(space.generators),
+    }
+
+
+_CONVERGENCE_QUESTION = "does S converge uniformly?"
+_NORMS = {
+    DIRECTIONAL_NORMS.code: "the directional differences contract",
+    POSITIVE_MASK.code: "the mask is positive on a box",
+    MATRIX_NORMS.code: "a matrix scheme of differences contracts",
+}
+"""What proves it with a few numbers."""
+
+
+def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    """SD611: does S converge uniformly, to a limit that is not zero for some data?
+
+    Theorem (Han & Jia 1998, Theorem 4.3, for any expanding M; numbers/difference_space.py for k > 1): S converges
+    uniformly iff its coset sums are 1 and ρ_k < 1, k any order of its sum rules. No stability is needed. Also proved by
+    directional difference schemes that contract (SD604), by a positive mask on a box (SD608), by a matrix scheme of
+    differences that contracts (SD606), or in the mean: ρ_k² is at most m Λ, Λ the growth of the mean squares (SD617), m
+    = |det M|; that is s > dimension/2 for its bound of s. Tensor products (SD609) converge iff all their factors do.
+    Hypotheses: the coset sums (SD601).
+
+    Witness: `by`, the code of the finding that decides.
+    """
+    sums, found = (facts.find(rule) for rule in (COSET_SUMS, DIFFERENCE_RADIUS))
+    norms = next((code for code in _NORMS if code in facts), None)
+    if sums is not None and sums.verdict is Verdict.REFUTED:
+        return (
+            CONVERGENCE.refuted(
+                f"S does not converge uniformly to a non-zero limit: {sums.statement}", {"by": COSET_SUMS.code}
+            ),
+        )
+    if numbers.parts:
+        yes, no = "S converges uniformly: its factors do", "S does not converge uniformly: its factor in {} does not"
+        return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, yes, no),)
+    radius, product = (numbers.radius, numbers.product) if found and found.verdict is Verdict.PROVED else (None, None)
+    diverges = product is not None and product.compare(Fraction(1)) >= 0
+    k = numbers.order
+    if norms is not None or (radius is not None and radius.is_below(Fraction(1))):
+        if diverges:
+            raise ContradictionError(f"S converges and ρ_{k} is at least 1")
+        if norms is not None:
+            return (CONVERGENCE.proved(f"S converges uniformly: {_NORMS[norms]}", {"by": norms}),)
+        return (
+            CONVERGENCE.proved(
+                f"S converges uniformly: the coset sums are 1 and ρ_{k} < 1", {"by": DIFFERENCE_RADIUS.code}
+            ),
+        )
+    if (mean := numbers.mean_decay) is not None and mean < 1:
+        statement = (
+            f"S converges uniformly: the mean squares of differences of order {k} decay fast enough for ρ_{k} < 1"
+        )
+        return (CONVERGENCE.proved(statement, {"by": SOBOLEV.code}, proof=growth_proof(numbers)),)
+    if diverges and product is not None:
+        statement = f"S does not converge uniformly: {product_name(product.word)} keeps ρ_{k} ≥ 1"
+        return (CONVERGENCE.refuted(statement, {"by": DIFFERENCE_RADIUS.code, "word": product.word}),)
+    reason = "no bound of ρ_k below 1 is proved, and no product is known that keeps it above"
+    return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, (found.reason if found is not None else None) or reason),)
+
+
+_STABILITY_QUESTION = "are the integer translates of φ stable?"
+
+
+def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    """SD616: are the integer translates of φ stable?
+
+    Theorems. Box splines (SD603): iff the directions are unimodular (Dahmen & Micchelli 1983; Jia 1984; de Boor, Höllig
+    & Riemenschneider 1993, II.57). Interpolatory masks, a_(Mα) = δ_α, of schemes that converge (SD611): φ(α) = δ_α, so
+    the translates are stable and linearly independent. Tensor products (SD609) that converge: iff all factors are. Of
+    all other schemes that converge: iff the symbol of the Gram sequence g_α = ∫ φ φ(·-α) has no zero on the torus (Jia
+    & Micchelli 1991; numbers/gram.py). Hypothesis of the last three, convergence: checked. Of schemes that do not
+    converge only box splines are decided.
+
+    Witness: `by`, SD603, SD609 or SD611; of a Gram sequence `zero`, k, with `order`, n, where it is zero at 2πk/n, or
+    `boxes`, how many show that it is positive. `proof`: the sequence and the tree of the boxes.
+    """
     if not numbers.is_normalised:
-        return (RULE.skipped(_QUESTION, "the coefficients do not add up to |det M|, so there is no φ"),)
+        return (STABILITY.skipped(_STABILITY_QUESTION, "the coefficients do not add up to |det M|, so there is no φ"),)
+    if (box := numbers.box) is not None:
+        if box.is_unimodular:
+            statement = "φ is stable: the directions of the box spline are unimodular"
+            return (STABILITY.proved(statement, {"by": BOX_SPLINE.code}),)
+        return (
+            STABILITY.refuted("φ is not stable: some directions have a determinant beyond ±1", {"by": BOX_SPLINE.code}),
+        )
+    if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
+        return (
+            STABILITY.undecided(
+                _STABILITY_QUESTION, "φ is no box spline, and it is not proved that the scheme converges"
+            ),
+        )
+    if numbers.parts:
+        yes, no = "φ is stable: its factors are", "φ is not stable: its factor in {} is not"
+        return (products.follows(STABILITY, _STABILITY_QUESTION, numbers.parts, questions.STABILITY, yes, no),)
+    if numbers.is_interpolatory:
+        return (STABILITY.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": CONVERGENCE.code}),)
+    return (_of_gram_sequence(numbers.gram),)
+
+
+def _of_gram_sequence(found: Gram | None) -> Finding:
+    if found is None:
+        return STABILITY.undecided(_STABILITY_QUESTION, "the Gram sequence of the translates is too long")
+    proof: dict[str, Data] = {"gram": tuple(found.sequence.items()), "correlations": found.correlations}
+    if found.zero is not None:
+        k, n = found.zero
+        at = f"2π({', '.join(str(Fraction(x, n)) for x in k)})"
+        statement = f"φ is not stable: Σ ∫φφ(·−α) e^(iα·ω) is zero at ω = {at}"
+        return replace(STABILITY.refuted(statement, {"by": CONVERGENCE.code, "zero": k, "order": n}), proof=proof)
+    if found.tree is None:
+        return STABILITY.undecided(
+            _STABILITY_QUESTION, "the symbol of the Gram sequence is not seen to be positive or to have a zero"
+        )
+    boxes = found.tree.count(LEAF)
+    statement = f"φ is stable: Σ ∫φφ(·−α) e^(iα·ω) is positive for all ω, on each of {boxes} boxes"
+    proof |= {"tree": found.tree}
+    return STABILITY.proved(statement, {"by": CONVERGENCE.code, "boxes": boxes}, proof=proof)
+
+
+_SMOOTHNESS_QUESTION = "how smooth is φ?"
+
+
+def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    """SD612: the largest n for which φ, and with it every limit function, is proved C^n. SD613: is C^(n+1) refuted?
+
+    Theorems. For isotropic M, λ = |det M|^(1/s) (Jia 1998; Han 2003): sum rules of order k > n and ρ_k < λ^-n give C^n;
+    stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k > n of its sum rules. Box splines
+    (SD603): C^n iff n <= d - 2, whatever their stability. Tensor products (SD609): iff all factors are. Hypotheses: M
+    isotropic, checked (others are skipped); stability (SD616), for refutations that are not of box splines.
+
+    In the mean, ρ_k² is at most m Λ, Λ the growth of the mean squares of differences (SD617). Where neither tells, a
+    matrix scheme of differences (SD606) or quotients by pairs of directional factors (SD607) may.
+
+    Witness: `order`; `by`, SD605, SD617, SD606, SD607, SD609 or SD603; SD613: `by`, SD603, SD609, SD602 (the sum rules
+    are too few) or SD605 with `word`.
+    """
+    if not numbers.is_normalised:
+        return (
+            SMOOTHNESS.skipped(_SMOOTHNESS_QUESTION, "the coefficients do not add up to |det M|, so there is no φ"),
+        )
     if numbers.box is not None:
         return _of_box_spline(numbers.box.depth)
     if numbers.parts:
         return _of_parts(numbers.parts)
     if not numbers.lattice.is_isotropic:
-        return (RULE.skipped(_QUESTION, ANISOTROPIC),)
+        return (SMOOTHNESS.skipped(_SMOOTHNESS_QUESTION, ANISOTROPIC),)
     k = numbers.order
     if (
         numbers.radius is None
         and numbers.mean_decay is None
-        and not (rules.MATRIX_NORMS in facts or rules.DIRECTIONAL_SMOOTHNESS in facts)
+        and not (MATRIX_NORMS in facts or DIRECTIONAL_SMOOTHNESS in facts)
     ):
-        return (RULE.undecided(_QUESTION, "no bound of the decay of differences is known"),)
+        return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, "no bound of the decay of differences is known"),)
     proved = [(n, by) for n in range(k) if (by := proved_by(numbers, facts, n)) is not None]
-    stably = facts.verdict(rules.STABILITY) is Verdict.PROVED
+    stably = facts.verdict(STABILITY) is Verdict.PROVED
     if not proved:
         if stably and (obstacle := _obstacle(numbers, 0)) is not None:
-            return (RULE.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)
-        return (RULE.undecided(_QUESTION, "it is not proved that φ is continuous"),)
+            return (SMOOTHNESS.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)
+        return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, "it is not proved that φ is continuous"),)
     n, by = proved[-1]
-    proof = growth_proof(numbers) if by == rules.SOBOLEV.code else None
+    proof = growth_proof(numbers) if by == SOBOLEV.code else None
     first = _proved(n, _reason(numbers, n, by), by, proof)
     obstacle = _obstacle(numbers, n + 1)
     if obstacle is None or not stably:
         why = "it is not proved that φ is stable" if obstacle else "no product is known that excludes it"
-        return (first, NEXT.undecided(f"is φ C^{n + 1}?", why))
+        return (first, NEXT_SMOOTHNESS.undecided(f"is φ C^{n + 1}?", why))
     statement = f"φ is not C^{n + 1}: φ is stable, and {obstacle}"
-    return (first, NEXT.refuted(statement, _witness(numbers, n + 1)))
+    return (first, NEXT_SMOOTHNESS.refuted(statement, _witness(numbers, n + 1)))
 
 
 def _of_box_spline(depth: int) -> tuple[Finding, ...]:
     enough, few = spanning(depth - 1), not_spanning(depth)
     if depth < 2:
-        return (RULE.refuted(f"φ is not continuous: {few}", _by(0, rules.BOX_SPLINE.code)),)
+        return (SMOOTHNESS.refuted(f"φ is not continuous: {few}", _by(0, BOX_SPLINE.code)),)
     return (
-        _proved(depth - 2, enough, rules.BOX_SPLINE.code),
-        NEXT.refuted(f"φ is not C^{depth - 1}: {few}", _by(depth - 1, rules.BOX_SPLINE.code)),
+        _proved(depth - 2, enough, BOX_SPLINE.code),
+        NEXT_SMOOTHNESS.refuted(f"φ is not C^{depth - 1}: {few}", _by(depth - 1, BOX_SPLINE.code)),
     )
 
 
 def _of_parts(parts: tuple[Part, ...]) -> tuple[Finding, ...]:
-    found, part = tensor_products.of_all(parts, questions.SMOOTHNESS)
+    found, part = products.of_all(parts, questions.SMOOTHNESS)
     if found is Verdict.REFUTED:
         return (
-            RULE.refuted(f"φ is not continuous: its factor in {part.name} is not", _by(0, rules.TENSOR_PRODUCT.code)),
+            SMOOTHNESS.refuted(f"φ is not continuous: its factor in {part.name} is not", _by(0, TENSOR_PRODUCT.code)),
         )
     if found is Verdict.UNDECIDED:
-        return (RULE.undecided(_QUESTION, f"it is not decided for the factor in {part.name}"),)
+        return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, f"it is not decided for the factor in {part.name}"),)
     orders = [(_order(part.finding(questions.SMOOTHNESS)), part) for part in parts]
     n = min(order for order, _ in orders)
-    first = _proved(n, "its factors are", rules.TENSOR_PRODUCT.code)
+    first = _proved(n, "its factors are", TENSOR_PRODUCT.code)
     for order, part in orders:
         following = part.find(questions.NEXT_SMOOTHNESS)
         if order == n and following is not None and following.verdict is Verdict.REFUTED:
             statement = f"φ is not C^{n + 1}: its factor in {part.name} is not"
-            return (first, NEXT.refuted(statement, _by(n + 1, rules.TENSOR_PRODUCT.code)))
-    return (first, NEXT.undecided(f"is φ C^{n + 1}?", "it is not excluded for any factor"))
+            return (first, NEXT_SMOOTHNESS.refuted(statement, _by(n + 1, TENSOR_PRODUCT.code)))
+    return (first, NEXT_SMOOTHNESS.undecided(f"is φ C^{n + 1}?", "it is not excluded for any factor"))
 
 
 def _proved(n: int, why: str, by: str, proof: dict[str, Data] | None = None) -> Finding:
     answers = {questions.SMOOTHNESS: Smoothness(n)}
-    return RULE.proved(f"φ is C^{n}: {why}", _by(n, by), proof=proof, answers=answers)
+    return SMOOTHNESS.proved(f"φ is C^{n}: {why}", _by(n, by), proof=proof, answers=answers)
 
 
 def _order(found: Finding) -> int:
@@ -111,11 +323,11 @@ def _by(order: int, code: str) -> dict[str, int | str]:
 
 
 def _reason(numbers: MultivariateNumbers, n: int, by: str) -> str:
-    if by == rules.DIRECTIONAL_SMOOTHNESS.code:
+    if by == DIRECTIONAL_SMOOTHNESS.code:
         return "the quotients by two directional factors contract"
-    if by == rules.MATRIX_NORMS.code:
+    if by == MATRIX_NORMS.code:
         return "a matrix scheme of differences contracts"
-    mean = ", by the mean squares of differences" if by == rules.SOBOLEV.code else ""
+    mean = ", by the mean squares of differences" if by == SOBOLEV.code else ""
     return f"ρ_{numbers.order} < {threshold(numbers, n)}{mean}"
 
 
@@ -131,21 +343,17 @@ def threshold(numbers: MultivariateNumbers, n: int) -> str:
 def proved_by(numbers: MultivariateNumbers, facts: Facts, n: int) -> str | None:
     """The code of what proves C^n: ρ_k < λ^-n, by x^s m^(n length) < 1 for ρ_k^length <= x; or norms."""
     bounds = {
-        rules.DIFFERENCE_RADIUS.code: numbers.radius and numbers.radius.upper,
-        rules.SOBOLEV.code: (2, numbers.mean_decay),
+        DIFFERENCE_RADIUS.code: numbers.radius and numbers.radius.upper,
+        SOBOLEV.code: (2, numbers.mean_decay),
     }
     for code, pair in bounds.items():
         if pair is not None and (bound := pair[1]) is not None:
             length = pair[0]
             if bound**numbers.dimension * numbers.lattice.index ** (n * length) < 1:
                 return code
-    if rules.DIRECTIONAL_SMOOTHNESS in facts and n <= 1:
-        return rules.DIRECTIONAL_SMOOTHNESS.code
-    return (
-        rules.MATRIX_NORMS.code
-        if rules.MATRIX_NORMS in facts and n <= integer(facts[rules.MATRIX_NORMS], "smooth")
-        else None
-    )
+    if DIRECTIONAL_SMOOTHNESS in facts and n <= 1:
+        return DIRECTIONAL_SMOOTHNESS.code
+    return MATRIX_NORMS.code if MATRIX_NORMS in facts and n <= integer(facts[MATRIX_NORMS], "smooth") else None
 
 
 def reaches(numbers: MultivariateNumbers, product: Product, n: int) -> bool:
@@ -165,4 +373,4 @@ def _obstacle(numbers: MultivariateNumbers, n: int) -> str | None:
 
 
 def _witness(numbers: MultivariateNumbers, n: int) -> dict[str, int | str]:
-    return _by(n, rules.SUM_RULES.code if n >= numbers.order else rules.DIFFERENCE_RADIUS.code)
+    return _by(n, SUM_RULES.code if n >= numbers.order else DIFFERENCE_RADIUS.code)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from subdiv_cli.certificate.claims import Certificate, certificate_of
 from subdiv_cli.kinds.kind import Analysis
 from subdiv_cli.kinds.scalar import rules
-from subdiv_cli.kinds.scalar.claims import smoothness, sobolev, structure, values
+from subdiv_cli.kinds.scalar.claims import smoothness, structure, values
 from subdiv_cli.kinds.scalar.claims.proof import Proof
 from subdiv_cli.kinds.scalar.text import canonical
 from subdiv_cli.model import Finding
@@ -28,7 +28,7 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
     rules.HOLDER_LOWER.code: smoothness.holder_lower,
     rules.HOLDER_UPPER.code: smoothness.holder_upper,
     rules.HOLDER_ATTAINED.code: smoothness.attained,
-    rules.SOBOLEV.code: sobolev.sobolev,
+    rules.SOBOLEV.code: smoothness.sobolev,
     rules.INDEPENDENCE.code: structure.independence,
     rules.STABILITY.code: structure.stability,
     rules.REDUCTION.code: lambda proof, _: list(proof.reductions),

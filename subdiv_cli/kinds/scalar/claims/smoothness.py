@@ -1,4 +1,4 @@
-"""Findings on convergence, smoothness and the Hölder exponent as claims."""
+"""Findings on convergence, smoothness and exponents as claims."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from math import lcm
 from typing import cast
 
 from subdiv_cli.certificate.radius import root_fields
-from subdiv_cli.certificate.witness import as_integer, as_rational, as_word
+from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_word
 from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.claims import radius
 from subdiv_cli.kinds.scalar.claims.proof import Proof
@@ -143,3 +143,19 @@ def _exactly(proof: Proof) -> int | None:
     claims = holder_lower(proof, proof.found[rules.HOLDER_LOWER])
     name = proof.claims.statement(claims[0])["property"]
     return claims[0] if name in ("holder", "holder-root") else None
+
+
+def sobolev(proof: Proof, finding: Finding) -> list[int]:
+    """None where the witness of stability was too costly."""
+    found, p = finding.witness, proof.p
+    degree = proof.degrees[proof.last] - proof.orders[proof.last] * (p - 1)
+    order = degree // (p - 1) + 1
+    statement = {
+        "polynomial": as_polynomial(0, found["polynomial"]),
+        "low": rational(as_rational(found["low"])),
+        "high": rational(as_rational(found["high"])),
+    }
+    hints = {"cofactor": as_polynomial(0, found["cofactor"])}
+    uses = [proof.sum_rules(proof.last), *proof.reductions]
+    work = (degree + 1) ** 2 + 4 * order**3 + 20
+    return [proof.add("sobolev", statement, hints, uses=[n, *uses], work=work) for n in proof.last_stable()]

@@ -1,7 +1,11 @@
-"""Facts of a scalar mask, seen without a theorem: support, symmetry, interpolation, signs, gaps."""
+"""Facts of a scalar mask, seen without a theorem: support, symmetry, interpolation, signs, gaps.
+
+What the person who pasted a mask may have meant: hints, never verdicts.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from math import gcd
 
@@ -54,3 +58,89 @@ def interpolation_shift(scheme: ScalarScheme) -> int | None:
 def _alone_in_class(scheme: ScalarScheme, index: int) -> bool:
     first = (index - scheme.start) % scheme.arity
     return sum(1 for c in scheme.coefficients[first :: scheme.arity] if c) == 1
+
+
+_ROUNDED = Fraction(1, 2)
+"""Of the last decimal: a rounded fraction is off by no more."""
+_NEAR = Fraction(1, 1000)
+"""Residue sums off by less than this come from cut decimals or from a root of the arity."""
+
+
+def hints(scheme: ScalarScheme) -> tuple[str, ...]:
+    """One sentence each; none for a mask in which nothing looks like a slip."""
+    return (
+        *_arity(scheme),
+        *_normalisation(scheme),
+        *_cut_decimals(scheme),
+        *_shifted_interpolation(scheme),
+    )
+
+
+def _sums(scheme: ScalarScheme, coefficients: tuple[Fraction, ...]) -> list[Fraction]:
+    return [sum(coefficients[r :: scheme.arity], Fraction(0)) for r in range(scheme.arity)]
+
+
+def _arity(scheme: ScalarScheme) -> Iterator[str]:
+    """A ternary mask without `arity = 3`: its classes mod 3 sum to 1."""
+    if _sums(scheme, scheme.coefficients) == [1] * scheme.arity:
+        return
+    for p in range(2, 7):
+        if p != scheme.arity and all(sum(scheme.coefficients[r::p], Fraction(0)) == 1 for r in range(p)):
+            yield f"arity = {p} under [mask]? The residue classes mod {p} sum to 1, those mod {scheme.arity} do not."
+            return
+
+
+def _normalisation(scheme: ScalarScheme) -> Iterator[str]:
+    """Filters are often normalised to a(1) = 1 or to a(1) = √p."""
+    p, sums = scheme.arity, _sums(scheme, scheme.coefficients)
+    common = sums[0]
+    if common > 0 and all(abs(s * s * p - 1) < _NEAR for s in sums):
+        yield f"normalised to a(1) = √{p}? Multiply by √{p} and write exact fractions: only rational masks are checked."
+    elif common != 0 and sums == [common] * p and abs(common - 1) > _NEAR:
+        yield f"normalised to a(1) = {p * common}? Multiply the mask by {1 / common}."
+
+
+def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
+    """0.333333 for 1/3: the sums miss 1 by little, and nearby simple fractions have the right sums."""
+    sums = _sums(scheme, scheme.coefficients)
+    if any(abs(s - 1) > _NEAR for s in sums):
+        return
+    if all(s == 1 for s in sums):
+        yield from _cut_decimals_with_right_sums(scheme)
+        return
+    for largest in (12, 64, 1024):
+        simple = tuple(c.limit_denominator(largest) for c in scheme.coefficients)
+        pairs = [(c, q) for c, q in zip(scheme.coefficients, simple, strict=True) if c != q]
+        if _sums(scheme, simple) == [1] * scheme.arity and all(abs(c - q) < _NEAR for c, q in pairs):
+            meant = ", ".join(f'{_decimal(c)} for "{q}"' for c, q in dict(pairs).items())
+            yield f"cut decimals? {meant} would give residue sums of exactly 1."
+            return
+
+
+def _cut_decimals_with_right_sums(scheme: ScalarScheme) -> Iterator[str]:
+    """0.333333 and 0.666667 make up 1, yet are hardly meant: decimals of four places or more, or three if rounded."""
+    for c in scheme.coefficients:
+        places, simple = _places(c), c.limit_denominator(12)
+        if places is None or places < 3 or c == simple:
+            continue
+        off = abs(c - simple) * 10**places
+        if off < 1 and (places > 3 or off <= _ROUNDED):
+            yield f'cut decimals? {_decimal(c)} is close to "{simple}"; every number is taken as it is written.'
+            return
+
+
+def _places(x: Fraction) -> int | None:
+    """How many decimals spell x; None where no seventeen do."""
+    return next((places for places in range(18) if 10**places % x.denominator == 0), None)
+
+
+def _decimal(x: Fraction) -> str:
+    """A decimal that spells x, or x itself."""
+    places = _places(x)
+    return str(x) if places is None else f"{float(x):.{places}f}"
+
+
+def _shifted_interpolation(scheme: ScalarScheme) -> Iterator[str]:
+    shift = interpolation_shift(scheme)
+    if shift:
+        yield f"interpolatory with start = {scheme.start - shift}; with this start points are kept under other indices."

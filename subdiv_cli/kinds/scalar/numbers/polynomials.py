@@ -1,10 +1,16 @@
-"""Polynomials under a scalar scheme: residue sums, sum rules, generation and reproduction degrees."""
+"""Polynomials under a scalar scheme: residue sums, sum rules, generation and reproduction degrees.
+
+The operator Q that inverts S^∞ on polynomials (Levin 2.5): moments, operator, stencil, eigen-sequences.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
+from math import factorial, perm
 
 from subdiv_cli.exact.laurent import Laurent, smoothing_factor
+from subdiv_cli.exact.linalg import matrix, solution
 
 
 def residue_sums(a: Laurent, p: int) -> tuple[Fraction, ...]:
@@ -38,3 +44,57 @@ def reproduction_defects(a: Laurent, p: int, degree: int) -> tuple[Fraction, ...
         defects.append(derivative - expected)
         expected *= tau - j
     return tuple(defects)
+
+
+Rationals = tuple[Fraction, ...]
+
+
+def moments(values: Laurent, count: int) -> Rationals:
+    """m_i = Σ_β φ(-β) β^i for i < count, from φ at the integers: S^∞ f = Σ m_i/i! D^i f on polynomials."""
+    terms = [(-(values.low + place), value) for place, value in enumerate(values.coefficients())]
+    return tuple(sum((value * beta**i for beta, value in terms), Fraction(0)) for i in range(count))
+
+
+def operator(m: Sequence[Fraction]) -> Rationals:
+    """q_0, …: Q f = Σ q_i D^i f inverts Σ m_i/i! D^i on polynomials of degree below len(m); m_0 = 1."""
+    q: list[Fraction] = []
+    for i in range(len(m)):
+        known = sum((m[i - j] / factorial(i - j) * q[j] for j in range(i)), Fraction(0))
+        q.append(Fraction(int(i == 0)) - known)
+    return tuple(q)
+
+
+def eigen_sequence(q: Sequence[Fraction], degree: int) -> Rationals:
+    """The coefficients of Q x^degree, lowest power first: its samples are mapped by S to p^-degree times them."""
+    return tuple(q[degree - i] * perm(degree, degree - i) for i in range(degree + 1))
+
+
+def stencil(q: Sequence[Fraction], symmetric: bool) -> Laurent:
+    """The shortest t with Q f(i) = Σ_j t_j f(i+j) on polynomials of degree below len(q), about the centre of φ.
+
+    That centre is at q_1 = -m_1. Where it is an integer or a half and φ is symmetric, t is symmetric about it; else
+    its nodes are the consecutive integers nearest to it. There is one with as many nodes as q has numbers, by
+    interpolation, or one more where only that number is symmetric.
+    """
+    centre = q[1] if len(q) > 1 else Fraction(0)
+    symmetric = symmetric and (2 * centre).denominator == 1
+    for count in range(1, len(q) + 2):
+        first = centre - Fraction(count - 1, 2)
+        if symmetric and first.denominator > 1:
+            continue
+        nodes = range(round(first), round(first) + count)
+        if (weights := _weights(q, nodes, symmetric)) is not None:
+            return Laurent.from_coefficients(nodes[0], weights)
+    raise ArithmeticError("no stencil with enough nodes")
+
+
+def _weights(q: Sequence[Fraction], nodes: range, symmetric: bool) -> Rationals | None:
+    """Weights with Σ t_j j^i = i! q_i for all i, equal in pairs where symmetric; None if there are none."""
+    count = len(nodes)
+    rows = [[Fraction(j) ** i for j in nodes] for i in range(len(q))]
+    right = [factorial(i) * c for i, c in enumerate(q)]
+    if symmetric:
+        for place in range(count // 2):
+            rows.append([Fraction(int(j == place) - int(j == count - 1 - place)) for j in range(count)])
+            right.append(Fraction(0))
+    return solution(matrix(rows), right)

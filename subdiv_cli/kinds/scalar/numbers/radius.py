@@ -1,7 +1,20 @@
-"""The joint spectral radius of a difference scheme, by the cheapest way that gives the number itself.
+"""Schemes whose symbol is not negative on the circle: their joint spectral radius is that of one matrix.
+
+Let d(z) = d(1/z) have real values >= 0 on |z| = 1 (a shift of the index aside). Then so has d^[L](z) = Π_(j<L)
+d(z^(p^j)), hence its coefficient at 0 is the largest in modulus, and ‖S^L‖∞, the largest absolute class sum mod p^L,
+is at most a constant times it. With C = [d_(i-pj)], |i|, |j| <= R = ⌊h/(p-1)⌋, 2h the degree, that coefficient is
+(C^L)_00, and the rows of C^L are parts of rows of S^L: the joint spectral radius is ρ(C). C maps symmetric sequences
+to such, by G = [d_(i-pj) + d_(i+pj)], 0 <= i, j <= R (d_i for j = 0), and (C^L)_00 = (G^L)_00: it is ρ(G). As the
+power series Σ_L (G^L)_00 x^L has coefficients >= 0, its radius of convergence 1/ρ(G) is a pole: ρ(G) is an eigenvalue,
+the largest real one. Products are bounded by a constant times ρ(G)^L where all eigenvalues of G of that modulus are
+simple. Deslauriers-Dubuc schemes, pseudo-splines and B-splines are of this kind.
+
+The joint spectral radius of a difference scheme, by the cheapest way that gives the number itself.
 
 A symbol that is not negative on the circle; a norm that a short product attains; an invariant polytope. Where none of
 them closes within the effort, the best bound of polytopes or norms.
+
+Bounds of the Hölder exponent that products of transition matrices give.
 """
 
 from __future__ import annotations
@@ -10,16 +23,116 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import islice
 
-from flint import fmpq_mat
+from flint import fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 
+from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated, isolated_roots, roots
+from subdiv_cli.exact.closed import closed_interval
+from subdiv_cli.exact.enclosures import decide
 from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Family
-from subdiv_cli.jsr.products import Product, best_product
+from subdiv_cli.jsr.products import Product, best_product, radius_bound
 from subdiv_cli.jsr.result import Radius, root_data
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
-from subdiv_cli.kinds.scalar.numbers.positive import positive_radius
-from subdiv_cli.model import Data, Effort, Root
+from subdiv_cli.model import Data, Effort, Interval, Root, logarithm
+
+_LARGEST_ORDER = 40
+"""Of G."""
+
+
+def positive_radius(d: Laurent, p: int) -> Radius | None:
+    """The joint spectral radius of the scheme with symbol d, and a proof by rule `positive-symbol`.
+
+    None unless d is its own reverse, of even degree and >= 0 on the circle after the shift.
+    """
+    c = list(d.poly)
+    h, odd = divmod(len(c) - 1, 2)
+    reach = h // (p - 1)
+    if odd or c != c[::-1] or reach + 1 > _LARGEST_ORDER:
+        return None
+    square = _as_square(in_two_cosine(c[h:]))
+    if square is None:
+        return None
+    f = _symmetric_matrix(c[h:], p, reach).charpoly()
+    spectrum = roots(f)
+    largest = _largest_real(spectrum)
+    letter = h % (p - 1)
+    matrix = transition_matrices(d, p)[letter]
+    if largest is None or divmod(matrix.charpoly(), fmpq_poly(largest.minimal_polynomial))[1] != fmpq_poly():
+        return None
+    root = isolated(largest)
+    bounded = _is_bounded(spectrum, largest)
+    proof: dict[str, Data] = {"rule": "positive-symbol", "length": 1, "root": root_data(root), "bounded": bounded}
+    return Radius((letter,), (1, root), (1, root.high), bounded, proof | square)
+
+
+def in_two_cosine(c: Sequence[fmpq]) -> fmpq_poly:
+    """H with c_0 + Σ_j c_j (z^j + z^-j) = H(z + 1/z): t_0 = 2, t_1 = y, t_j = y t_(j-1) - t_(j-2)."""
+    y = fmpq_poly([0, 1])
+    before, now, total = fmpq_poly([2]), y, fmpq_poly([c[0]])
+    for coefficient in c[1:]:
+        total += now * coefficient
+        before, now = now, y * now - before
+    return total
+
+
+def _as_square(h: fmpq_poly) -> dict[str, Data] | None:
+    """H(y) = (y+2)^power squares(y)² rest(y) with rest > 0 on [-2, 2]; None where H is negative somewhere in there."""
+    lead, factors = h.numer().factor()
+    power, squares, rest = 0, fmpq_poly([1]), fmpq_poly([fmpq(lead, h.denom())])
+    for g, multiplicity in factors:
+        if g == fmpz_poly([2, 1]):
+            power += multiplicity
+            continue
+        squares *= fmpq_poly(g) ** (multiplicity // 2)
+        if multiplicity % 2:
+            if _vanishes_between(g):
+                return None
+            rest *= fmpq_poly(g)
+    if rest(fmpq(2)) <= 0:
+        return None
+    as_data = [tuple(to_fraction(x) for x in f) for f in (squares, rest)]
+    return {"power": power, "squares": as_data[0], "rest": as_data[1]}
+
+
+def _vanishes_between(g: fmpz_poly) -> bool:
+    """Whether an irreducible g, other than y + 2, has a real root in [-2, 2]."""
+    if g.degree() == 1:
+        return abs(to_fraction(fmpq(-g[0], g[1]))) <= 2
+
+    def ask() -> bool | None:
+        real = [z.real for z in isolated_roots(g) if z.imag.is_zero()]
+        if any(x > -2 and x < 2 for x in real):
+            return True
+        return False if all(x < -2 or x > 2 for x in real) else None
+
+    return decide(ask)
+
+
+def _symmetric_matrix(d: Sequence[fmpq], p: int, reach: int) -> fmpq_mat:
+    """G, from d_0, …, d_h."""
+
+    def at(k: int) -> fmpq:
+        return d[abs(k)] if abs(k) < len(d) else fmpq(0)
+
+    window = range(reach + 1)
+    entries = [at(i - p * j) + at(i + p * j) if j else at(i) for i in window for j in window]
+    return fmpq_mat(len(window), len(window), entries)
+
+
+def _largest_real(spectrum: Sequence[tuple[AlgebraicNumber, int]]) -> AlgebraicNumber | None:
+    """The largest positive eigenvalue, if balls separate it from the other real ones."""
+    real = [number for number, _ in spectrum if number.is_real and number.region.real > 0]
+    top = max(real, key=lambda x: float(x.region.real.mid()), default=None)
+    return top if all(x is top or (top is not None and x.region.real < top.region.real) for x in real) else None
+
+
+def _is_bounded(spectrum: Sequence[tuple[AlgebraicNumber, int]], largest: AlgebraicNumber) -> bool:
+    """Whether every multiple eigenvalue is certainly smaller in modulus."""
+    radius = largest.region.real
+    return all(multiplicity == 1 or number.region.__abs__() < radius for number, multiplicity in spectrum)
+
 
 _FIRST_LEVELS = 4
 _FIRST_WORK = 2000
@@ -77,3 +190,12 @@ def _better(a: Radius | None, b: Radius | None) -> Radius | None:
     if a is None or b is None:
         return a or b
     return a if a.ceiling <= b.ceiling else b._replace(word=a.word or b.word)
+
+
+def exponent_bound(product: Product, p: int) -> Interval:
+    """-log_p(r) / ℓ with r of `radius_bound`: an upper bound of the Hölder exponent for a stable refinable function.
+
+    `exact` where λ is rational: r is |λ| then, and a little below it otherwise.
+    """
+    bound = closed_interval(logarithm(p, 1 / radius_bound(product), len(product.word)))
+    return bound if product.eigenvalue.rational is not None else bound._replace(exact=None)

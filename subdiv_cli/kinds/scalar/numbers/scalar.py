@@ -11,7 +11,6 @@ from flint import fmpq_mat, fmpz_poly
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.jsr.products import Product
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.kinds.scalar.numbers.independence import bezout_cofactors, circle_factors, cycles, polyphase_gcd
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import (
     difference_symbol,
@@ -21,8 +20,15 @@ from subdiv_cli.kinds.scalar.numbers.operators import (
 )
 from subdiv_cli.kinds.scalar.numbers.polynomials import residue_sums, sum_rules
 from subdiv_cli.kinds.scalar.numbers.radius import difference_radius
-from subdiv_cli.kinds.scalar.numbers.reduction import Step, reduction
 from subdiv_cli.kinds.scalar.numbers.spectra import Spectrum, spectrum
+from subdiv_cli.kinds.scalar.numbers.stability import (
+    Step,
+    bezout_cofactors,
+    circle_factors,
+    cycles,
+    polyphase_gcd,
+    reduction,
+)
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import Effort
 

@@ -9,59 +9,41 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.kinds.kind import Analysis, Stage, run_stages
-from subdiv_cli.kinds.scalar.numbers.facts import facts
-from subdiv_cli.kinds.scalar.numbers.hints import hints
+from subdiv_cli.kinds.scalar.numbers.facts import facts, hints
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.scalar.stages import (
-    approximation_order,
-    attained,
-    contractivity,
-    convergence,
-    derived,
-    eigenvalues,
-    error_bound,
-    generation,
-    hermite_bound,
-    holder_lower,
-    holder_upper,
-    independence,
-    integer_values,
-    interpolatory_order,
+    error_bounds,
+    holder,
     joint_radius,
-    limit_stencils,
-    next_smoothness,
-    quasi_interpolation,
-    reduction,
-    reproduction,
-    residue_sums,
     smoothness,
-    smoothness_spectrum,
     sobolev,
+    spectra,
     stability,
     sum_rules,
+    values,
 )
 from subdiv_cli.model import Effort
 
 STAGES: tuple[Stage, ...] = (
-    residue_sums.run,
-    sum_rules.run,
-    generation.run,
-    reproduction.run,
-    derived.run,
-    independence.run,
-    stability.run,
-    reduction.run,
-    eigenvalues.run,
-    joint_radius.run,
-    convergence.run,
-    contractivity.run,
-    smoothness.run,
-    next_smoothness.run,
-    smoothness_spectrum.run,
-    holder_lower.run,
-    holder_upper.run,
-    attained.run,
+    sum_rules.residue_sums,
+    sum_rules.sum_rules,
+    sum_rules.generation,
+    sum_rules.reproduction,
+    sum_rules.derived_schemes,
+    stability.independence,
+    stability.stability,
+    stability.reduced_mask,
+    spectra.of_scheme,
+    joint_radius.joint_radius,
+    smoothness.convergence,
+    smoothness.contractivity,
+    smoothness.smoothness,
+    smoothness.next_smoothness,
+    spectra.of_derived_schemes,
+    holder.holder_lower,
+    holder.holder_upper,
+    holder.holder_attained,
     sobolev.run,
 )
 """Those of `check`."""
@@ -77,11 +59,11 @@ def analyse(scheme: ScalarScheme, effort: Effort, tolerance: Fraction | None = N
 def _more(tolerance: Fraction) -> tuple[Stage, ...]:
     """Values, polynomials and error bounds."""
     return (
-        integer_values.run,
-        limit_stencils.run,
-        quasi_interpolation.run,
-        approximation_order.run,
-        interpolatory_order.run,
-        error_bound.stage(tolerance),
-        hermite_bound.run,
+        values.integer_values,
+        values.limit_stencils,
+        values.quasi_interpolation,
+        values.approximation_order,
+        values.interpolatory_order,
+        error_bounds.error_bound(tolerance),
+        error_bounds.hermite_bound,
     )

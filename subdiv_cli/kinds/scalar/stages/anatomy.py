@@ -16,10 +16,17 @@ from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import certain, number
 from subdiv_cli.kinds.kind import Analysis
-from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.operators import refinement_window
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_fractions, support
+from subdiv_cli.kinds.scalar.rules import (
+    APPROXIMATION_ORDER,
+    DERIVED_SCHEMES,
+    EIGEN_CONDITION,
+    INTEGER_VALUES,
+    LIMIT_STENCILS,
+    QUASI_INTERPOLATION,
+)
 from subdiv_cli.model import Data, Verdict
 from subdiv_cli.model.blocks import Anatomy, Curve, Factor, Signal
 
@@ -53,16 +60,16 @@ def anatomy(analysis: Analysis) -> Anatomy:
     found = _Found({f.code: dict(f.witness) for f in analysis.findings if f.verdict is not Verdict.SKIPPED})
     constant, power, factors = _factored(numbers)
     quasi, orders = (
-        found.witnesses.get(rules.QUASI_INTERPOLATION.code),
-        found.witnesses.get(rules.APPROXIMATION_ORDER.code),
+        found.witnesses.get(QUASI_INTERPOLATION.code),
+        found.witnesses.get(APPROXIMATION_ORDER.code),
     )
-    values = found.signals(rules.INTEGER_VALUES.code, "starts", "values")
+    values = found.signals(INTEGER_VALUES.code, "starts", "values")
     eigenvalues = cast(
-        "tuple[tuple[str, ...], ...]", found.witnesses.get(rules.EIGEN_CONDITION.code, {}).get("eigenvalues", ())
+        "tuple[tuple[str, ...], ...]", found.witnesses.get(EIGEN_CONDITION.code, {}).get("eigenvalues", ())
     )
     sequences = cast(
         "tuple[tuple[Fraction, ...], ...]",
-        found.witnesses.get(rules.QUASI_INTERPOLATION.code, {}).get("eigen_sequences", ()),
+        found.witnesses.get(QUASI_INTERPOLATION.code, {}).get("eigen_sequences", ()),
     )
     return Anatomy(
         mask=Signal(numbers.scheme.start, numbers.scheme.coefficients),
@@ -70,18 +77,16 @@ def anatomy(analysis: Analysis) -> Anatomy:
         power=power,
         factors=factors,
         components=tuple(Signal(a.low, a.coefficients()) for a in numbers.symbol.components(numbers.p)),
-        derived=found.signals(rules.DERIVED_SCHEMES.code, "starts", "masks"),
+        derived=found.signals(DERIVED_SCHEMES.code, "starts", "masks"),
         window=refinement_window(numbers.scheme).start,
         matrices=_matrices(numbers),
         eigenvalues=eigenvalues,
         support=support(numbers),
         values=values,
-        stencils=found.signals(rules.LIMIT_STENCILS.code, "starts", "stencils"),
-        moments=found.rationals(rules.QUASI_INTERPOLATION.code, "moments"),
-        operator=found.rationals(rules.QUASI_INTERPOLATION.code, "operator"),
-        quasi_stencil=Signal(
-            cast(int, quasi["stencil_start"]), found.rationals(rules.QUASI_INTERPOLATION.code, "stencil")
-        )
+        stencils=found.signals(LIMIT_STENCILS.code, "starts", "stencils"),
+        moments=found.rationals(QUASI_INTERPOLATION.code, "moments"),
+        operator=found.rationals(QUASI_INTERPOLATION.code, "operator"),
+        quasi_stencil=Signal(cast(int, quasi["stencil_start"]), found.rationals(QUASI_INTERPOLATION.code, "stencil"))
         if quasi
         else None,
         eigen_sequences=sequences,

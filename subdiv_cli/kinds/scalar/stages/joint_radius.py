@@ -1,55 +1,116 @@
-"""SD310: the joint spectral radius of D = S_(Δ^k), the last difference scheme.
-
-ρ = lim ‖D^L‖∞^(1/L) is that of the transition matrices T_0, …, T_(p-1) of D (Dyn 1992, section 4), and with it
-convergence, the order of smoothness and the Hölder exponent are decided: (1/p)S_ν contracts iff max(1/p, p^(ν-1) ρ) <
-1. A product Π of ℓ matrices has ρ(Π)^(1/ℓ) <= ρ; what bounds ρ from above, and where both meet is the number itself,
-is one of
-
-* a norm, ρ <= ‖D^L‖∞^(1/L);
-* a symbol >= 0 on |z| = 1 (numbers/positive.py): ρ is the spectral radius of one matrix;
-* an invariant polytope (jsr/closing.py): a convex body that the matrices, divided by x, map into itself: ρ <= x;
-* blocks (jsr/reduce.py): ρ is the largest of those of the diagonal blocks of a common block triangular form.
-
-No hypothesis beyond k >= 1, checked. For an unstable mask there is one finding for S itself, which decides convergence,
-and one for the reduced mask (SD403), which decides smoothness.
-
-Witness: `of`, S or S0; `difference_order`, k; `method`; where a product is known `word`; `length` and `bound`, or
-`length` and `root` (polynomial, lowest power first, low, high): ρ^length is at most the bound, or is the root;
-`vertices`, how many a polytope has. `proof`: the whole of it, as certificate/RADIUS.md says.
-"""
+"""The joint spectral radius of the last difference scheme (SD310), and products of matrices as obstacles to C^n."""
 
 from __future__ import annotations
+
+from fractions import Fraction
 
 from flint import ctx
 
 from subdiv_cli.exact.algebraic import number_of
 from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, is_short, number, rounded_up
+from subdiv_cli.exact.text import certain, is_short, modulus, number, rounded_up
+from subdiv_cli.jsr.products import Product
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts
-from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.stages.obstacles import product_text
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, last_difference, power
+from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS
+from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, last_difference, power, product_name
 from subdiv_cli.model import Data, Finding, Interval
 
-RULE = rules.JOINT_RADIUS
-
-_QUESTION = "what is the joint spectral radius of the last difference scheme?"
+Obstacle = tuple[str, dict[str, Data]]
 
 
-def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+def obstacle_to(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+    """What keeps a stable φ of these numbers from being C^m; None where nothing is known against it."""
+    return sum_rule_obstacle(numbers, m) or product_obstacle(numbers, m)
+
+
+def who_is_stable(numbers: ScalarNumbers) -> str:
+    """The hypothesis of an obstacle, for the scheme of these numbers: on φ itself, or on φ0 after a reduction."""
+    return "φ is stable" if numbers.reduced is numbers else "φ0 of the reduced scheme is stable"
+
+
+def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+    """A product of ℓ matrices of D = S_(Δ^k) with an eigenvalue |λ| >= p^(-mℓ), compared exactly: then α <= m."""
+    product, p = numbers.product, numbers.p
+    bound = Fraction(1, p**m)
+    if product is None or product.compare(bound) < 0:
+        return None
+    total = m * len(product.word)
+    size = number(Fraction(1, p**total)) if product.compare(bound) == 0 else modulus(product.eigenvalue)
+    matrices = f"{product_text(product)} of {last_difference(numbers)}"
+    return f"{matrices} has an eigenvalue of modulus {size} ≥ {threshold(p, total)}", product_witness(product)
+
+
+def threshold(p: int, m: int) -> str:
+    """p^-m as text: `1`, or `1/4 = 2^-2`."""
+    return f"{number(Fraction(1, p**m))} = {p}^-{m}" if m else "1"
+
+
+def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+    """m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e."""
+    k = numbers.order
+    return (
+        (f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", {"sum_rule_order": k})
+        if m >= k
+        else None
+    )
+
+
+def product_text(product: Product) -> str:
+    """`the transition matrix T_0` or `the product T_1T_0 of transition matrices`."""
+    name = product_name(product.word)
+    return f"the transition matrix {name}" if len(product.word) == 1 else f"the product {name} of transition matrices"
+
+
+def product_witness(product: Product) -> dict[str, Data]:
+    """A word, its matrices multiplied from right to left, and an eigenvalue of the product: its minimal polynomial,
+
+    lowest coefficient first, and its isolating box (real part from, to; imaginary part from, to).
+    """
+    return {
+        "word": product.word,
+        "minimal_polynomial": tuple(int(c) for c in product.eigenvalue.minimal_polynomial),
+        "box": product.eigenvalue.box(),
+    }
+
+
+_JOINT_RADIUS_QUESTION = "what is the joint spectral radius of the last difference scheme?"
+
+
+def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD310: the joint spectral radius of D = S_(Δ^k), the last difference scheme.
+
+    ρ = lim ‖D^L‖∞^(1/L) is that of the transition matrices T_0, …, T_(p-1) of D (Dyn 1992, section 4), and with it
+    convergence, the order of smoothness and the Hölder exponent are decided: (1/p)S_ν contracts iff max(1/p, p^(ν-1) ρ)
+    < 1. A product Π of ℓ matrices has ρ(Π)^(1/ℓ) <= ρ; what bounds ρ from above, and where both meet is the number
+    itself, is one of
+
+    * a norm, ρ <= ‖D^L‖∞^(1/L);
+    * a symbol >= 0 on |z| = 1 (numbers/positive.py): ρ is the spectral radius of one matrix;
+    * an invariant polytope (jsr/closing.py): a convex body that the matrices, divided by x, map into itself: ρ <= x;
+    * blocks (jsr/reduce.py): ρ is the largest of those of the diagonal blocks of a common block triangular form.
+
+    No hypothesis beyond k >= 1, checked. For an unstable mask there is one finding for S itself, which decides
+    convergence, and one for the reduced mask (SD403), which decides smoothness.
+
+    Witness: `of`, S or S0; `difference_order`, k; `method`; where a product is known `word`; `length` and `bound`, or
+    `length` and `root` (polynomial, lowest power first, low, high): ρ^length is at most the bound, or is the root;
+    `vertices`, how many a polytope has. `proof`: the whole of it, as certificate/RADIUS.md says.
+    """
     each = [numbers] if numbers.reduced is numbers else [numbers, numbers.reduced]
     if found := tuple(_finding(one) for one in each if one.order >= 1):
         return found
-    return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
+    return (
+        JOINT_RADIUS.skipped(_JOINT_RADIUS_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),
+    )
 
 
 def _finding(numbers: ScalarNumbers) -> Finding:
     radius = numbers.radius
     if radius is None:
-        return RULE.undecided(
-            _QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before a bound"
+        return JOINT_RADIUS.undecided(
+            _JOINT_RADIUS_QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before a bound"
         )
     witness: dict[str, Data] = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
     if radius.word is not None:
@@ -60,7 +121,7 @@ def _finding(numbers: ScalarNumbers) -> Finding:
     name = f"ρ({last_difference(numbers)})"
     value = enclosed(radius)
     size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
-    return RULE.proved(f"{name} {size}: {_how(numbers, radius)}", witness, value, proof=radius.proof)
+    return JOINT_RADIUS.proved(f"{name} {size}: {_how(numbers, radius)}", witness, value, proof=radius.proof)
 
 
 def enclosed(radius: Radius) -> Interval:

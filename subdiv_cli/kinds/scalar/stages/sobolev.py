@@ -28,14 +28,14 @@ from subdiv_cli.exact.closed import exponent, readable
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, number
 from subdiv_cli.kinds.kind import Facts
-from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth, mean_square_growth, transfer_order
-from subdiv_cli.kinds.scalar.stages.stage import NOT_NORMALISED, last_difference
+from subdiv_cli.kinds.scalar.rules import SOBOLEV
+from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, last_difference
 from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Root
 from subdiv_cli.model.closed import spelled
 
-RULE = rules.SOBOLEV
+RULE = SOBOLEV
 
 _QUESTION = "how regular is φ in L2?"
 

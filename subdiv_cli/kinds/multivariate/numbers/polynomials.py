@@ -1,4 +1,8 @@
-"""The operator Q that inverts S^∞ on polynomials in several variables (Levin 2.5): moments, operator, stencil.
+"""Sums of a mask over the cosets of Z^s / M Z^s, and its sum rules of total degree.
+
+The polynomials that a scheme in several variables reproduces, and with which parameters.
+
+The operator Q that inverts S^∞ on polynomials in several variables (Levin 2.5): moments, operator, stencil.
 
 On polynomials of total degree <= d, which the sum rules of order d + 1 make S map to such, S^∞ = Σ m_μ/μ! D^μ and
 Q = Σ q_μ D^μ. As power series, h(θ) = Σ m_μ/μ! θ^μ, of S^∞ exp(θ·x) = h(θ) exp(θ·x), and q = 1/h up to degree d;
@@ -18,6 +22,65 @@ from subdiv_cli.exact.linalg import matrix, solution
 from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.symmetries import generated, times
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
+
+HIGHEST_ORDER = 40
+"""Of sum rules that are looked for."""
+
+
+def coset_sums(scheme: MultivariateScheme, lattice: Lattice, mu: Index) -> tuple[Fraction, ...]:
+    """Σ_β a_(γ+Mβ) (γ+Mβ)^μ for each representative γ."""
+    sums = {lattice.coset(gamma): Fraction(0) for gamma in lattice.representatives}
+    for alpha, value in scheme.terms.items():
+        power = 1
+        for x, e in zip(alpha, mu, strict=True):
+            power *= x**e
+        sums[lattice.coset(alpha)] += value * power
+    return tuple(sums[lattice.coset(gamma)] for gamma in lattice.representatives)
+
+
+def sum_rule_order(scheme: MultivariateScheme, lattice: Lattice) -> int:
+    """The largest k <= HIGHEST_ORDER with sum rules of order k: for |μ| < k the coset sums with (γ+Mβ)^μ are the same
+
+    for all cosets, those of the mask itself 1. 0 where these are not.
+    """
+    s = lattice.dimension
+    if set(coset_sums(scheme, lattice, (0,) * s)) != {Fraction(1)}:
+        return 0
+    for k in range(1, HIGHEST_ORDER):
+        if any(len(set(coset_sums(scheme, lattice, mu))) > 1 for mu in indices_of_degree(s, k)):
+            return k
+    return HIGHEST_ORDER
+
+
+class Reproduction(NamedTuple):
+    """S maps p(· + σ) to p(M^-1 (· + σ)), (M - I) σ = τ, for the polynomials p of this total degree."""
+
+    degree: int
+    shift: tuple[Fraction, ...]
+    """τ."""
+    defect: Index | None
+    """A μ, |μ| = degree + 1, with Σ a_α α^μ ≠ m τ^μ; None where the generation degree is not larger."""
+
+
+def reproduction(scheme: MultivariateScheme, lattice: Lattice, generation: int) -> Reproduction:
+    """The largest degree, for a scheme that generates polynomials of degree `generation` >= 0 and no higher one."""
+    m, s = lattice.index, lattice.dimension
+    tau = tuple(moment(scheme, tuple(int(i == j) for i in range(s))) / m for j in range(s))
+    for degree in range(2, generation + 1):
+        for mu in indices_of_degree(s, degree):
+            if moment(scheme, mu) != m * _power(tau, mu):
+                return Reproduction(degree - 1, tau, mu)
+    return Reproduction(generation, tau, None)
+
+
+def moment(scheme: MultivariateScheme, mu: Index) -> Fraction:
+    """Σ_α a_α α^μ."""
+    return sum((value * prod(map(pow, alpha, mu)) for alpha, value in scheme.terms.items()), Fraction(0))
+
+
+def _power(x: tuple[Fraction, ...], mu: Index) -> Fraction:
+    return prod((t**n for t, n in zip(x, mu, strict=True)), start=Fraction(1))
+
 
 Series = Mapping[Index, Fraction]
 """μ -> the coefficient of θ^μ; what is not there is zero."""

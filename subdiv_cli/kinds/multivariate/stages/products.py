@@ -1,41 +1,79 @@
-"""SD609: is the mask a tensor product? And what follows of φ from its factors.
-
-Theorem (Dyn 1992, Proposition 6.3; FORMAT.md): let M be block diagonal and a(z) the product of masks in the
-variables of the blocks, of sums |det M_j|. Then φ is the product of the φ_j. S converges uniformly iff all factors do;
-then φ is stable iff all φ_j are. φ is C^n iff all φ_j are; its Hölder and its Sobolev exponent are the least ones of
-the factors where these are positive, and never larger. M need not be isotropic. Hypotheses: checked. Coefficients that
-do not add up to |det M| and box splines (SD603) are not asked. There is a finding only where there are factors; then
-they alone decide.
-
-Witness: `parts`, the numbers of the variables, from 0, of each factor.
-"""
+"""Stages on masks that are products: box splines and tensor products (SD603, SD609)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
 from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import Facts, Part
-from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.scalar.stages.stage import series
+from subdiv_cli.kinds.multivariate.rules import BOX_SPLINE, TENSOR_PRODUCT
+from subdiv_cli.kinds.multivariate.scheme import Index
+from subdiv_cli.kinds.scalar.stages.wording import series
 from subdiv_cli.model import Data, Finding, Question, Rule, Verdict
 
-RULE = rules.TENSOR_PRODUCT
+
+def box_spline(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD603: is φ a box spline?
+
+    Theorem: see numbers/box_spline.py. The factorisation is of the mask of S itself, or of a power S^r whose dilation
+    is a multiple of I; it is exact, and the directions are found without a search. Hypothesis, the coset sums add up to
+    |det M|: checked. There is a finding only where φ is one.
+
+    Witness: `directions` with `multiplicities`; `power`, r; `scale`, c with M^r = c I; `shift`; `depth`, the least
+    number of directions whose removal leaves a set that does not span; `unimodular`, whether all determinants are -1, 0
+    or 1.
+    """
+    box = numbers.box
+    if box is None:
+        return ()
+    count = box.multiplicities
+    of = "" if box.power == 1 else f"; recognised in S^{box.power}, whose dilation is {box.scale}I"
+    statement = f"φ is the box spline of {len(box.directions)} directions: {_listed(count)}{of}"
+    witness: dict[str, Data] = {
+        "directions": tuple(count),
+        "multiplicities": tuple(count.values()),
+        "power": box.power,
+        "scale": box.scale,
+        "shift": box.shift,
+        "depth": box.depth,
+        "unimodular": box.is_unimodular,
+    }
+    return (BOX_SPLINE.proved(statement, witness),)
+
+
+def _listed(count: Mapping[Index, int]) -> str:
+    """`(0, 1), (1, 0), each twice`, or `(0, 1), (1, 0) 3 times`."""
+    times = {n: "twice" if n == 2 else f"{n} times" for n in count.values()}
+    if len(times) == 1 and 1 not in times and len(count) > 1:
+        return f"{', '.join(map(str, count))}, each {times[min(times)]}"
+    return ", ".join(f"{xi}" + (f" {times[n]}" if n > 1 else "") for xi, n in count.items())
+
 
 _LEAST_SPARE = Fraction(1, 1000)
 """Exponents that are nearer to each other than four times this, and not rational, are not compared."""
 
 
-def run(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+def tensor_product(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD609: is the mask a tensor product? And what follows of φ from its factors.
+
+    Theorem (Dyn 1992, Proposition 6.3; FORMAT.md): let M be block diagonal and a(z) the product of masks in the
+    variables of the blocks, of sums |det M_j|. Then φ is the product of the φ_j. S converges uniformly iff all factors
+    do; then φ is stable iff all φ_j are. φ is C^n iff all φ_j are; its Hölder and its Sobolev exponent are the least
+    ones of the factors where these are positive, and never larger. M need not be isotropic. Hypotheses: checked.
+    Coefficients that do not add up to |det M| and box splines (SD603) are not asked. There is a finding only where
+    there are factors; then they alone decide.
+
+    Witness: `parts`, the numbers of the variables, from 0, of each factor.
+    """
     if not numbers.parts:
         return ()
     factors = "; ".join(f"in {part.name} {_mask(part)}" for part in numbers.parts)
     witness: dict[str, Data] = {"parts": tuple(part.variables for part in numbers.parts)}
-    return (RULE.proved(f"φ is a tensor product of {len(numbers.parts)} factors: {factors}", witness),)
+    return (TENSOR_PRODUCT.proved(f"φ is a tensor product of {len(numbers.parts)} factors: {factors}", witness),)
 
 
 def _mask(part: Part) -> str:
@@ -60,9 +98,9 @@ def follows(rule: Rule, asked: str, parts: tuple[Part, ...], question: Question,
     """A property that φ has iff all factors have it; `no` is a sentence with the name of one that has it not."""
     found, part = of_all(parts, question)
     if found is Verdict.PROVED:
-        return rule.proved(yes, {"by": RULE.code})
+        return rule.proved(yes, {"by": TENSOR_PRODUCT.code})
     if found is Verdict.REFUTED:
-        return rule.refuted(no.format(part.name), {"by": RULE.code})
+        return rule.refuted(no.format(part.name), {"by": TENSOR_PRODUCT.code})
     return rule.undecided(asked, f"it is not decided for the factor in {part.name}")
 
 
@@ -93,7 +131,7 @@ def least(parts: tuple[Part, ...], question: Question) -> Least | None:
 def least_witness(found: Least) -> dict[str, Data]:
     """As SD614 and SD617 have it."""
     between = {} if found.between is None else {"between": found.between}
-    return {"by": rules.TENSOR_PRODUCT.code, "variables": found.part.variables, **between}
+    return {"by": TENSOR_PRODUCT.code, "variables": found.part.variables, **between}
 
 
 def _between(found: Finding, others: list[Finding]) -> Fraction | None:

@@ -12,10 +12,8 @@ from subdiv_cli.certificate.radius import Radii, root_fields, spelled
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
 from subdiv_cli.kinds.kind import Analysis, Facts, Part
 from subdiv_cli.kinds.multivariate import rules
-from subdiv_cli.kinds.multivariate.claims.box_splines import BoxSplineClaims
-from subdiv_cli.kinds.multivariate.claims.gram import gram_sequence
-from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, matrix_norm, pairs
-from subdiv_cli.kinds.multivariate.claims.tensor import Factors, PartCertificate
+from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pairs
+from subdiv_cli.kinds.multivariate.claims.products import BoxSplineClaims, Factors, PartCertificate
 from subdiv_cli.kinds.multivariate.text import canonical
 from subdiv_cli.kinds.scalar.claims import certificate as univariate_certificate
 from subdiv_cli.model import Data, Finding, Verdict, exact_root

@@ -1,0 +1,184 @@
+"""Stages on norms that prove convergence or smoothness by themselves (SD604, SD606 to SD608)."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from subdiv_cli.exact.text import number
+from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
+from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
+from subdiv_cli.kinds.multivariate.rules import DIRECTIONAL_NORMS, DIRECTIONAL_SMOOTHNESS, MATRIX_NORMS, POSITIVE_MASK
+from subdiv_cli.kinds.multivariate.stages.smoothness import proved_by, reaches, threshold
+from subdiv_cli.model import Data, Finding
+
+
+def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD604: directional difference schemes that contract.
+
+    Theorem (Dyn 1992, remark after Proposition 6.10, for any dilation c I): let a(z) = d_i(z) (1 + z^θ_i + … +
+    z^((c-1)θ_i)) for s directions with det(θ_1, …, θ_s) = ±1, and let the coset sums be 1. Then Δ_θ_i S = S_(d_i)
+    Δ_θ_i, and if ‖S_(d_i)^L‖∞ < 1 for each i and some L, S converges uniformly. Hypotheses: all checked. Sufficient
+    only.
+
+    There is a finding only where the mask has such factors and they all contract within the effort, and where it is no
+    tensor product (SD609).
+
+    Witness: `directions`, `levels`, `norms`.
+    """
+    found = None if numbers.parts else numbers.contractions
+    if found is None:
+        return ()
+    parts = [
+        f"‖S_({', '.join(map(str, c.direction))})" + (f"^{c.level}" if c.level > 1 else "") + f"‖∞ = {number(c.norm)}"
+        for c in found
+    ]
+    witness: dict[str, Data] = {
+        "directions": tuple(c.direction for c in found),
+        "levels": tuple(c.level for c in found),
+        "norms": tuple(c.norm for c in found),
+    }
+    proof: dict[str, Data] = {
+        "quotients": tuple(tuple((alpha, x) for alpha, x in sorted(c.quotient.items())) for c in found)
+    }
+    statement = f"the difference schemes in {len(found)} directions contract: {', '.join(parts)}"
+    return (DIRECTIONAL_NORMS.proved(statement, witness, proof=proof),)
+
+
+def positive_mask(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD608: a positive mask on a box.
+
+    Theorem (Dyn 1992, Theorem 6.4, for M = cI): let the coset sums be 1, let the support be all indices of a box Π[l_i,
+    u_i], the coefficients there positive, and u_i - l_i >= c for each i. Then S converges uniformly. Hypotheses: all
+    checked. Dyn asks for l < 0 < u with c = 2: a shift of the mask by e shifts S^k f by (c^k - 1)/(c - 1) e, its limit
+    by e/(c - 1), so only the sides of the box matter, and u_i - l_i >= 2 allows such a shift. With a side c - 1 nothing
+    is said: Haar's mask, all ones on c indices, is positive.
+
+    Witness: `lowest`, `highest`, the corners.
+    """
+    if set(numbers.sums) != {Fraction(1)} or not numbers.is_positive_on_a_box:
+        return ()
+    lowest, highest = numbers.scheme.bounds()
+    size = " by ".join(str(high - low + 1) for low, high in zip(lowest, highest, strict=True))
+    statement = f"S converges uniformly: the mask is positive on a full box, {size} coefficients"
+    return (POSITIVE_MASK.proved(statement, {"lowest": lowest, "highest": highest}),)
+
+
+def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD607: C^1 by directional factors.
+
+    Theorem (Dyn 1992, Corollary 7.9, for M = cI): let the coset sums be 1, a(z) = q(z) Π_(i<=s+1) G_i(z), G_i(z) = 1 +
+    z^θ_i + … + z^((c-1)θ_i), any s of the directions with determinant ±1. If the schemes of all a_ij = c a/(G_i G_j), i
+    < j, contract, ‖S_(a_ij)^L‖∞ < 1 for some L each, S converges uniformly and φ is C^1. Hypotheses: all checked.
+    Sufficient.
+
+    Why: ∇_i ∇_j S = (1/c) S_(a_ij) ∇_i ∇_j, and the (1-z^θ_i)(1-z^θ_j), i < j, generate all polynomials that vanish at
+    1 to order 2: any s+1 such directions are ±θ_1 ± … ± θ_s = 0 with one more, so u_i² is among the products modulo
+    order 3, and elsewhere some product is not 0. So ρ_2 < 1/c, and the sum rules are of order 2.
+
+    There is a finding only where the mask has such factors and all quotients contract within the effort, and φ is
+    neither a box spline (SD603) nor a tensor product (SD609).
+
+    Witness: `directions`, pairs; `levels`, `norms`. `proof`: `quotients`, a/(G_i G_j).
+    """
+    found = None if numbers.box is not None or numbers.parts else numbers.pair_contractions
+    if found is None:
+        return ()
+    parts = [
+        f"‖S_({', '.join(map(str, first))})({', '.join(map(str, second))})"
+        + (f"^{c.level}" if c.level > 1 else "")
+        + f"‖∞ = {number(c.norm)}"
+        for c in found
+        for first, second in [c.directions]
+    ]
+    witness: dict[str, Data] = {
+        "directions": tuple(c.directions for c in found),
+        "levels": tuple(c.level for c in found),
+        "norms": tuple(c.norm for c in found),
+    }
+    proof: dict[str, Data] = {
+        "quotients": tuple(tuple((alpha, x) for alpha, x in sorted(c.quotient.items())) for c in found)
+    }
+    statement = (
+        f"φ is C^1: the schemes of {len(found)} quotients by two directional factors contract: {', '.join(parts)}"
+    )
+    return (DIRECTIONAL_SMOOTHNESS.proved(statement, witness, proof=proof),)
+
+
+_MORE_ORDERS = 2
+"""Orders of differences above n + 1 that are tried for C^n."""
+
+
+def matrix_norms(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
+    """SD606: a matrix scheme of differences that contracts.
+
+    Theorem (Dyn 1992, Theorems 6.9 and 7.5 with Propositions 6.8 and 6.10; here for any expanding M): let the sum rules
+    hold of order k >= 1, and ∇^μ S^r = Σ_ν S_(q_μν) ∇^ν, |μ| = |ν| = k, with the norm ‖S_Q^t‖∞ = x. Then ρ_k^(rt) <= x.
+    So S converges uniformly if x < 1, and for isotropic M, λ = |det M|^(1/s), φ is C^n if n < k and x < λ^(-nrt). For M
+    = 2I and k = n + 1 that is ‖(½S_(n+1))^t‖∞ < 1, S_(n+1) = 2^(n+1) S_Q. Hypotheses: the sum rules (SD602), M
+    isotropic for n >= 1; checked. Q is constructed (numbers/matrix_schemes.py). Sufficient only, for one Q and level.
+
+    There is a finding only where some Q contracts within the effort, and φ is neither a box spline (SD603) nor a tensor
+    product (SD609). Convergence is asked where directional norms (SD604) do not prove it; C^n where ρ_k (SD605) and
+    mean squares (SD617) do not tell.
+
+    Witness: `order` k, `smooth` n, `power` r, `steps` t, `level` rt, `norm` x; `by`: `lemma` (6.6) or `least`, the
+    reduction; `lemma_norm`, `least_norm`, ‖S_Q‖∞ of both, as far as they were asked for. `proof`: Q, and the work to
+    multiply it out.
+    """
+    if not numbers.order or numbers.box is not None or numbers.parts:
+        return ()
+    best = None
+    if numbers.contractions is None and not _excluded(numbers, 0):
+        best = _found(numbers, 0, [1])
+    if numbers.lattice.is_isotropic:
+        for n in range(1, numbers.order):
+            if proved_by(numbers, facts, n) is None:
+                orders = range(n + 1, min(numbers.order, n + 1 + _MORE_ORDERS) + 1)
+                smoother = None if _excluded(numbers, n) else _found(numbers, n, orders)
+                if smoother is None:
+                    break
+                best = smoother
+    return () if best is None else (_finding(numbers, *best),)
+
+
+def _excluded(numbers: MultivariateNumbers, n: int) -> bool:
+    return numbers.product is not None and reaches(numbers, numbers.product, n)
+
+
+def _found(numbers: MultivariateNumbers, n: int, orders: range | list[int]) -> tuple[int, MatrixNorm] | None:
+    norms = (numbers.matrix_norm(k, n) for k in orders)
+    return next(((n, found) for found in norms if found is not None), None)
+
+
+def _finding(numbers: MultivariateNumbers, n: int, found: MatrixNorm) -> Finding:
+    k, components = found.order, range(found.components)
+    witness: dict[str, Data] = {
+        "order": k,
+        "smooth": n,
+        "power": found.power,
+        "steps": found.steps,
+        "level": found.level,
+        "norm": found.norm,
+        "by": found.by,
+        "lemma_norm": found.lemma,
+        **({} if found.least is None else {"least_norm": found.least}),
+    }
+    entries = [sorted(found.entries.get((i, j), {}).items()) for i in components for j in components]
+    proof: dict[str, Data] = {"entries": tuple(tuple(terms) for terms in entries), "work": found.work}
+    scheme = "S_Δ" if k == 1 else f"S_(Δ^{k})"
+    power = f"^{found.level}" if found.level > 1 else ""
+    bound = threshold(numbers, n * found.level)
+    statement = f"a matrix scheme of differences contracts: ‖{scheme}{power}‖∞ = {number(found.norm)} < {bound}"
+    return MATRIX_NORMS.proved(f"{statement}; {_how(found)}", witness, proof=proof)
+
+
+def _how(found: MatrixNorm) -> str:
+    """Which reduction is taken, and what ‖S_Q‖∞ is for it and the other."""
+    of = f" of S^{found.power}" if found.power > 1 else ""
+    names = {"lemma": "Lemma 6.6", "least": "least norm"}
+    norms = {"lemma": found.lemma, "least": found.least}
+    other = {"lemma": "least", "least": "lemma"}[found.by]
+    taken = f"the reduction{of} by {names[found.by]}, {number(norms[found.by] or found.lemma)}"
+    second = norms[other]
+    return taken if second is None else f"{taken} (by {names[other]}: {number(second)})"
