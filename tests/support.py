@@ -6,8 +6,11 @@ import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 from subdiv_cli.catalog import masks_directory
+from subdiv_cli.kinds import kind_of
+from subdiv_cli.kinds.kind import Scheme
 from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
@@ -18,6 +21,11 @@ from subdiv_cli.pipeline import check
 def scheme(coefficients: Sequence[int | str | Fraction], start: int = 0, arity: int = 2, over: int = 1) -> ScalarScheme:
     """A mask with these coefficients, divided by `over`."""
     return ScalarScheme(arity=arity, start=start, coefficients=tuple(Fraction(c) / over for c in coefficients))
+
+
+def canonical(scheme: Scheme) -> Mapping[str, Any]:
+    """A scheme as certificates embed it."""
+    return kind_of(scheme).canonical(scheme)
 
 
 def answer(mask: ScalarScheme | MultivariateScheme, work: int = 20_000) -> Result:

@@ -113,17 +113,16 @@ def times_of_checking(times: int = 5) -> list[Checking]:
 
 
 def _time_of_checking(scheme: ScalarScheme) -> tuple[float, float, float]:
-    from subdiv_cli.kinds.scalar.stages.scalar import analyse
-
-    from subdiv_cli.certificate import certificate
     from subdiv_cli.checker import check_document, matrices
+    from subdiv_cli.kinds.scalar.claims import certificate
+    from subdiv_cli.kinds.scalar.stages import analyse
     from subdiv_cli.model import Effort
 
     matrices._characteristic_polynomial.cache_clear()
     moments = [time.process_time()]
-    findings = analyse(scheme, Effort()).findings
+    analysis = analyse(scheme, Effort())
     moments.append(time.process_time())
-    written = certificate(scheme.arity, scheme.start, scheme.coefficients, findings)
+    written = certificate(analysis)
     moments.append(time.process_time())
     assert written is not None
     assert check_document(written.document).verified

@@ -8,7 +8,7 @@ from hand_made import ALL, text
 from hand_made_surfaces import ALL_SURFACES
 from hypothesis import given
 from hypothesis import strategies as st
-from subdiv_cli.maskfile.canonical import canonical
+from support import canonical
 
 from subdiv_cli.checker.__main__ import main
 from subdiv_cli.checker.plain import LatticeMask, certified_mask, mask, mask_of, plain_mask

@@ -11,7 +11,8 @@ import pytest
 
 import subdiv_cli
 from subdiv_cli.explain import codes, title
-from subdiv_cli.maskfile import MaskFileError, read_text
+from subdiv_cli.kinds.reading import read_text
+from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.problems import Fault, Reason, internal_error
 from subdiv_cli.maskfile.rules import ROWS, FaultRule

@@ -10,7 +10,7 @@ from itertools import product
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from subdiv_cli.maskfile.canonical import canonical
+from support import canonical
 
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.reading import read_path, read_text
@@ -130,9 +130,9 @@ def test_what_is_wrong_in_a_file_of_a_tensor_product_is_said(tmp_path) -> None:
 
 
 def test_other_kinds_are_refused_where_one_variable_is_meant() -> None:
-    mask = read('symbol = "1 + z2"')
+    text = 'kind = "multivariate"\n[mask]\nsymbol = "1 + z2"\n'
     with pytest.raises(MaskFileError) as caught:
-        mask.scalar_scheme()
+        read_text(text, file="mask.toml", wanted="scalar")
     (problem,) = caught.value.problems
     assert (problem.code, problem.key, problem.line) == ("SD013", "kind", 1)
 

@@ -11,12 +11,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.mean_squares import autocorrelation, mean_squares
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.polynomials import reproduction, sum_rule_order
+from subdiv_cli.kinds.multivariate.rules import STABILITY
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.kinds.multivariate.stages import coset_sums, sobolev
+from subdiv_cli.kinds.multivariate.stages.exponents import sobolev
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import check
@@ -36,8 +38,8 @@ def scheme_of(row):
 def found(scheme, stable=False):
     """The finding, as if the translates of φ were proved stable or not."""
     numbers = MultivariateNumbers(scheme, Effort())
-    facts = {"SD616": coset_sums.run(numbers, {})} if stable else {}
-    return sobolev.run(numbers, facts)[0]
+    facts = Facts([STABILITY.proved("", {})] if stable else [])
+    return sobolev(numbers, facts)[0]
 
 
 def growth(scheme):

@@ -7,16 +7,15 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from subdiv_cli.maskfile.canonical import canonical
-from support import answer, findings, four_point, scheme, shipped_surface
+from support import answer, canonical, findings, four_point, scheme, shipped_surface
 
 from subdiv_cli.catalog.trust import trusted
 from subdiv_cli.checker import check_document
 from subdiv_cli.exact.closed import compare
+from subdiv_cli.kinds.multivariate import stages
 from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.tensor import tensor_factors
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.kinds.multivariate.stages import analysis
 from subdiv_cli.model import Effort, Log, Verdict
 from subdiv_cli.pipeline import check
 
@@ -106,7 +105,7 @@ def test_a_dilation_that_mixes_the_variables_or_reverses_one():
 )
 def test_the_differences_decide_the_same(parts, monkeypatch):
     by_factors = answer(tensor(*parts))
-    monkeypatch.setattr(analysis, "tensor_factors", lambda *_: ())
+    monkeypatch.setattr(stages, "tensor_factors", lambda *_: ())
     by_differences = answer(tensor(*parts))
     assert not findings(by_differences, "SD609")
     for key in ("convergent", "stable", "smoothness", "sum_rule_order", "generation", "reproduction"):

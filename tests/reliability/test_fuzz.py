@@ -13,7 +13,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from subdiv_cli.maskfile.canonical import canonical
+from support import canonical
 
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.catalog.task import Settings, Task, perform
