@@ -11,8 +11,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from subdiv_cli.catalog.numbers import Statement, of_finding, of_statement, radius_is_proved, statements_of
-from subdiv_cli.checker.lattice import Index
 from subdiv_cli.checker.matrices import inverse
+from subdiv_cli.checker.multivariate.lattice import Index
 from subdiv_cli.model import ClosedForm, Exponent, Result, logarithm
 from subdiv_cli.model.order import enclosure
 
