@@ -1,4 +1,4 @@
-"""The kind `multivariate`: masks on Z^s. See MULTIVARIATE.md.
+"""The kind `multivariate`: masks on Z^s. `kinds/multivariate/FORMAT.md` specifies it.
 
 `rules`: the table. `masks`, `lattice`: what a document is about, and its arithmetic. `sum_rules`, `stability`,
 `differences`, `matrix_schemes`, `mean_squares`, `directional`: rules that compute with a mask. `box_splines`, `tensor`:

@@ -1,4 +1,4 @@
-"""Box splines, recognised by their mask and decided by their directions. See MULTIVARIATE.md.
+"""Box splines, recognised by their mask and decided by their directions. See FORMAT.md.
 
 de Boor, Höllig & Riemenschneider, Box Splines (1993); Dahmen & Micchelli 1983.
 """

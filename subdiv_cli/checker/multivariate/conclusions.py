@@ -1,4 +1,4 @@
-"""The rules that compose claims on masks on Z^s: convergence, smoothness, the Hölder exponent. See MULTIVARIATE.md.
+"""The rules that compose claims on masks on Z^s: convergence, smoothness, the Hölder exponent. See FORMAT.md.
 
 m = |det M|, λ = m^(1/s), f the family of the differences of order k, ρ its joint spectral radius; sum rules of order k
 hold. Whatever speaks of λ needs an isotropic M: ‖M^L‖ and ‖M^-L‖ are bounded by constants times λ^L and λ^-L.

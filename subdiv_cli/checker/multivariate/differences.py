@@ -1,4 +1,4 @@
-"""Families of a mask on Z^s: the transition operators on sequences that annihilate polynomials. See MULTIVARIATE.md.
+"""Families of a mask on Z^s: the transition operators on sequences that annihilate polynomials. See FORMAT.md.
 
 (T_ε v)(α) = Σ_β a(ε+Mα-β) v(β); U_k: the finitely supported v with Σ v(α) p(α) = 0 for all p of degree below k.
 """

@@ -1,4 +1,4 @@
-"""Convergence and C^1 by directional factors or by signs of a mask on Z^s, dilation cI. See MULTIVARIATE.md.
+"""Convergence and C^1 by directional factors or by signs of a mask on Z^s, dilation cI. See FORMAT.md.
 
 Dyn 1992: 6.50 to 6.53 for one factor, Corollary 7.9 for pairs, Theorem 6.4 for positive masks.
 """

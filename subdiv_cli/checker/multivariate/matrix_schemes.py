@@ -1,4 +1,4 @@
-"""Norms of matrix schemes of differences on Z^s (Dyn 1992, 6.8 to 6.10, 7.5; any M and order). See MULTIVARIATE.md."""
+"""Norms of matrix schemes of differences on Z^s (Dyn 1992, 6.8 to 6.10, 7.5; any M and order). See FORMAT.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rule on the Sobolev exponent of masks on Z^s. See MULTIVARIATE.md.
+"""The rule on the Sobolev exponent of masks on Z^s. See FORMAT.md.
 
 b(z) = a(z) a(1/z), (G v)(α) = (1/m) Σ_β b(Mα-β) v(β), w(z) = (Σ_j (2 - z_j - 1/z_j))^k, k the order of the sum rules,
 λ = m^(1/s). N_L = (G^L w)(0) is m^-L times a sum of squares of the differences of order k of the mask of S^L.

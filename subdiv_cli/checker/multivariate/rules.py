@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from subdiv_cli.checker.core import Rulebook, Step
 from subdiv_cli.checker.multivariate import (
     box_splines,
@@ -19,11 +21,12 @@ from subdiv_cli.checker.multivariate.words import in_words
 from subdiv_cli.checker.plain import PlainReaders
 from subdiv_cli.checker.radius.rules import FAMILY, ROOT
 from subdiv_cli.checker.radius.rules import RULEBOOK as RADIUS
+from subdiv_cli.checker.reading import Fields
 
-_NONE: tuple[dict[str, str], ...] = ({},)
+_NONE: tuple[Fields, ...] = ({},)
 _ZERO = {"polynomial": "polynomial", "low": "rational", "high": "rational"}
 _COFACTOR = {"cofactor": "polynomial"}
-_PROPERTIES = {
+_PROPERTIES: Mapping[str, Fields] = {
     "coset-sums": {"holds": "boolean"},
     "total-sum-rules": {"order": "natural"},
     "family": {**FAMILY, "order": "natural"},
@@ -39,8 +42,8 @@ _PROPERTIES = {
     "sobolev-value": {"value": "rational"},
     "stable": {"holds": "boolean"},
     "tensor-product": {"parts": "index[]"},
-    "of-factor": {"variables": "index", "statement": "exponent"},
-    "at-most-factor": {"variables": "index", "statement": "exponent"},
+    "of-factor": {"variables": "index", "statement": tensor.exponent},
+    "at-most-factor": {"variables": "index", "statement": tensor.exponent},
     "box-spline": {"directions": "index[]", "scale": "natural"},
     "directional-norm": {"direction": "index", "level": "natural", "norm": "rational"},
     "pair-norm": {"directions": "index[]", "level": "natural", "norm": "rational"},

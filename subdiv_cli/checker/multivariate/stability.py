@@ -1,4 +1,4 @@
-"""Stability of φ: of interpolatory masks, and by the Gram sequence of its translates. See MULTIVARIATE.md.
+"""Stability of φ: of interpolatory masks, and by the Gram sequence of its translates. See FORMAT.md.
 
 The translates are stable iff the symbol of the sequence is positive; it may have a zero.
 

@@ -1,4 +1,4 @@
-"""Coset sums, sum rules of total degree, and what S does to polynomials: masks on Z^s. See MULTIVARIATE.md.
+"""Coset sums, sum rules of total degree, and what S does to polynomials: masks on Z^s. See FORMAT.md.
 
 a is the mask, M the dilation, m = |det M|, t the number of terms.
 """

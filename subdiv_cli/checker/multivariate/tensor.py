@@ -1,4 +1,4 @@
-"""Tensor products of masks on Z^s: factors with certificates of their own, and what follows. See MULTIVARIATE.md.
+"""Tensor products of masks on Z^s: factors with certificates of their own, and what follows. See FORMAT.md.
 
 a(z) = Π_j a_j(z_(P_j)) over a partition of the variables for which M is block diagonal, the coefficients of a_j adding
 up to m_j = |det M_j|. Then φ is the product of the φ_j.
@@ -13,12 +13,36 @@ from typing import NamedTuple
 from subdiv_cli.checker.core import Claim, Statement, Subject, read_statement
 from subdiv_cli.checker.multivariate.lattice import Sparse
 from subdiv_cli.checker.multivariate.masks import LatticeMask, mask_of
-from subdiv_cli.checker.reading import Exhausted, Rejected, require
+from subdiv_cli.checker.numerals import UnreadableError
+from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, record, require
 from subdiv_cli.checker.roots import fraction_bits
 from subdiv_cli.checker.scalar.masks import Symbols
 
 MAX_BETWEEN = 1000
 """A number between exponents, and its denominator."""
+
+
+_EXPONENTS: tuple[Fields, ...] = (
+    {"level": "natural", "norm": "rational"},
+    {"length": "length", "radius": "rational"},
+    {"length": "length", "bound": "rational"},
+    {"length": "length", "polynomial": "root", "low": "rational", "high": "rational"},
+    {"polynomial": "polynomial", "low": "rational", "high": "rational"},
+    {"value": "rational"},
+)
+"""Fields of statements on exponents, in masks of all kinds, besides their property."""
+
+
+def exponent(value: object) -> Statement:
+    """Reads a statement on an exponent; which ones there are, the rule knows."""
+    if type(value) is not dict or type(value.get("property")) is not str:
+        raise UnreadableError("is no statement")
+    keys = value.keys() - {"property"}
+    fields = next((fields for fields in _EXPONENTS if fields.keys() == keys), _EXPONENTS[0])
+    if value["property"] == "holder-value":
+        fields = {"value": "natural"}
+    statement: Statement = record({"property": "any", **fields})(value)
+    return statement
 
 
 class _Factor(NamedTuple):

@@ -4,17 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from subdiv_cli.checker.core import Rulebook, Step, Subject
+from subdiv_cli.checker.numerals import fraction, long_integer
 from subdiv_cli.checker.plain import PlainReaders
 from subdiv_cli.checker.radius import closing, families, polytopes
+from subdiv_cli.checker.reading import MAX_DEGREE, MAX_ORDER, MAX_VERTICES, Fields, reader, record, several
 
-_NONE: tuple[dict[str, str], ...] = ({},)
+MAX_COORDINATE = 40
+"""Decimal digits of a coordinate."""
+
+
+def _column(value: object) -> int | tuple[int, ...]:
+    """A number, or the coefficients of a combination of columns."""
+    kind = several("integer", MAX_ORDER) if type(value) is list else reader("natural")
+    column: int | tuple[int, ...] = kind(value)
+    return column
+
+
+def _element(value: object) -> tuple[Fraction, ...]:
+    """A number, or a polynomial in Λ, the constant first."""
+    return several(fraction, MAX_DEGREE)(value) if type(value) is list else (fraction(value),)
+
+
+_NONE: tuple[Fields, ...] = ({},)
 FAMILY = {"family": "natural"}
 ROOT = {"length": "length", "polynomial": "root", "low": "rational", "high": "rational"}
-_HULL = {"symmetry": "sign", "bits": "bits", "basis": "vertex[]", "weight_bits": "weight_bits", "images": "flat[]"}
-_PROPERTIES = {
+_PROPERTIES: Mapping[str, Fields] = {
     "blocks": {**FAMILY, "parts": "natural[]"},
     "distinct": {**FAMILY, "part": "natural"},
     "radius-lower": {**FAMILY, "length": "length", "bound": "rational"},
@@ -23,9 +41,25 @@ _PROPERTIES = {
     "bounded": {**FAMILY, **ROOT},
     "defective": {**FAMILY, "length": "length", "value": "rational"},
 }
-_HULL_OF_LEADERS = {**_HULL, "leaders": "leader[]", "extras": "flat[]", "tree": "flat", "ties": "tie[]"}
-_CLOSING = (_HULL_OF_LEADERS, {**_HULL_OF_LEADERS, "sigma": "rational[]"})
-_COMPLEX = {**_HULL, "leaders": "complex_leader[]", "extras": "flat[]", "tree": "flat"}
+_HULL = {"symmetry": "sign", "bits": "bits", "basis": "vertex[]", "weight_bits": "weight_bits", "images": "flat[]"}
+_VERTICES: Fields = {
+    **_HULL,
+    "vertices": several(several(partial(long_integer, MAX_COORDINATE), MAX_ORDER), MAX_VERTICES),
+}
+_EIGENVECTOR: Fields = {
+    "word": "natural[]",
+    "reflected": "boolean",
+    "column": _column,
+    "scale": "rational",
+    "annihilator": "rational[]",
+}
+_LEADER: Fields = {**_EIGENVECTOR, "sign": "sign"}
+_COMPLEX_LEADER: Fields = {**_EIGENVECTOR, "factor": "root", "center": "rational[]", "distance": "rational"}
+_SHARE: Fields = {"vertex": "vertex", "weight": _element}
+_TIE: Fields = {"vertex": "vertex", "letter": "natural", "weights": several(record(_SHARE))}
+_COMPLEX: Fields = {**_HULL, "leaders": several(record(_COMPLEX_LEADER)), "extras": "flat[]", "tree": "flat"}
+_REAL: Fields = {**_COMPLEX, "leaders": several(record(_LEADER)), "ties": several(record(_TIE), MAX_VERTICES)}
+_CLOSING: tuple[Fields, ...] = (_REAL, {**_REAL, "sigma": "rational[]"})
 _CHAIN = {"word": "natural[]", "sign": "sign", "vector": "rational[]"}
 _RULES = {
     "blocks": Step(("blocks",), {}, ({"basis": "matrix", "sizes": "natural[]"},), families.blocks),
@@ -33,10 +67,8 @@ _RULES = {
     "of-distinct": Step(("radius-lower", "radius-upper", "radius", "bounded"), {}, _NONE, families.of_distinct),
     "word": Step(("radius-lower",), {}, ({"word": "natural[]"},), families.word),
     "zero": Step(("radius-upper",), {}, _NONE, families.zero),
-    "polytope": Step(("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.polytope),
-    "monotone-polytope": Step(
-        ("radius-upper",), {}, ({**_HULL, "vertices": "vertices[]"},), polytopes.monotone_polytope
-    ),
+    "polytope": Step(("radius-upper",), {}, (_VERTICES,), polytopes.polytope),
+    "monotone-polytope": Step(("radius-upper",), {}, (_VERTICES,), polytopes.monotone_polytope),
     "closing": Step(("radius", "bounded"), {}, _CLOSING, closing.closing),
     "monotone-closing": Step(("radius", "bounded"), {}, _CLOSING, closing.monotone_closing),
     "complex-closing": Step(("radius", "bounded"), {}, (_COMPLEX,), closing.complex_closing),

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from subdiv_cli.checker.core import Rulebook, Step
 from subdiv_cli.checker.plain import PlainReaders
 from subdiv_cli.checker.radius.rules import FAMILY, ROOT
 from subdiv_cli.checker.radius.rules import RULEBOOK as RADIUS
+from subdiv_cli.checker.reading import Fields
 from subdiv_cli.checker.scalar import bounds, conclusions, families, masks, sobolev, symbols, values
 from subdiv_cli.checker.scalar.words import in_words
 
-_NONE: tuple[dict[str, str], ...] = ({},)
+_NONE: tuple[Fields, ...] = ({},)
 _MASK = {"mask": "natural"}
 _ZERO = {"polynomial": "polynomial", "low": "rational", "high": "rational"}
-_PROPERTIES = {
+_PROPERTIES: Mapping[str, Fields] = {
     "residue-sums": {**_MASK, "sums": "rational[]"},
     "sum-rules": {**_MASK, "order": "natural"},
     "derived": {**_MASK, "nu": "natural", "symbol": "polynomial"},
