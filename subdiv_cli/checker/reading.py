@@ -9,10 +9,10 @@ from itertools import pairwise
 from math import lcm
 from typing import Any
 
-from subdiv_cli.checker.matrices import Family, family
+from subdiv_cli.checker.matrices import MatrixFamily, family
 from subdiv_cli.checker.numerals import (
     MAX_DIGITS,
-    TooLargeError,
+    OversizedError,
     UnreadableError,
     demand,
     demand_few,
@@ -99,7 +99,7 @@ def read(kind: str, value: object, what: str) -> Any:
 
 
 def _refusal(error: UnreadableError, what: str) -> Rejected:
-    return (Exhausted if isinstance(error, TooLargeError) else Rejected)(f"{error.place}{what} {error.why}")
+    return (Exhausted if isinstance(error, OversizedError) else Rejected)(f"{error.place}{what} {error.why}")
 
 
 def _object_of(value: object, fields: Fields) -> dict[str, Any]:
@@ -174,11 +174,11 @@ def _polynomial(value: object) -> Polynomial:
     pairs = _members(rational, MAX_LENGTH, fields["coefficients"], "a coefficient of ")
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
-        raise TooLargeError("has a common denominator that is too large")
+        raise OversizedError("has a common denominator that is too large")
     return f
 
 
-def _family(value: object) -> Family:
+def _family(value: object) -> MatrixFamily:
     """Square matrices of one order, rows of rationals, over one common denominator."""
     matrices = _members(_rows, MAX_LETTERS, value, "a matrix of ")
     demand(len(matrices) > 0, "is empty")
@@ -201,7 +201,7 @@ def _rows(value: object) -> tuple[tuple[tuple[int, int], ...], ...]:
     return rows
 
 
-def _matrix(value: object) -> Family:
+def _matrix(value: object) -> MatrixFamily:
     return _family([value])
 
 

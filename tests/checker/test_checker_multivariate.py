@@ -28,7 +28,7 @@ from hand_made_surfaces import (
 import subdiv_cli
 from subdiv_cli.checker import KINDS, check_document, check_text
 from subdiv_cli.checker.matrices import inverse
-from subdiv_cli.checker.multivariate.lattice import Dilation
+from subdiv_cli.checker.multivariate.lattice import DilationMatrix
 from subdiv_cli.checker.multivariate.masks import lattice_mask
 
 OWN_RULES = set(KINDS["multivariate"].rules) - set(KINDS["matrices"].rules)
@@ -500,7 +500,7 @@ def test_a_larger_window_changes_nothing():
     ],
 )
 def test_isotropic_dilations(matrix, isotropic):
-    assert Dilation(matrix, *inverse(matrix)).is_isotropic() is isotropic
+    assert DilationMatrix(matrix, *inverse(matrix)).is_isotropic() is isotropic
 
 
 def test_without_an_isotropic_dilation_nothing_follows_for_smoothness():

@@ -12,9 +12,9 @@ from math import comb, lcm, prod
 from operator import mul
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import Family
-from subdiv_cli.checker.multivariate.lattice import Dilation, Index, Sparse, add, monomials, power
-from subdiv_cli.checker.multivariate.masks import LatticeMask, mask_of
+from subdiv_cli.checker.matrices import MatrixFamily
+from subdiv_cli.checker.multivariate.lattice import DilationMatrix, Index, Sparse, add, monomials, power
+from subdiv_cli.checker.multivariate.masks import SparseMask, mask_of
 from subdiv_cli.checker.multivariate.sum_rules import INDEX_BITS
 from subdiv_cli.checker.reading import MAX_ENTRY, MAX_ORDER, require, require_few
 from subdiv_cli.checker.roots import fraction_bits
@@ -111,7 +111,7 @@ def difference(mu: Index) -> Sparse:
 
 
 def _invariant(
-    a: LatticeMask, cosets: Sequence[Index], basis: Rows, positions: dict[Index, int], family: Family
+    a: SparseMask, cosets: Sequence[Index], basis: Rows, positions: dict[Index, int], family: MatrixFamily
 ) -> None:
     """T_(ε_e) b_i = Σ_j M_e[j][i] b_j, at all indices."""
     size = len(positions)
@@ -132,7 +132,7 @@ def _invariant(
 
 
 def _operators(
-    a: LatticeMask, cosets: Sequence[Index], positions: dict[Index, int]
+    a: SparseMask, cosets: Sequence[Index], positions: dict[Index, int]
 ) -> tuple[list[list[tuple[int, int]]], int]:
     """For every β of the window the slots and numerators a(x-β), and how many slots there are.
 
@@ -157,7 +157,7 @@ def _operators(
     return operators, outside
 
 
-def _letters(dilation: Dilation, cosets: Sequence[Index]) -> dict[Index, tuple[int, Index]]:
+def _letters(dilation: DilationMatrix, cosets: Sequence[Index]) -> dict[Index, tuple[int, Index]]:
     """The residue of each representative, its number and itself."""
     require(len(cosets) == dilation.cosets, "the representatives are not m")
     require(all(len(index) == dilation.dimension for index in cosets), "a representative has another dimension")

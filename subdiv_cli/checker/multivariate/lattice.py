@@ -24,7 +24,7 @@ MAX_TERMS = 500_000
 """Of a product of sparse polynomials."""
 
 
-class Dilation(NamedTuple):
+class DilationMatrix(NamedTuple):
     """An expanding integer matrix M, and M^-1 = inverse/scale in integers; |scale| = |det M|."""
 
     rows: Matrix

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim, Subject
-from subdiv_cli.checker.multivariate.lattice import Dilation, Index, Sparse, over_one
+from subdiv_cli.checker.multivariate.lattice import DilationMatrix, Index, Sparse, over_one
 from subdiv_cli.checker.plain import PlainMask, literal
 from subdiv_cli.checker.reading import Rejected, require
 
@@ -19,10 +19,10 @@ _MAX_DEPTH = 4
 """Of nested coefficients: a mask has no more variables."""
 
 
-class LatticeMask(NamedTuple):
+class SparseMask(NamedTuple):
     """A mask on Z^s, numerators over one common denominator > 0, none of them zero, and its dilation."""
 
-    dilation: Dilation
+    dilation: DilationMatrix
     terms: Sparse
     denominator: int
 
@@ -42,7 +42,7 @@ class LatticeMask(NamedTuple):
         return [*groups.values(), *([] for _ in range(self.dilation.cosets - len(groups)))]
 
 
-def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]]) -> LatticeMask:
+def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]]) -> SparseMask:
     """Rejects what is no mask on Z^s with an expanding M."""
     s = len(rows)
     require(
@@ -55,7 +55,7 @@ def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]])
     f = matrices.characteristic_polynomial(matrix)
     require(matrices.roots_lie_inside(f[::-1], Fraction(1)), "the dilation is not expanding")
     require(abs(found[1]) <= MAX_COSETS, f"the determinant of the dilation is larger than {MAX_COSETS}")
-    return LatticeMask(Dilation(matrix, *found), *over_one(terms))
+    return SparseMask(DilationMatrix(matrix, *found), *over_one(terms))
 
 
 def subject(parts: dict[str, Any]) -> Subject:
@@ -63,9 +63,9 @@ def subject(parts: dict[str, Any]) -> Subject:
     return Subject(mask.dilation.cosets, mask)
 
 
-def mask_of(c: Claim) -> LatticeMask:
+def mask_of(c: Claim) -> SparseMask:
     """The mask that the document is about."""
-    mask: LatticeMask = c.about
+    mask: SparseMask = c.about
     return mask
 
 

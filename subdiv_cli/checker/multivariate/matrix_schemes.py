@@ -10,7 +10,7 @@ from math import comb, lcm, prod
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.multivariate.differences import difference
-from subdiv_cli.checker.multivariate.lattice import Dilation, Index, Sparse, monomials, multiply
+from subdiv_cli.checker.multivariate.lattice import DilationMatrix, Index, Sparse, monomials, multiply
 from subdiv_cli.checker.multivariate.masks import mask_of
 from subdiv_cli.checker.reading import Rejected, require, require_few
 from subdiv_cli.checker.scalar.symbols import MAX_LEVEL
@@ -115,7 +115,7 @@ def _largest_sum(entries: Entries, matrix: matrices.Matrix) -> int:
     """Of absolute values in a row over a coset modulo the matrix."""
     if (found := matrices.inverse(matrix)) is None:
         raise Rejected("the dilation is singular")
-    modulus = Dilation(matrix, *found)
+    modulus = DilationMatrix(matrix, *found)
     largest = 0
     for row in entries:
         sums: dict[Index, int] = {}

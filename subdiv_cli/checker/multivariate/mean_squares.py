@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.multivariate.lattice import Index, Sparse, add, multiply
-from subdiv_cli.checker.multivariate.masks import LatticeMask, mask_of
+from subdiv_cli.checker.multivariate.masks import SparseMask, mask_of
 from subdiv_cli.checker.reading import MAX_LENGTH, MAX_ORDER, require
 from subdiv_cli.checker.scalar.sobolev import count_growth, degree_of_annihilator, require_growth
 
@@ -61,7 +61,7 @@ class _Operator(NamedTuple):
         return total
 
 
-def _operator(c: Claim, a: LatticeMask, start: Mapping[Index, int]) -> _Operator:
+def _operator(c: Claim, a: SparseMask, start: Mapping[Index, int]) -> _Operator:
     """On the least window with the support of the start that G does not leave."""
     residue, divided = a.dilation.residue, a.dilation.divided
     by_residue: dict[Index, list[tuple[Index, int]]] = {}

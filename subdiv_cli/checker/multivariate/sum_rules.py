@@ -12,7 +12,7 @@ from math import comb, factorial, prod
 
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.multivariate.lattice import Index, monomials, over_one, power
-from subdiv_cli.checker.multivariate.masks import LatticeMask, mask_of
+from subdiv_cli.checker.multivariate.masks import SparseMask, mask_of
 from subdiv_cli.checker.reading import require
 from subdiv_cli.checker.roots import fraction_bits
 
@@ -75,7 +75,7 @@ def reproduction(c: Claim) -> None:
     require(r == k - 1 or not all(holds(mu) for mu in monomials(s, r + 1)), "a higher degree is reproduced")
 
 
-def _moment(a: LatticeMask, mu: Index) -> int:
+def _moment(a: SparseMask, mu: Index) -> int:
     """The numerator of Σ a_α α^μ."""
     return sum(value * power(index, mu) for index, value in a.terms.items())
 

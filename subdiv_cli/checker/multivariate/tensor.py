@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from subdiv_cli.checker.core import Claim, Statement, Subject, read_statement
 from subdiv_cli.checker.multivariate.lattice import Sparse
-from subdiv_cli.checker.multivariate.masks import LatticeMask, mask_of
+from subdiv_cli.checker.multivariate.masks import SparseMask, mask_of
 from subdiv_cli.checker.numerals import UnreadableError
 from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, record, require
 from subdiv_cli.checker.roots import fraction_bits
@@ -113,7 +113,7 @@ def _verified(c: Claim, number: int, document: object) -> tuple[Subject, list[St
 def _mask(subject: Subject) -> tuple[Sparse, int, list[list[int]]]:
     """Numerators and their denominator, and the rows of the dilation."""
     about = subject.about
-    if isinstance(about, LatticeMask):
+    if isinstance(about, SparseMask):
         return about.terms, about.denominator, about.dilation.rows
     if not isinstance(about, Symbols):
         raise Rejected("a certificate is about no mask")

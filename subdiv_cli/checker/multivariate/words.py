@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from subdiv_cli.checker import matrices
-from subdiv_cli.checker.multivariate.lattice import Dilation
+from subdiv_cli.checker.multivariate.lattice import DilationMatrix
 from subdiv_cli.checker.radius.rules import on_radii, shown
 from subdiv_cli.checker.scalar import words as scalar
 from subdiv_cli.checker.scalar.words import exponent, sobolev
@@ -41,7 +41,7 @@ _PHRASES = {
 }
 
 
-def in_words(statement: Mapping[str, Any], dilation: Dilation) -> str:
+def in_words(statement: Mapping[str, Any], dilation: DilationMatrix) -> str:
     if statement["property"] not in _PHRASES:
         return on_radii(statement, f"family {statement['family']}")
     holds = statement.get("holds", True)
@@ -63,16 +63,16 @@ def _variables(statement: Mapping[str, Any]) -> str:
     return ", ".join(f"({', '.join(f'z{i + 1}' for i in part)})" for part in parts)
 
 
-def _said(statement: Mapping[str, Any], variables: tuple[int, ...], dilation: Dilation) -> str:
+def _said(statement: Mapping[str, Any], variables: tuple[int, ...], dilation: DilationMatrix) -> str:
     """What a statement on the exponent of a factor says, as of φ."""
     rows = [[dilation.rows[i][j] for j in variables] for i in variables]
     if len(rows) == 1:
         return scalar.in_words(statement, rows[0][0])
     b, scale = matrices.inverse(rows) or (rows, 1)
-    return in_words(statement, Dilation(rows, b, scale))
+    return in_words(statement, DilationMatrix(rows, b, scale))
 
 
-def _base(dilation: Dilation) -> tuple[int, Fraction]:
+def _base(dilation: DilationMatrix) -> tuple[int, Fraction]:
     """b and f with log_λ = f log_b, λ = m^(1/s): b the least integer of which m is a power."""
     s, m = dilation.dimension, dilation.cosets
     base, power = next((b, k) for b in range(2, m + 1) for k in range(1, 13) if b**k == m)

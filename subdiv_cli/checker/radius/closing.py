@@ -4,8 +4,8 @@ Vertices are numbered as RADIUS.md says: the leaders, the tree, then their refle
 
 A complex leading eigenvalue μ, JSR^(2ℓ) = |μ|² = Λ, has complex vertices: P is the hull of all e^(iθ) v, v a vertex,
 its conjugate or a reflection of one of these. A complex vector z is the real one (Re z, Im z) of twice the length, on
-which the matrices act twice; P contains the real hull of all ±v and ±iv, so what is inside by `polytopes.Body` is
-inside here.
+which the matrices act twice; P contains the real hull of all ±v and ±iv, so what is inside by
+`polytopes.SymmetricBody` is inside here.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from operator import mul
 from typing import Any, NamedTuple
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import Family
+from subdiv_cli.checker.matrices import MatrixFamily
 from subdiv_cli.checker.radius.disc import modulus_is, read_disc
 from subdiv_cli.checker.radius.eigenvectors import Vector, enclosed, slope_bits
 from subdiv_cli.checker.radius.polytopes import (
-    Body,
     MonotoneBody,
+    SymmetricBody,
     body,
     monotone_body,
     reflected,
     require_nonnegative,
     weight_count,
 )
-from subdiv_cli.checker.radius.ties import Smaller, Ties, ties_work
+from subdiv_cli.checker.radius.ties import ExactTies, Smaller, ties_work
 from subdiv_cli.checker.radius.vertices import HEADROOM, Tree, Vertices, leader_of, read_tree, returns_of, weighted
 from subdiv_cli.checker.reading import require
-from subdiv_cli.checker.roots import Root, fraction_bits, isolated_root
+from subdiv_cli.checker.roots import RealRoot, fraction_bits, isolated_root
 
 
 def closing(c: Claim) -> None:
@@ -90,7 +90,7 @@ class _Polytope:
             positive = (y > error or not any(power[i] for power in x.powers) for i, y in enumerate(v))
             require(all(positive), "a coordinate of a leader may be negative")
 
-    def check_insides(self, make: Callable[..., Body | MonotoneBody]) -> None:
+    def check_insides(self, make: Callable[..., SymmetricBody | MonotoneBody]) -> None:
         """All images but edges, returns and ties lie inside, by their weights."""
         w = self._c.witness
         hull = make(self._c, self._hull, self._errors, w["basis"], w["weight_bits"], w["bits"] + HEADROOM)
@@ -102,7 +102,7 @@ class _Polytope:
     def check_ties(self, smaller: Smaller | None) -> None:
         if not self._ties:
             return
-        ties = Ties(self._c, self._family, self._root, self._tree, self._leaders, self._vertices.at)
+        ties = ExactTies(self._c, self._family, self._root, self._tree, self._leaders, self._vertices.at)
         for tie in self._c.witness["ties"]:
             ties.check(tie, smaller)
 
@@ -118,7 +118,7 @@ class _Polytope:
         return total >= middle[coordinate] + error
 
 
-def _count(c: Claim, family: Family, root: Root, tree: Tree) -> None:
+def _count(c: Claim, family: MatrixFamily, root: RealRoot, tree: Tree) -> None:
     n, order, length = len(tree.parents), family.order, c.statement["length"]
     work = tree.letters * n * order**2 + weight_count(c) * order + order**3
     work += len(c.witness["leaders"]) * (length + 1) * order**3
@@ -157,13 +157,13 @@ def complex_closing(c: Claim) -> None:
     _check_complex_insides(c, family, vertices, tree, {*tree.children, *returns})
 
 
-def _count_complex(c: Claim, family: Family, tree: Tree, length: int) -> None:
+def _count_complex(c: Claim, family: MatrixFamily, tree: Tree, length: int) -> None:
     order, weights = family.order, sum(map(len, c.witness["images"])) // 3
     work = 2 * tree.letters * len(tree.parents) * order**2 + 4 * weights * order + 8 * order**3
     c.count(work + len(c.witness["leaders"]) * (length + 1) * order**3, max(family.bits, c.witness["bits"] + HEADROOM))
 
 
-def _copies(c: Claim, family: Family, vertices: list[list[int]]) -> list[list[int]]:
+def _copies(c: Claim, family: MatrixFamily, vertices: list[list[int]]) -> list[list[int]]:
     """The vertices, their conjugates, and the reflections of both where the symmetry of the family is claimed."""
     n = family.order
     both = vertices + [v[:n] + [-x for x in v[n:]] for v in vertices]
@@ -173,7 +173,7 @@ def _copies(c: Claim, family: Family, vertices: list[list[int]]) -> list[list[in
     return both + [v[:n][::-1] + v[n:][::-1] for v in both]
 
 
-def _check_complex_insides(c: Claim, family: Family, vertices: Vertices, tree: Tree, taken: set[int]) -> None:
+def _check_complex_insides(c: Claim, family: MatrixFamily, vertices: Vertices, tree: Tree, taken: set[int]) -> None:
     """All images but those taken lie inside, by their weights."""
     w, n = c.witness, family.order
     copies = _copies(c, family, vertices.vectors)
@@ -189,11 +189,11 @@ def _check_complex_insides(c: Claim, family: Family, vertices: Vertices, tree: T
 class _Hull(NamedTuple):
     """The hull of all e^(iθ) v; the body has the vertices v and after them all iv."""
 
-    body: Body
+    body: SymmetricBody
     vertices: int
 
     def contains(self, image: Sequence[int], error: int, weights: Sequence[int]) -> bool:
-        """As `Body.contains`, weights k, Re c, Im c, …: c v = Re c · v + Im c · iv has the size |c| and no more."""
+        """As of `SymmetricBody`, weights k, Re c, Im c, …: c v = Re c · v + Im c · iv has the size |c| and no more."""
         numbers, re, im, w = weights[::3], weights[1::3], weights[2::3], self.body.weight_bits
         require(len(numbers) == len(re) == len(im) == len(set(numbers)), "a weight is not complete, or stands twice")
         require(all(0 <= k < self.vertices for k in numbers), "a weight is for a vertex that is not there")

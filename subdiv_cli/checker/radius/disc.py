@@ -11,7 +11,7 @@ from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.radius.eigenvectors import Vector
 from subdiv_cli.checker.reading import Rejected, require
-from subdiv_cli.checker.roots import Root, fraction_bits
+from subdiv_cli.checker.roots import RealRoot, fraction_bits
 
 MAX_CONJUGATES = 12
 """Of μ: the polynomial of all products of two of them has half the square of this degree."""
@@ -79,7 +79,7 @@ def _taylor(f: Sequence[int], z: Complex, k: int) -> Complex:
     return x, y
 
 
-def modulus_is(c: Claim, disc: Disc, root: Root) -> bool:
+def modulus_is(c: Claim, disc: Disc, root: RealRoot) -> bool:
     """Whether |μ|² = Λ, m the polynomial of Λ.
 
     |μ|² = μ μ̄ is a zero of P, whose zeros are the products of two conjugates; P = m h, and h vanishes nowhere on an

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import Family
+from subdiv_cli.checker.matrices import MatrixFamily
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import fraction_bits
 
@@ -23,7 +23,7 @@ _FIRST_PLACES = 64
 """Of long coordinates: with fewer digits a matrix is inverted faster, and κ is known as well as anybody needs."""
 
 
-class Body(NamedTuple):
+class SymmetricBody(NamedTuple):
     """P, the convex hull of all ±v, where every |vertices[k][i] - v_k[i]| <= errors[k], in some unit of length.
 
     Every vector r lies in factor ‖r‖₁ P.
@@ -54,7 +54,7 @@ class Body(NamedTuple):
 
 def body(
     c: Claim, vertices: list[list[int]], errors: list[int], basis: Sequence[int], weight_bits: int, bits: int
-) -> Body:
+) -> SymmetricBody:
     """From the numbers of N vertices that span, known as well as they are.
 
     With V the matrix of these columns, cut to their first binary places if that is enough, κ = ‖V^-1‖₁, and V + Δ the
@@ -72,7 +72,7 @@ def body(
         if norm is not None:
             eta = norm * order * ((error >> cut) + 2 if cut else error)
             if 2 * eta <= 1:
-                return Body(vertices, errors, norm / (1 - eta) / (1 << cut), weight_bits)
+                return SymmetricBody(vertices, errors, norm / (1 - eta) / (1 << cut), weight_bits)
     raise Rejected("the basis does not span" if norm is None else "the basis is not known well enough")
 
 
@@ -121,13 +121,13 @@ def monotone_body(
     return MonotoneBody(vertices, errors, floors, weight_bits)
 
 
-def require_nonnegative(family: Family) -> None:
+def require_nonnegative(family: MatrixFamily) -> None:
     """No matrix of the family has a negative entry."""
     entries = (x for matrix in family.matrices for row in matrix for x in row)
     require(all(x >= 0 for x in entries), "a matrix has a negative entry")
 
 
-def reflected(c: Claim, family: Family, vertices: list[list[int]]) -> list[list[int]]:
+def reflected(c: Claim, family: MatrixFamily, vertices: list[list[int]]) -> list[list[int]]:
     """The vertices, and after them their reflections J v where the symmetry of the family is claimed."""
     if (sign := c.witness["symmetry"]) == 0:
         return vertices
@@ -151,7 +151,7 @@ def monotone_polytope(c: Claim) -> None:
     check_images(c, monotone_body)
 
 
-def check_images(c: Claim, make: Callable[..., Body | MonotoneBody]) -> None:
+def check_images(c: Claim, make: Callable[..., SymmetricBody | MonotoneBody]) -> None:
     """All images of the vertices, divided by x, lie in the body that `make` makes of them."""
     family, x, w = c.family(), c.statement["bound"], c.witness
     given, images, p, order = w["vertices"], w["images"], len(family.matrices), family.order
