@@ -18,8 +18,6 @@ from subdiv_cli.checker.roots import fraction_bits
 
 INDEX_BITS = 15
 """Of an index and its sign."""
-
-
 POWER_BITS = 33
 """Of a coordinate of M j - δ with its sign, and of a binomial coefficient, for each degree."""
 

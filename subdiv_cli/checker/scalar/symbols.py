@@ -30,6 +30,7 @@ from subdiv_cli.checker.polynomials import (
     vanishes_on_circle,
 )
 from subdiv_cli.checker.reading import Rejected, require, require_few
+from subdiv_cli.checker.roots import fraction_bits
 from subdiv_cli.checker.scalar.masks import symbol_of, symbols_of
 
 MAX_LEVEL = 64
@@ -115,7 +116,7 @@ def product(c: Claim) -> None:
     require(len(word) > 0 and max(word) < p, "a letter is not one of 0, …, p-1, or there is none")
     require(radius > 0, "the radius is not positive")
     order = max(1, -(-(q.length - 1) // (p - 1)))
-    bits = len(word) * (q.bits + order.bit_length()) + _bits(radius)
+    bits = len(word) * (q.bits + order.bit_length()) + fraction_bits(radius)
     c.count(len(word) * order**3 + order**4, (isqrt(order) + 1) * bits)  # numbers of the product times longer ones
     c.spend(4 * order**2, 2 * order * bits)
     first = q.start + (p - 1) * (order - 1)
@@ -251,10 +252,6 @@ def _no_cycle(a: Polynomial, p: int) -> None:
     for n, totient in enumerate(totients(10 * most)):
         if n > 1 and totient <= most and gcd(n, p) == 1:
             require(not is_cycle(a, n, p), f"there is a cycle of {n}-th roots of unity")
-
-
-def _bits(x: Fraction) -> int:
-    return x.numerator.bit_length() + x.denominator.bit_length()
 
 
 def _most_bits(fs: tuple[Polynomial, ...]) -> int:

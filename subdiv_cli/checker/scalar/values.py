@@ -8,6 +8,7 @@ from math import factorial
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.polynomials import Polynomial, components, multiply, times
 from subdiv_cli.checker.reading import require, require_few
+from subdiv_cli.checker.roots import fraction_bits
 from subdiv_cli.checker.scalar.conclusions import contraction
 from subdiv_cli.checker.scalar.masks import symbols_of, use_reductions
 
@@ -62,7 +63,7 @@ def quasi_interpolation(c: Claim) -> None:
     require(m < k, f"the sum rules are of order {k}")
     require(len(q) == m + 1 <= MAX_ORDER, "there are not m + 1 coefficients, or too many")
     index = max(abs(h.start) + h.length, abs(t.start) + t.length).bit_length()
-    bits = h.bits + t.bits + m * (index + m.bit_length()) + max(_bits(x) for x in q)
+    bits = h.bits + t.bits + m * (index + m.bit_length()) + max(fraction_bits(x) for x in q)
     c.count((m + 2) * (h.length + t.length + m + 2), bits)
     moments = [
         Fraction(sum(x * (-i) ** l for i, x in enumerate(h.numerators, h.start)), h.denominator) for l in range(m + 1)
@@ -72,7 +73,3 @@ def quasi_interpolation(c: Claim) -> None:
         require(product == (l == 0), f"the operator does not invert the moments at degree {l}")
         moment = Fraction(sum(x * i**l for i, x in enumerate(t.numerators, t.start)), t.denominator)
         require(moment == factorial(l) * q[l], f"the stencil is not the operator at degree {l}")
-
-
-def _bits(x: Fraction) -> int:
-    return x.numerator.bit_length() + x.denominator.bit_length()
