@@ -1,32 +1,54 @@
 """The independent checker of certificates: standard library only, nothing else of the package, no search.
 
-`certificate/FORMAT.md` specifies what it reads. `reading` is strict input, `core` the order of goal and claims,
-`rules` the closed list of rules, which are one function each: in `scalar` those that compute with a mask, in
-`conclusions` those that compose claims; of masks on Z^s in `multivariate`, `differences`, `box_splines`, `directional`
-and, composing, `surfaces`. `polynomials`, `matrices` and `lattice` do the arithmetic, in integers; `words` is for the
-printed line. `python -m subdiv_cli.checker CERT…` runs it.
+`certificate/FORMAT.md` specifies what it reads. At the top lies what one must trust first. `core`: goal and claims in
+order, each by its rule from earlier ones, within its work; it knows no kind. `reading`, `json_text`, `numerals`: strict
+input. `polynomials`, `matrices`, `roots`: the arithmetic, in integers. `plain`: masks of plain files.
+
+A kind is a folder with one object, the `RULEBOOK` in its `rules`: what documents of the kind are about, the closed
+lists of properties and rules, the words of the printed line, plain files. A rule is one function, and its docstring is
+what it proves. `radius` has the rules on joint spectral radii of families of matrices, which all kinds share, and the
+kind `matrices`; `scalar` and `multivariate` those on masks. `python -m subdiv_cli.checker CERT…` runs it.
 """
 
 from __future__ import annotations
 
+from collections.abc import MutableMapping
+from importlib import import_module
+from typing import Any
+
 from subdiv_cli.checker import core
-from subdiv_cli.checker.core import Outcome
+from subdiv_cli.checker.core import Outcome, Rulebook
 from subdiv_cli.checker.reading import MAX_BYTES
-from subdiv_cli.checker.rules import MATRICES, MULTIVARIATE, SCALAR
 
-__all__ = ["Outcome", "check_document", "check_file", "check_text"]
+__all__ = ["KINDS", "Outcome", "check_document", "check_file", "check_text"]
 
-_KINDS = {"scalar": SCALAR, "matrices": MATRICES, "multivariate": MULTIVARIATE}
+
+class _Kinds(dict[str, Any]):
+    """Rulebooks by the names of their kinds; one that is given by its module's name is loaded when it is asked for."""
+
+    def __getitem__(self, name: str) -> Rulebook:
+        if type(super().__getitem__(name)) is str:
+            self[name] = import_module(super().__getitem__(name)).RULEBOOK
+        rulebook: Rulebook = super().__getitem__(name)
+        return rulebook
+
+
+KINDS: MutableMapping[str, Rulebook] = _Kinds(
+    scalar="subdiv_cli.checker.scalar.rules",
+    matrices="subdiv_cli.checker.radius.rules",
+    multivariate="subdiv_cli.checker.multivariate.rules",
+)
+"""All kinds of documents. A new kind adds a line; no certificate names a module."""
 
 
 def check_text(text: str) -> Outcome:
     """Check a certificate as it stands in its file. Never raises: whatever goes wrong is not verified."""
-    return core.check_text(text, _KINDS)
+    return core.check_text(text, KINDS)
 
 
 def check_document(document: object) -> Outcome:
     """Check a certificate that is already parsed, as `json.loads` gives it."""
-    return core.check_document(document, _KINDS)
+    return core.check_document(document, KINDS)
 
 
 def check_file(name: str) -> tuple[Outcome, str]:

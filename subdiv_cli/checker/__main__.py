@@ -9,7 +9,7 @@ from __future__ import annotations
 import sys
 
 from subdiv_cli.checker import check_file
-from subdiv_cli.checker.plain import LatticeMask, Mask, certified_mask, plain_mask
+from subdiv_cli.checker.plain import PlainMask, certified_mask, plain_mask
 
 USAGE = "usage: python -m subdiv_cli.checker CERT… [--mask FILE]"
 
@@ -19,7 +19,7 @@ def main(names: list[str]) -> int:
     if not names or any(name.startswith("-") for name in names):
         print(USAGE, file=sys.stderr)
         return 2
-    asked: Mask | LatticeMask | None = None
+    asked: PlainMask | None = None
     if file is not None and (asked := _read(file)) is None:
         return 2
     code = 0
@@ -49,7 +49,7 @@ def _split(names: list[str]) -> tuple[list[str], str | None]:
     return names[:at] + names[at + 2 :], names[at + 1]
 
 
-def _read(file: str) -> Mask | LatticeMask | None:
+def _read(file: str) -> PlainMask | None:
     try:
         with open(file, encoding="utf-8-sig") as stream:  # noqa: PTH123 (pathlib is slow to load)
             found = plain_mask(stream.read())

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import marshal
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.checker.json_text import parse
-from subdiv_cli.checker.lattice import LatticeMask
-from subdiv_cli.checker.matrices import Family
+from subdiv_cli.checker.matrices import MatrixFamily
 from subdiv_cli.checker.numerals import shown
-from subdiv_cli.checker.polynomials import Polynomial
 from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, read_object, require, require_few
+
+if TYPE_CHECKING:
+    from subdiv_cli.checker.plain import PlainReaders
 
 FORMAT, VERSION = "subdiv-certificate", 1
 MAX_FAMILIES = 1000
@@ -50,16 +51,13 @@ def not_verified(place: str, why: object, claim: int | None = None) -> Outcome:
 
 
 class Proved(NamedTuple):
-    """A claim that holds, and what later ones need of it: the quotient of a sum-rules claim, a reduction's factor, the
-
-    factors of a tensor product.
-    """
+    """A claim that holds, and what later ones need of it, such as the quotient of a sum-rules claim."""
 
     statement: Statement
     result: Any
 
 
-class Rule(NamedTuple):
+class Step(NamedTuple):
     """What claims of a rule look like, and the function that checks one: it returns `Proved.result` or rejects."""
 
     properties: Sequence[str]
@@ -74,33 +72,30 @@ class Rule(NamedTuple):
 class Subject:
     """What a document's claims are about, and what is left of the bound on the sizes of their numbers."""
 
-    def __init__(
-        self,
-        letters: int,
-        mask: Polynomial | None = None,
-        family: Family | None = None,
-        lattice: LatticeMask | None = None,
-    ) -> None:
+    def __init__(self, letters: int, about: Any, families: Sequence[MatrixFamily] = ()) -> None:
         self.letters = letters
         """The arity of the mask, m = |det M| of its dilation, or how many matrices the family has."""
-        self.lattice = lattice
-        self.masks = [] if mask is None else [mask]
-        self.families = [] if family is None else [family]
+        self.about = about
+        """As the rules of the kind know it."""
+        self.families = list(families)
+        """Those of the document, and those that claims introduce."""
         self.size_left = MAX_SIZE
-        self.kinds: Mapping[str, Kind] = {}
+        self.kinds: Mapping[str, Rulebook] = {}
         """Of certificates inside of the document."""
 
 
-class Kind(NamedTuple):
+class Rulebook(NamedTuple):
     """A kind of documents: what they are about, and the rules of their claims."""
 
     fields: Fields
     """Of the document's mask, besides its kind."""
     subject: Callable[[dict[str, Any]], Subject]
     properties: Mapping[str, Fields]
-    rules: Mapping[str, Rule]
+    rules: Mapping[str, Step]
     words: Callable[[Statement, Subject], str]
     """A statement, its property under the key `property`, as a phrase."""
+    plain: PlainReaders
+    """Of mask files with literal numbers."""
 
 
 class Claim:
@@ -110,30 +105,18 @@ class Claim:
         self, subject: Subject, statement: Statement, witness: dict[str, Any], work: int, uses: list[Proved]
     ) -> None:
         self.p = subject.letters
-        self.masks = subject.masks
+        self.about = subject.about
         self.statement = statement
         self.witness = witness
         self._subject, self._work, self._uses = subject, work, uses
 
-    def mask(self) -> Polynomial:
-        """The symbol of the mask that the statement names, mask 0 where it names none."""
-        number: int = next((self.statement[key] for key in ("mask", "from") if key in self.statement), 0)
-        require(number < len(self.masks), f"there is no mask {number}")
-        return self.masks[number]
-
-    def lattice(self) -> LatticeMask:
-        """The mask on Z^s that the document is about."""
-        if self._subject.lattice is None:
-            raise Rejected("the document is about no mask on Z^s")
-        return self._subject.lattice
-
-    def family(self) -> Family:
+    def family(self) -> MatrixFamily:
         """The matrices of the family that the statement names."""
         number: int = self.statement["family"]
         require(number < len(self._subject.families), f"there is no family {number}")
         return self._subject.families[number]
 
-    def introduce(self, number: int, family: Family) -> None:
+    def introduce(self, number: int, family: MatrixFamily) -> None:
         """A new family, numbered as the statement says."""
         families = self._subject.families
         require(number == len(families), f"the next family is number {len(families)}")
@@ -142,13 +125,13 @@ class Claim:
         entries = sum(len(each.matrices) * each.order**2 for each in families)
         require_few(entries <= MAX_ENTRIES, "the families have too many entries")
 
-    def check_inside(self, document: object) -> tuple[Outcome, Kind | None, Subject | None]:
+    def check_inside(self, document: object) -> tuple[Outcome, Rulebook | None, Subject | None]:
         """Another certificate, on numbers as long as this document may still have; what it is about as well."""
         checker = _Checker(self._subject.size_left)
         outcome = _outcome(checker, document, self._subject.kinds)
         if checker.subject is not None:
             self._subject.size_left = checker.subject.size_left
-        return outcome, checker.kind, checker.subject
+        return outcome, checker.rulebook, checker.subject
 
     def count(self, operations: int, bits: int = 0) -> None:
         """Called before the work is done: operations as the rule counts them, on numbers of so many bits."""
@@ -174,16 +157,11 @@ class Claim:
                 raise Rejected(f"it uses {' or '.join(properties)} with another {key}")
         return proved
 
-    def use_reductions(self, mask: int) -> list[Polynomial]:
-        """0 -> 1, …, mask-1 -> mask, and their factors."""
-        used = [self.use("reduction", **{"from": i, "to": i + 1}) for i in range(mask)]
-        return [proved.result for proved in used if proved.result is not None]
-
     def use_nothing_else(self) -> None:
         require(not self._uses, "it uses claims that it does not need")
 
 
-def check_text(text: str, kinds: Mapping[str, Kind]) -> Outcome:
+def check_text(text: str, kinds: Mapping[str, Rulebook]) -> Outcome:
     try:
         document = parse(text)
     except Rejected as why:
@@ -191,12 +169,12 @@ def check_text(text: str, kinds: Mapping[str, Kind]) -> Outcome:
     return check_document(document, kinds)
 
 
-def check_document(document: object, kinds: Mapping[str, Kind]) -> Outcome:
+def check_document(document: object, kinds: Mapping[str, Rulebook]) -> Outcome:
     """Never raises: whatever goes wrong is NOT VERIFIED."""
     return _outcome(_Checker(), document, kinds)
 
 
-def _outcome(checker: _Checker, document: object, kinds: Mapping[str, Kind]) -> Outcome:
+def _outcome(checker: _Checker, document: object, kinds: Mapping[str, Rulebook]) -> Outcome:
     try:
         return checker.run(document, kinds)
     except Rejected as why:
@@ -210,7 +188,7 @@ class _Checker:
 
     def __init__(self, size: int = MAX_SIZE) -> None:
         self.size = size
-        self.kind: Kind | None = None
+        self.rulebook: Rulebook | None = None
         self.subject: Subject | None = None
         self.place = "document"
         self.number: int | None = None
@@ -218,12 +196,12 @@ class _Checker:
         self.read: dict[bytes, Statement] = {}
         self.work = 0
 
-    def run(self, document: object, kinds: Mapping[str, Kind]) -> Outcome:
+    def run(self, document: object, kinds: Mapping[str, Rulebook]) -> Outcome:
         fields = {"format": "any", "version": "natural", "mask": "any", "goal": "any[]", "claims": "any"}
         parts = read_object(document, fields, "the document")
         require(parts["format"] == FORMAT, f"the format is not {FORMAT}")
         require(parts["version"] == VERSION, f"the version is not {VERSION}")
-        kind, subject = self.kind, self.subject = _read_mask(parts["mask"], kinds)
+        rulebook, subject = self.rulebook, self.subject = _read_mask(parts["mask"], kinds)
         subject.kinds, subject.size_left = kinds, self.size
         claims = parts["claims"]
         if type(claims) is not list:
@@ -231,64 +209,64 @@ class _Checker:
         require_few(len(claims) <= MAX_CLAIMS, "there are too many claims")
         for self.number, claim in enumerate(claims):
             self.place = f"claim {self.number}"
-            self.proved.append(self.check(claim, kind, subject))
+            self.proved.append(self.check(claim, rulebook, subject))
         self.place, self.number = "goal", None
-        goal = [self.statement(statement, kind) for statement in parts["goal"]]
+        goal = [self.statement(statement, rulebook) for statement in parts["goal"]]
         require(bool(goal), "there is none")
         same = {id(proved.statement) for proved in self.proved}  # of one spelling, most often
         for statement in goal:
             if id(statement) not in same and all(statement != proved.statement for proved in self.proved):
-                raise Rejected(f"no claim proves: {kind.words(statement, subject)}")
+                raise Rejected(f"no claim proves: {rulebook.words(statement, subject)}")
 
         def spell() -> str:
-            return "VERIFIED " + "; ".join(kind.words(statement, subject) for statement in goal)
+            return "VERIFIED " + "; ".join(rulebook.words(statement, subject) for statement in goal)
 
         return Outcome(True, spell, tuple(map(dict, parts["goal"])))
 
-    def statement(self, value: object, kind: Kind) -> Statement:
+    def statement(self, value: object, rulebook: Rulebook) -> Statement:
         """Read strictly, and each spelling once: claims and goal have the same statements."""
         try:
             spelling = marshal.dumps(value, 2)  # type: ignore[arg-type]  # exact types only; version 2 has no references
         except ValueError:
-            return read_statement(value, kind)
+            return read_statement(value, rulebook)
         if spelling not in self.read:
-            self.read[spelling] = read_statement(value, kind)
+            self.read[spelling] = read_statement(value, rulebook)
         return self.read[spelling]
 
-    def check(self, value: object, kind: Kind, subject: Subject) -> Proved:
+    def check(self, value: object, rulebook: Rulebook, subject: Subject) -> Proved:
         name = value.get("rule") if type(value) is dict else None
-        if type(name) is not str or name not in kind.rules:
+        if type(name) is not str or name not in rulebook.rules:
             raise Rejected(f"unknown rule {shown(name)}")
         self.place += f" ({name})"
-        rule = kind.rules[name]
+        step = rulebook.rules[name]
         parts = read_object(value, _CLAIM, "the claim")
-        statement = self.statement(parts["statement"], kind)
-        fits = statement["property"] in rule.properties and rule.fixed.items() <= statement.items()
+        statement = self.statement(parts["statement"], rulebook)
+        fits = statement["property"] in step.properties and step.fixed.items() <= statement.items()
         require(fits, "the rule does not prove such statements")
         require(max(parts["uses"], default=-1) < len(self.proved), "it uses a claim that does not come before it")
         self.work += parts["work"]
         require_few(self.work <= MAX_WORK, f"the claims up to this one take more than {MAX_WORK} of work")
         uses = [self.proved[i] for i in parts["uses"]]
-        claim = Claim(subject, statement, _read_witness(parts["witness"], rule.witnesses), parts["work"], uses)
-        result = rule.check(claim)
+        claim = Claim(subject, statement, _read_witness(parts["witness"], step.witnesses), parts["work"], uses)
+        result = step.check(claim)
         claim.use_nothing_else()
         return Proved(statement, result)
 
 
-def _read_mask(value: object, kinds: Mapping[str, Kind]) -> tuple[Kind, Subject]:
+def _read_mask(value: object, kinds: Mapping[str, Rulebook]) -> tuple[Rulebook, Subject]:
     name = value.get("kind") if type(value) is dict else None
     if type(name) is not str or name not in kinds:
         raise Rejected(f"the kind of the mask is not one of {', '.join(kinds)}")
-    kind = kinds[name]
-    return kind, kind.subject(read_object(value, {"kind": "any", **kind.fields}, "the mask"))
+    rulebook = kinds[name]
+    return rulebook, rulebook.subject(read_object(value, {"kind": "any", **rulebook.fields}, "the mask"))
 
 
-def read_statement(value: object, kind: Kind) -> Statement:
+def read_statement(value: object, rulebook: Rulebook) -> Statement:
     """Read strictly, so that two statements are the same iff they are equal."""
     name = value.get("property") if type(value) is dict else None
-    if type(name) is not str or name not in kind.properties:
+    if type(name) is not str or name not in rulebook.properties:
         raise Rejected(f"unknown property {shown(name)}")
-    return read_object(value, {"property": "any", **kind.properties[name]}, "the statement")
+    return read_object(value, {"property": "any", **rulebook.properties[name]}, "the statement")
 
 
 def _read_witness(value: object, known: Sequence[Fields]) -> dict[str, Any]:

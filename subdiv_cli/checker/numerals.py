@@ -31,7 +31,7 @@ class UnreadableError(Exception):
         return type(self)(self.why, self.place + place)
 
 
-class TooLargeError(UnreadableError):
+class OversizedError(UnreadableError):
     """A value as specified, of which there is more than is read."""
 
 
@@ -43,7 +43,7 @@ def demand(condition: bool, why: str) -> None:
 def demand_few(condition: bool, why: str) -> None:
     """Of something that there may be only so much of."""
     if not condition:
-        raise TooLargeError(why)
+        raise OversizedError(why)
 
 
 def rational(value: object) -> tuple[int, int]:

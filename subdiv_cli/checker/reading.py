@@ -9,10 +9,10 @@ from itertools import pairwise
 from math import lcm
 from typing import Any
 
-from subdiv_cli.checker.matrices import Family, family
+from subdiv_cli.checker.matrices import MatrixFamily, family
 from subdiv_cli.checker.numerals import (
     MAX_DIGITS,
-    TooLargeError,
+    OversizedError,
     UnreadableError,
     demand,
     demand_few,
@@ -23,8 +23,10 @@ from subdiv_cli.checker.numerals import (
 )
 from subdiv_cli.checker.polynomials import Polynomial, over_common_denominator
 
-Fields = Mapping[str, str]
-"""The keys of an object, all of them obligatory, and the kind of each value."""
+Reader = Callable[[Any], Any]
+"""It returns what a JSON value means, or raises an UnreadableError."""
+Fields = Mapping[str, str | Reader]
+"""The keys of an object, all of them obligatory, and what each value is: the name of a reader below, or a reader."""
 
 MAX_BYTES = 64 << 20
 MAX_LENGTH = 4_000
@@ -46,8 +48,6 @@ MAX_VERTICES = 20_000
 """Of a polytope, without reflections."""
 MAX_ENTRY = 10**12
 """A member of a flat list: its numbers are numerators of weights, vertices and letters."""
-MAX_COORDINATE = 40
-"""Decimal digits of a coordinate."""
 MAX_DEGREE = 200
 """Of the polynomial of a root."""
 
@@ -61,39 +61,6 @@ _RANGES = {
     "vertex": (0, 4 * MAX_VERTICES - 1),
     "work": (0, 10**9),
 }
-_OBJECTS: Mapping[str, Fields] = {
-    "leader": {
-        "word": "natural[]",
-        "reflected": "boolean",
-        "column": "column",
-        "scale": "rational",
-        "annihilator": "rational[]",
-        "sign": "sign",
-    },
-    "complex_leader": {
-        "word": "natural[]",
-        "reflected": "boolean",
-        "column": "column",
-        "scale": "rational",
-        "annihilator": "rational[]",
-        "factor": "root",
-        "center": "rational[]",
-        "distance": "rational",
-    },
-    "tie": {"vertex": "vertex", "letter": "natural", "weights": "share[]"},
-    "share": {"vertex": "vertex", "weight": "element"},
-}
-_EXPONENTS: tuple[Fields, ...] = (
-    {"level": "natural", "norm": "rational"},
-    {"length": "length", "radius": "rational"},
-    {"length": "length", "bound": "rational"},
-    {"length": "length", "polynomial": "root", "low": "rational", "high": "rational"},
-    {"polynomial": "polynomial", "low": "rational", "high": "rational"},
-    {"value": "rational"},
-)
-"""Fields of statements on exponents, in masks of all kinds, besides their property."""
-_LENGTHS = {"vertices[]": MAX_VERTICES, "tie[]": MAX_VERTICES, "flat[]": MAX_VERTICES * MAX_ORDER}
-"""Of lists that may have more members than others."""
 
 
 class Rejected(Exception):  # noqa: N818 (an answer, not an error)
@@ -124,15 +91,15 @@ def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
 
 
 def read(kind: str, value: object, what: str) -> Any:
-    """A value of one of the kinds below; a kind that ends in [] is a list."""
+    """A value of one of the kinds below."""
     try:
-        return _reader(kind)(value)
+        return reader(kind)(value)
     except UnreadableError as error:
         raise _refusal(error, what) from None
 
 
 def _refusal(error: UnreadableError, what: str) -> Rejected:
-    return (Exhausted if isinstance(error, TooLargeError) else Rejected)(f"{error.place}{what} {error.why}")
+    return (Exhausted if isinstance(error, OversizedError) else Rejected)(f"{error.place}{what} {error.why}")
 
 
 def _object_of(value: object, fields: Fields) -> dict[str, Any]:
@@ -146,27 +113,38 @@ def _object_of(value: object, fields: Fields) -> dict[str, Any]:
     try:
         for key, kind in fields.items():
             if kind != "any":
-                result[key] = _reader(kind)(value[key])
+                result[key] = reader(kind)(value[key])
     except UnreadableError as error:
         raise error.within(f"'{key}' of ") from None
     return result
 
 
+def record(fields: Fields) -> Reader:
+    """Of an object that has exactly these keys."""
+    return partial(_object_of, fields=fields)
+
+
+def several(kind: str | Reader, most: int = MAX_LENGTH) -> Reader:
+    """Of a list of no more than so many members."""
+    return partial(_members, reader(kind), most)
+
+
 @cache
-def _reader(kind: str) -> Callable[[Any], Any]:
-    if (reader := _READERS.get(kind)) is not None:
-        return reader
+def reader(kind: str | Reader) -> Reader:
+    """By name; one that ends in [] is a list."""
+    if not isinstance(kind, str):
+        return kind
     if kind in _RANGES:
         return partial(_integer, *_RANGES[kind])
-    if kind in _OBJECTS:
-        return partial(_object_of, fields=_OBJECTS[kind])
-    return partial(_members, _reader(kind.removesuffix("[]")), _LENGTHS.get(kind, MAX_LENGTH))
+    if kind.endswith("[]") and kind not in _READERS:
+        return several(kind.removesuffix("[]"))
+    return _READERS[kind]
 
 
-def _members(reader: Callable[[Any], Any], most: int, value: object, of: str = "a member of ") -> tuple[Any, ...]:
+def _members(read_member: Reader, most: int, value: object, of: str = "a member of ") -> tuple[Any, ...]:
     members = _list(value, most)
     try:
-        return tuple(map(reader, members))
+        return tuple(map(read_member, members))
     except UnreadableError as error:
         raise error.within(of) from None
 
@@ -196,11 +174,11 @@ def _polynomial(value: object) -> Polynomial:
     pairs = _members(rational, MAX_LENGTH, fields["coefficients"], "a coefficient of ")
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:
-        raise TooLargeError("has a common denominator that is too large")
+        raise OversizedError("has a common denominator that is too large")
     return f
 
 
-def _family(value: object) -> Family:
+def _family(value: object) -> MatrixFamily:
     """Square matrices of one order, rows of rationals, over one common denominator."""
     matrices = _members(_rows, MAX_LETTERS, value, "a matrix of ")
     demand(len(matrices) > 0, "is empty")
@@ -223,29 +201,13 @@ def _rows(value: object) -> tuple[tuple[tuple[int, int], ...], ...]:
     return rows
 
 
-def _matrix(value: object) -> Family:
+def _matrix(value: object) -> MatrixFamily:
     return _family([value])
 
 
 def _root(value: object) -> tuple[int, ...]:
     """The coefficients of an integer polynomial, the constant one first."""
     return _members(partial(long_integer, MAX_DIGITS), MAX_DEGREE + 1, value)
-
-
-def _element(value: object) -> tuple[Fraction, ...]:
-    """A number, or a polynomial in Λ, the constant first."""
-    return _members(fraction, MAX_DEGREE, value) if type(value) is list else (fraction(value),)
-
-
-def _coordinates(value: object) -> tuple[int, ...]:
-    return _members(partial(long_integer, MAX_COORDINATE), MAX_ORDER, value)
-
-
-def _column(value: object) -> int | tuple[int, ...]:
-    """A number, or the coefficients of a combination of columns."""
-    if type(value) is list:
-        return _members(partial(_integer, -MAX_INTEGER, MAX_INTEGER), MAX_ORDER, value)
-    return _integer(0, MAX_NATURAL, value)
 
 
 def _index(value: object) -> tuple[int, ...]:
@@ -272,17 +234,6 @@ def _terms(value: object) -> tuple[tuple[tuple[int, ...], Fraction], ...]:
     return terms
 
 
-def _exponent(value: object) -> dict[str, Any]:
-    """A statement on an exponent; which ones there are, the rule knows."""
-    if type(value) is not dict or type(value.get("property")) is not str:
-        raise UnreadableError("is no statement")
-    keys = value.keys() - {"property"}
-    fields = next((fields for fields in _EXPONENTS if fields.keys() == keys), _EXPONENTS[0])
-    if value["property"] == "holder-value":
-        fields = {"value": "natural"}
-    return _object_of(value, {"property": "any", **fields})
-
-
 def _flat(value: object) -> list[int]:
     """Integers in a row whose meaning their rule knows."""
     members: list[int] = _list(value, 2 * MAX_VERTICES)
@@ -291,20 +242,17 @@ def _flat(value: object) -> list[int]:
     return members
 
 
-_READERS: Mapping[str, Callable[[Any], Any]] = {
+_READERS: Mapping[str, Reader] = {
     "any": lambda value: value,
     "boolean": _boolean,
     "rational": fraction,
     "polynomial": _polynomial,
     "family": _family,
     "matrix": _matrix,
-    "element": _element,
     "root": _root,
-    "vertices": _coordinates,
     "flat": _flat,
-    "column": _column,
+    "flat[]": several(_flat, MAX_VERTICES * MAX_ORDER),
     "index": _index,
     "term": _term,
     "terms": _terms,
-    "exponent": _exponent,
 }

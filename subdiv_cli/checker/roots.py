@@ -11,7 +11,7 @@ from subdiv_cli.checker.polynomials import sturm_count, value
 from subdiv_cli.checker.reading import require
 
 
-class Root(NamedTuple):
+class RealRoot(NamedTuple):
     """Λ, the only real root of the polynomial in [low, high], 0 < low."""
 
     polynomial: tuple[int, ...]
@@ -24,11 +24,11 @@ class Root(NamedTuple):
         return Fraction(-self.polynomial[0], self.polynomial[1]) if len(self.polynomial) == 2 else None
 
 
-def root_of(s: Statement) -> Root:
-    return Root(s["polynomial"], s["low"], s["high"])
+def root_of(s: Statement) -> RealRoot:
+    return RealRoot(s["polynomial"], s["low"], s["high"])
 
 
-def isolated_root(c: Claim) -> Root:
+def isolated_root(c: Claim) -> RealRoot:
     """The root that the claim's statement names, after a look that there is exactly one.
 
     Beyond degree 1 the polynomial changes its sign, and by Sturm it has one distinct real root between.
@@ -59,7 +59,7 @@ class Enclosure(NamedTuple):
     scale: int
 
 
-def enclose(c: Claim, root: Root, bits: int) -> Enclosure:
+def enclose(c: Claim, root: RealRoot, bits: int) -> Enclosure:
     """Λ up to 2^-bits, or exactly where its polynomial is of degree 1."""
     if (exact := root.rational) is not None:
         return Enclosure(exact.numerator, 0, exact.denominator)

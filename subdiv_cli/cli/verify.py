@@ -14,7 +14,7 @@ from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.streams import emit
 
 if TYPE_CHECKING:
-    from subdiv_cli.checker.plain import LatticeMask, Mask
+    from subdiv_cli.checker.plain import PlainMask
 
 _EPILOG = """\b
 Examples:
@@ -89,7 +89,7 @@ def _verify(name: str, mask: str | None, asked: _Asked | None, several: bool) ->
 class _Asked(NamedTuple):
     """The mask that certificates are to be about, and how it was read."""
 
-    mask: Mask | LatticeMask | None
+    mask: PlainMask | None
     how: str
 
 

@@ -7,8 +7,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from subdiv_cli.checker import check_document
-from subdiv_cli.checker.rules import RADIUS_RULES, SCALAR
+from subdiv_cli.checker import KINDS, check_document
 
 FOLDER = Path(__file__).parents[2] / "subdiv_cli" / "certificate"
 TEXT = (FOLDER / "RADIUS.md").read_text(encoding="utf-8")
@@ -35,9 +34,9 @@ def test_no_example_is_left_out():
 
 def test_every_rule_is_specified_here_or_in_format():
     elsewhere = set(re.findall(r"^### ([\w-]+)$", FORMAT, re.MULTILINE))
-    assert set(SECTIONS) | elsewhere == set(SCALAR.rules)
+    assert set(SECTIONS) | elsewhere == set(KINDS["scalar"].rules)
     assert not set(SECTIONS) & elsewhere
-    assert set(SECTIONS) >= set(RADIUS_RULES)
+    assert set(SECTIONS) >= set(KINDS["matrices"].rules)
 
 
 def test_every_rule_has_its_parts_and_is_in_an_example():

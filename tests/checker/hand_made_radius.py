@@ -11,12 +11,12 @@ from fractions import Fraction
 from hand_made import claim
 from support import four_point, scheme
 
-from subdiv_cli.checker.rules import RADIUS_RULES
+from subdiv_cli.checker import KINDS
 from subdiv_cli.model import Effort
 from subdiv_cli.pipeline import check, joint_spectral_radius
 
 OF_RADII = {
-    *RADIUS_RULES,
+    *KINDS["matrices"].rules,
     "transition",
     "positive-symbol",
     "holder-root",

@@ -26,11 +26,12 @@ from hand_made_surfaces import (
 )
 
 import subdiv_cli
-from subdiv_cli.checker import check_document, check_text
-from subdiv_cli.checker.lattice import Dilation, lattice_mask
+from subdiv_cli.checker import KINDS, check_document, check_text
 from subdiv_cli.checker.matrices import inverse
-from subdiv_cli.checker.rules import PROPERTIES, RADIUS_RULES, RULES, SURFACE_PROPERTIES, SURFACE_RULES
+from subdiv_cli.checker.multivariate.lattice import DilationMatrix
+from subdiv_cli.checker.multivariate.masks import lattice_mask
 
+OWN_RULES = set(KINDS["multivariate"].rules) - set(KINDS["matrices"].rules)
 MADE = {name: make() for name, make in ALL_SURFACES.items()}
 """Made once and never changed."""
 
@@ -63,7 +64,7 @@ def test_true_certificates_are_verified(name):
 
 
 def test_every_rule_is_there():
-    assert {c["rule"] for made in MADE.values() for c in made["claims"]} >= set(SURFACE_RULES) - set(RADIUS_RULES)
+    assert {c["rule"] for made in MADE.values() for c in made["claims"]} >= OWN_RULES
 
 
 def test_the_line_reads_well():
@@ -361,7 +362,7 @@ def test_less_may_be_said_of_q():
 
 
 def test_every_rule_is_forged():
-    assert {rule for _, rule, _, _ in FORGED} >= set(SURFACE_RULES) - set(RADIUS_RULES)
+    assert {rule for _, rule, _, _ in FORGED} >= OWN_RULES
 
 
 def of(name, *claims):
@@ -499,7 +500,7 @@ def test_a_larger_window_changes_nothing():
     ],
 )
 def test_isotropic_dilations(matrix, isotropic):
-    assert Dilation(matrix, *inverse(matrix)).is_isotropic() is isotropic
+    assert DilationMatrix(matrix, *inverse(matrix)).is_isotropic() is isotropic
 
 
 def test_without_an_isotropic_dilation_nothing_follows_for_smoothness():
@@ -829,6 +830,6 @@ def test_the_schema_describes_nothing_else(change):
 
 def test_every_rule_is_in_the_schema():
     rules = SCHEMA["properties"]["claims"]["items"]["properties"]["rule"]["enum"]
-    assert set(rules) == set(RULES) | set(SURFACE_RULES)
+    assert set(rules) == {*KINDS["scalar"].rules, *KINDS["multivariate"].rules}
     properties = {s["properties"]["property"]["const"] for s in SCHEMA["$defs"]["statement"]["oneOf"]}
-    assert properties == set(PROPERTIES) | set(SURFACE_PROPERTIES)
+    assert properties == {*KINDS["scalar"].properties, *KINDS["multivariate"].properties}

@@ -18,8 +18,7 @@ from hand_made_surfaces import ALL_SURFACES, MASKS, norm, pair_norm, pair_quotie
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.checker import check_document
-from subdiv_cli.checker.rules import RADIUS_RULES
+from subdiv_cli.checker import KINDS, check_document
 
 
 class Facts(NamedTuple):
@@ -37,6 +36,7 @@ class Facts(NamedTuple):
     directions: list[list[int]] | None = None
 
 
+RADIUS_RULES = KINDS["matrices"].rules
 GOLDEN = (1 + math.sqrt(5)) / 2
 FACTS = {
     "bilinear": Facts(2, True, 1, 0, True, 1.5, 1, [[0, 1], [0, 1], [1, 0], [1, 0]]),

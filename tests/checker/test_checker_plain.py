@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from support import canonical
 
 from subdiv_cli.checker.__main__ import main
-from subdiv_cli.checker.plain import LatticeMask, certified_mask, mask, mask_of, plain_mask
+from subdiv_cli.checker.plain import PlainMask, certified_mask, mask_of, plain_mask
+from subdiv_cli.checker.scalar.masks import plain
 from subdiv_cli.kinds.reading import read_text
 
 MASKS = sorted((Path(__file__).parents[2] / "masks").rglob("*.toml"))
@@ -39,7 +40,7 @@ numbers = st.one_of(
 @given(st.lists(numbers, min_size=1, max_size=9), st.integers(-5, 5), st.integers(2, 4))
 def test_literal_numbers(entries, start, arity):
     content = f"[mask]\narity = {arity}\nstart = {start}\ncoefficients = [{', '.join(s for s, _ in entries)}]\n"
-    assert plain_mask(content) == mask(arity, start, [x for _, x in entries])
+    assert plain_mask(content) == plain(arity, start, [x for _, x in entries])
 
 
 @pytest.mark.parametrize(
@@ -98,7 +99,8 @@ def test_the_module_compares_masks(tmp_path, capsys):
     assert main([str(proof), "--mask"]) == 2
 
 
-HAT = LatticeMask(((2, 0), (0, 2)), (((-1, 0), Fraction(1, 2)), ((0, 0), Fraction(1)), ((1, -1), Fraction(-3, 4))))
+TERMS = (((-1, 0), Fraction(1, 2)), ((0, 0), Fraction(1)), ((1, -1), Fraction(-3, 4)))
+HAT = PlainMask("multivariate", (((2, 0), (0, 2)), TERMS))
 
 
 @pytest.mark.parametrize(
@@ -116,9 +118,9 @@ def test_masks_in_several_variables(body):
 def test_masks_in_three_variables_and_other_dilations():
     content = 'kind = "multivariate"\n[mask]\ndilation = 3\nstart = [0, 1, 2]\ncoefficients = [[[0, 1]], [[2, 3]]]\n'
     terms = (((0, 1, 3), Fraction(1)), ((1, 1, 2), Fraction(2)), ((1, 1, 3), Fraction(3)))
-    assert plain_mask(content) == LatticeMask(((3, 0, 0), (0, 3, 0), (0, 0, 3)), terms)
+    assert plain_mask(content) == PlainMask("multivariate", (((3, 0, 0), (0, 3, 0), (0, 0, 3)), terms))
     content = 'kind = "multivariate"\n[mask]\ndilation = [[1, 1], [1, -1]]\nterms = {"0,0" = 1}\n'
-    assert plain_mask(content) == LatticeMask(((1, 1), (1, -1)), (((0, 0), Fraction(1)),))
+    assert plain_mask(content) == PlainMask("multivariate", (((1, 1), (1, -1)), (((0, 0), Fraction(1)),)))
 
 
 def test_the_mask_of_a_certificate_in_several_variables(tmp_path, capsys):

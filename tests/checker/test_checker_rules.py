@@ -7,8 +7,7 @@ import pytest
 from hand_made import ALL, chaikin, claim, document, poly, sobolev, text
 from hand_made_radius import OF_RADII
 
-from subdiv_cli.checker import check_document, check_text
-from subdiv_cli.checker.rules import SCALAR
+from subdiv_cli.checker import KINDS, check_document, check_text
 
 BY_HAND = Path(__file__).parents[1] / "certificate" / "chaikin_by_hand.json"
 
@@ -29,7 +28,7 @@ def test_true_certificates_are_verified(name):
 
 
 def test_every_rule_is_in_some_true_certificate():
-    assert {c["rule"] for make in ALL.values() for c in make()["claims"]} == set(SCALAR.rules) - OF_RADII
+    assert {c["rule"] for make in ALL.values() for c in make()["claims"]} == set(KINDS["scalar"].rules) - OF_RADII
 
 
 def forge(name, number, statement=None, **changes):
@@ -263,7 +262,7 @@ def test_a_forged_claim_is_named(certificate, number, rule):
 
 
 def test_every_rule_is_forged():
-    assert {rule for _, _, rule in FORGED} == set(SCALAR.rules) - OF_RADII
+    assert {rule for _, _, rule in FORGED} == set(KINDS["scalar"].rules) - OF_RADII
 
 
 def test_norms_that_are_not_below_their_bound():

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 
+from subdiv_cli.kinds.scalar.rules import RULES
 from subdiv_cli.model import (
     Expectation,
     Exponent,
@@ -14,6 +15,12 @@ from subdiv_cli.model import (
     Smoothness,
     Verdict,
 )
+
+
+def finding(*, code, **fields):
+    """A finding of a scalar mask by hand, which answers what its rule answers."""
+    return Finding(code=code, answers=tuple((asked, None) for asked in RULES[code].answers), **fields)
+
 
 P, R, U, S = Verdict.PROVED, Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SKIPPED
 
@@ -51,7 +58,7 @@ FOUR_POINT = Result(
     reproduction=3,
     expectations=(judged("convergent", "true", True, P), judged("smoothness", "1", 1, P, 1)),
     findings=(
-        Finding(
+        finding(
             code="SD101",
             name="residue-sums",
             verdict=P,
@@ -59,7 +66,7 @@ FOUR_POINT = Result(
             source="Dyn 1992, (2.7)",
             witness={"sums": (Fraction(1), Fraction(1))},
         ),
-        Finding(
+        finding(
             code="SD102",
             name="sum-rule-order",
             verdict=P,
@@ -67,7 +74,7 @@ FOUR_POINT = Result(
             source="Dyn 1992, section 3",
             witness={"cofactor": {"start": -3, "coefficients": (Fraction(-1, 16), Fraction(1, 4), Fraction(-1, 16))}},
         ),
-        Finding(
+        finding(
             code="SD201",
             name="convergence",
             verdict=P,
@@ -76,7 +83,7 @@ FOUR_POINT = Result(
             value=Interval(lower=0.625, upper=0.625, exact="5/8"),
             witness={"level": 1, "norm": Fraction(5, 8)},
         ),
-        Finding(
+        finding(
             code="SD302",
             name="smoothness",
             verdict=P,
@@ -84,7 +91,7 @@ FOUR_POINT = Result(
             source="Dyn 1992, Theorem 3.4",
             witness={"nu": 2, "level": 2, "norm": Fraction(3, 4)},
         ),
-        Finding(
+        finding(
             code="SD303",
             name="next-smoothness",
             verdict=R,
@@ -92,21 +99,21 @@ FOUR_POINT = Result(
             source="Dyn 1992, Theorem 5.3",
             witness={"word": (0,), "factor": "z - 1/4"},
         ),
-        Finding(
+        finding(
             code="SD311",
             name="holder-lower",
             verdict=P,
             statement="α ≥ −log2(‖S_{Δ^4}^6‖∞)/6 ≥ 1.9",
             source="Dyn 1992, section 3",
         ),
-        Finding(
+        finding(
             code="SD312",
             name="holder-upper",
             verdict=P,
             statement="α ≤ −log2 ρ(T_0) = 2",
             source="Dyn 1992, section 4",
         ),
-        Finding(
+        finding(
             code="SD402",
             name="stability",
             verdict=P,
@@ -125,14 +132,14 @@ DIVERGENT = Result(
     sum_rule_order=0,
     expectations=(judged("convergent", "true", True, R), judged("holder", "1.99 .. 2.01", Fraction(199, 100), U)),
     findings=(
-        Finding(
+        finding(
             code="SD101",
             name="residue-sums",
             verdict=R,
             statement="the residue classes sum to 1/2, 1/2, must be 1 (normalised to a(1) = 1? multiply by 2)",
             source="Dyn 1992, (2.7)",
         ),
-        Finding(
+        finding(
             code="SD301",
             name="contractivity",
             verdict=S,
@@ -159,7 +166,7 @@ UNDECIDED = Result(
     generation=5,
     expectations=(judged("smoothness", ">= 3", 3, U),),
     findings=(
-        Finding(
+        finding(
             code="SD303",
             name="next-smoothness",
             verdict=U,

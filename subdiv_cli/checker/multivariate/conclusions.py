@@ -1,0 +1,131 @@
+"""The rules that compose claims on masks on Z^s: convergence, smoothness, the Hölder exponent. See FORMAT.md.
+
+m = |det M|, λ = m^(1/s), f the family of the differences of order k, ρ its joint spectral radius; sum rules of order k
+hold. Whatever speaks of λ needs an isotropic M: ‖M^L‖ and ‖M^-L‖ are bounded by constants times λ^L and λ^-L.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from subdiv_cli.checker.core import Claim, Statement
+from subdiv_cli.checker.multivariate.masks import mask_of
+from subdiv_cli.checker.radius.families import UPPER, bound_of
+from subdiv_cli.checker.reading import require
+from subdiv_cli.checker.roots import fraction_bits
+
+LOWER = ("radius-lower", "radius", "bounded")
+
+
+def converges(c: Claim) -> None:
+    """S converges iff ρ < 1 (Han & Jia 1998 for k = 1; M expanding, so differences of lower order decay as well)."""
+    c.count(1)
+    _, bound = _decay(c)
+    require(bound < 1, "the radius is not small enough")
+
+
+def diverges(c: Claim) -> None:
+    """S diverges: coset sums that are not all 1, or ρ >= 1."""
+    c.count(1)
+    used = c.use("coset-sums", *LOWER).statement
+    if used["property"] == "coset-sums":
+        require(not used["holds"], "the coset sums are 1")
+        return
+    c.use("family", family=used["family"])
+    require(_bound_below(used) >= 1, "the radius is not large enough")
+
+
+def smooth(c: Claim) -> None:
+    """φ is C^n: ρ < λ^-n for differences of an order k > n."""
+    n = c.statement["order"]
+    c.count(1)
+    _isotropic(c)
+    length, bound = _decay(c, n)
+    require(_scaled(c, bound, n * length) < 1, "the radius is not small enough")
+
+
+def not_smooth(c: Claim) -> None:
+    """φ is not C^n: stable, and the sum rules are of order <= n, or ρ >= λ^-n for differences of an order k > n."""
+    n = c.statement["order"]
+    c.count(1)
+    _isotropic(c)
+    c.use("stable", holds=True)
+    used = c.use("total-sum-rules", *LOWER).statement
+    if used["property"] == "total-sum-rules":
+        require(used["order"] <= n, f"the sum rules are of order {used['order']}")
+        return
+    family = c.use("family", family=used["family"]).statement
+    require(family["order"] > n, f"the differences are of order {family['order']}")
+    bound = _bound_below(used)
+    require(bound > 0 and _scaled(c, bound, n * used["length"]) >= 1, "the radius is not large enough")
+
+
+def holder_lower(c: Claim) -> None:
+    """α >= -log_λ(x)/ℓ: ρ^ℓ <= x."""
+    c.count(1)
+    _isotropic(c)
+    length, bound = _decay(c)
+    _same(c, length, bound)
+
+
+def holder_upper(c: Claim) -> None:
+    """α <= -log_λ(y)/ℓ: ρ^ℓ >= y, k the order of the sum rules, φ stable."""
+    c.count(1)
+    _isotropic(c)
+    used = c.use(*LOWER).statement
+    _highest_differences(c, used)
+    _same(c, used["length"], _bound_below(used))
+
+
+def holder_root(c: Claim) -> None:
+    """α = -log_λ(Λ)/ℓ: ρ^ℓ = Λ, k the order of the sum rules, φ stable."""
+    c.count(1)
+    _isotropic(c)
+    root = {key: c.statement[key] for key in ("length", "polynomial", "low", "high")}
+    _highest_differences(c, c.use("radius", "bounded", **root).statement)
+
+
+def _highest_differences(c: Claim, used: Statement) -> None:
+    """The family is that of differences of the order of the sum rules, and φ is stable."""
+    family = c.use("family", family=used["family"]).statement
+    c.use("total-sum-rules", order=family["order"])
+    c.use("stable", holds=True)
+
+
+def _decay(c: Claim, n: int = 0) -> tuple[int, Fraction]:
+    """ℓ and x with ρ^ℓ <= x, for differences of an order above n: of a family or a norm, or ρ² <= m Λ of mean squares.
+
+    In the mean ‖T_w v‖² is at most the sum over all words w of one length, so ρ² <= m Λ; their order is that of the sum
+    rules, and it is above n where m Λ < λ^-2n, as Λ >= λ^-2k.
+    """
+    used = c.use(*UPPER, "sobolev-lower", "matrix-norm").statement
+    if used["property"] == "sobolev-lower":
+        return 2, mask_of(c).dilation.cosets * used["high"]
+    by_norm = used["property"] == "matrix-norm"
+    order = used["order"] if by_norm else c.use("family", family=used["family"]).statement["order"]
+    require(order > n, f"the differences are of order {order}")
+    return (used["level"], used["norm"]) if by_norm else (used["length"], bound_of(used))
+
+
+def _same(c: Claim, length: int, bound: Fraction) -> None:
+    asked = (c.statement["length"], c.statement["bound"])
+    require((length, bound) == asked, "the radius has another length or bound")
+    require(bound > 0, "the bound is not positive")
+
+
+def _bound_below(s: Statement) -> Fraction:
+    """y with JSR^length >= y, of a claim that bounds a radius from below."""
+    bound: Fraction = s["bound" if s["property"] == "radius-lower" else "low"]
+    return bound
+
+
+def _isotropic(c: Claim) -> None:
+    require(mask_of(c).dilation.is_isotropic(), "the dilation is not seen to be isotropic")
+
+
+def _scaled(c: Claim, x: Fraction, exponent: int) -> Fraction:
+    """(x λ^exponent)^s, which is rational and compares with 1 as x λ^exponent does for x >= 0."""
+    dilation = mask_of(c).dilation
+    s, m = dilation.dimension, dilation.cosets
+    c.spend(1, s * fraction_bits(x) + exponent * m.bit_length())
+    return Fraction(x**s * m**exponent)
