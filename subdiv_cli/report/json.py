@@ -62,7 +62,7 @@ def as_data(result: Result, look: Look) -> dict[str, Any]:
         "stopped": result.stopped,
         "errors": [_error(problem) for problem in result.problems],
         "facts": plain(result.facts),
-        **{row.key: _property(result, row) for row in PROPERTIES},
+        **{row.key: _property(result, row) for row in sorted(PROPERTIES, key=lambda row: row.form != "order")},
         "expectations": [_expectation(result, judged) for judged in result.expectations],
         "findings": [_finding(finding) for finding in look.shown(result.findings)],
         "certificate": result.certificate,

@@ -102,7 +102,7 @@ def test_github_annotations():
     lines = render("github", samples.ALL).splitlines()
     assert lines[0] == (
         "::error title=halved Chaikin%3A convergent = true,file=masks/scalar/half.toml,line=1"
-        "::expected convergent = true: refuted, found not convergent [SD201]"
+        "::expected convergent = true: refuted, found not convergent [expect-convergent]"
     )
     assert lines[4].startswith("::error title=masks/broken.toml%3A SD003,file=masks/broken.toml,line=3,col=19::")
     assert lines[-1] == "4 masks: 1 passed, 1 failed, 1 undecided, 1 invalid"
