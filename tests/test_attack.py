@@ -174,7 +174,8 @@ def attack(rng, mix):
                 note + f"C^{result.refinable.order} against {alpha_high}"
             )
         if result.refinable.sharp:
-            assert alpha_low <= result.refinable.order + 1 + SLACK, note + f"sharp against {alpha_low}"
+            refuted = 0 if result.refinable.order is None else result.refinable.order + 1
+            assert alpha_low <= refuted + SLACK, note + f"not C^{refuted} against {alpha_low}"
         if result.holder is not None and family is matrices:
             assert result.holder.lower <= alpha_high + SLACK, note
             assert result.holder.upper >= alpha_low - SLACK, note

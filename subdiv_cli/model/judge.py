@@ -28,7 +28,8 @@ def judge(compare: Compare, expectation: Expectation, result: Result) -> Verdict
         case "exponent":
             return _exponent(compare, expectation, value)
         case "order" | "degree":
-            return _within(expectation, value, value)
+            none = value is None and result.sum_rule_order == 0  # not even the constants
+            return _within(expectation, value, -1 if none else value)
 
 
 def status(convergent: Verdict, judgements: Sequence[Judgement]) -> Status:
