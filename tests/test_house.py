@@ -1,6 +1,7 @@
-"""The house: which room may import which, who stays away from terminals and floats, and how long files grow."""
+"""The house: which room may import which, who stays away from terminals and floats, and what stands where."""
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,129 +12,153 @@ ROOT = Path(__file__).parents[1] / "subdiv_cli"
 
 ARROWS = {
     "model": set(),
-    "exact": {"model"},
-    "schemes": {"exact", "model"},
-    "maskfile": {"schemes", "model"},
-    "jsr": {"exact", "model"},
-    "quantities": {"jsr", "schemes", "exact", "model"},
-    "stages": {"quantities", "jsr", "schemes", "exact", "model"},
-    "certificate": {"model"},
     "checker": set(),
-    "pipeline": {"surfaces", "stages", "jsr", "certificate", "checker", "schemes", "model"},
-    "surfaces": {"pipeline", "maskfile", "stages", "certificate", "schemes", "model"},
-    "portrait": {"pipeline", "stages", "schemes", "model"},
-    "relief": {"pipeline", "surfaces", "stages", "schemes", "model"},
-    "catalog": {"pipeline", "maskfile", "checker", "model"},
+    "exact": {"model"},
+    "jsr": {"exact", "model"},
+    "maskfile": {"model"},
+    "certificate": {"model"},
+    "kinds": {"maskfile", "certificate", "jsr", "exact", "model"},
+    "pipeline": {"kinds", "certificate", "checker", "jsr", "exact", "model"},
+    "catalog": {"pipeline", "kinds", "maskfile", "checker", "model"},
     "report": {"model"},
     "plot": {"model"},
     "explain": {"model"},
-    "cli": {
-        "catalog",
-        "maskfile",
-        "report",
-        "plot",
-        "explain",
-        "model",
-        "pipeline",
-        "portrait",
-        "relief",
-        "checker",
-        "schemes",
-    },
+    "cli": {"catalog", "report", "plot", "explain", "pipeline", "kinds", "maskfile", "checker", "model"},
     "__main__": {"cli"},
     "__init__": set(),
 }
-NO_TERMINAL = {
-    "certificate",
-    "checker",
-    "model",
-    "exact",
-    "schemes",
-    "quantities",
-    "jsr",
-    "stages",
-    "pipeline",
-    "portrait",
-    "surfaces",
-    "relief",
-    "maskfile",
-    "catalog",
-    "explain",
-    "plot",
-}
-NO_FLINT = {
-    "certificate",
-    "checker",
-    "model",
-    "maskfile",
-    "report",
-    "plot",
-    "explain",
-    "cli",
-    "catalog",
-    "pipeline",
-    "portrait",
-    "surfaces",
-    "relief",
-}
+"""Room -> the rooms it may import."""
+BETWEEN_KINDS = {"scalar": set(), "matrices": set(), "multivariate": {"scalar"}}
+"""Kind -> the kinds below it. All of them may import the hallway of kinds, the files beside their folders."""
+TERMINAL = {"click", "rich"}
+TO_TERMINALS = {"cli", "report", "__main__"}
+FLINT = {"exact", "jsr", "kinds"}
+PICTURES = {"figure.py", "reliefs.py"}
+"""Files of plot/ that may load matplotlib, and numpy with it."""
 
 FILES = sorted(ROOT.rglob("*.py"))
+TREES = {file: ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
 
 
 def room(file):
     return file.relative_to(ROOT).parts[0].removesuffix(".py")
 
 
+def kind(name):
+    """The kind that a dotted name of a module belongs to, None where it is none's."""
+    parts = name.split(".")
+    return parts[2] if parts[:2] == ["subdiv_cli", "kinds"] and len(parts) > 2 and parts[2] in BETWEEN_KINDS else None
+
+
 def imports(file):
-    """(module, line) of every import, wherever it stands in the file."""
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    """(module, line) of every import wherever it stands in the file, and of every module that is named as a text."""
+    for node in ast.walk(TREES[file]):
         if isinstance(node, ast.Import):
             yield from ((alias.name, node.lineno) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{file}:{node.lineno}: relative import"
             module = node.module or ""
-            if module == "subdiv_cli":
-                yield from ((f"subdiv_cli.{alias.name}", node.lineno) for alias in node.names)
-            else:
-                yield module, node.lineno
+            yield from (
+                (f"{module}.{alias.name}" if module == "subdiv_cli" else module, node.lineno) for alias in node.names
+            )
+        elif isinstance(node, ast.Constant) and re.fullmatch(r"subdiv_cli(\.[a-z_]+)+", str(node.value)):
+            yield str(node.value), node.lineno
 
 
-@pytest.mark.parametrize("file", FILES, ids=lambda f: str(f.relative_to(ROOT)))
-def test_arrows_run_one_way(file):
-    here = room(file)
-    for module, line in imports(file):
-        top, _, rest = module.partition(".")
-        if top == "subdiv_cli" and rest:
-            there = rest.split(".")[0]
-            assert there in {here, "__version__", *ARROWS[here]}, f"{file}:{line}: {here} imports {there}"
-        if top in {"click", "rich"}:
-            assert here not in NO_TERMINAL, f"{file}:{line}: {here} imports {top}"
-        if top == "flint":
-            assert here not in NO_FLINT, f"{file}:{line}: {here} imports flint"
-        draws = file.name in ("figure.py", "reliefs.py")
-        assert top not in ("matplotlib", "mpl_toolkits") or draws, f"{file}:{line}: {top} is for plot/figure.py"
-        assert top != "numpy" or here == "jsr" or draws, f"{file}:{line}: {here} imports numpy"
+def unwelcome(file, module):
+    """Why a file may not import a module; None where it may."""
+    here, (top, _, rest) = room(file), module.partition(".")
+    if top == "subdiv_cli" and rest:
+        there = rest.split(".")[0]
+        if there not in {here, "__version__", *ARROWS[here]}:
+            return f"{here} imports {there}"
+        ours = kind(".".join(("subdiv_cli", *file.relative_to(ROOT).with_suffix("").parts)))
+        other = kind(module)
+        if ours and other and other not in {ours, *BETWEEN_KINDS[ours]}:
+            return f"kind {ours} imports kind {other}"
+    if top in TERMINAL and here not in TO_TERMINALS:
+        return f"{here} imports {top}"
+    if top == "flint" and here not in FLINT:
+        return f"{here} imports flint"
+    draws = here == "plot" and file.name in PICTURES
+    if (top in ("matplotlib", "mpl_toolkits") and not draws) or (top == "numpy" and here != "jsr" and not draws):
+        return f"{here} imports {top}"
+    return None
 
 
-@pytest.mark.parametrize("file", FILES, ids=lambda f: str(f.relative_to(ROOT)))
-def test_files_and_functions_stay_short(file):
-    text = file.read_text(encoding="utf-8")
-    assert text.count("\n") <= 320
-    for node in ast.walk(ast.parse(text)):
-        if isinstance(node, ast.FunctionDef):
-            assert (node.end_lineno or 0) - node.lineno < 55, f"{file}:{node.lineno}: {node.name} is too long"
-
-
-@pytest.mark.parametrize(
-    "file",
-    [f for f in FILES if room(f) in {"stages", "exact", "schemes", "certificate", "checker"}],
-    ids=lambda f: f.name,
-)
-def test_no_tolerance_in_a_proof_path(file):
-    constants = [
-        node.value for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))) if isinstance(node, ast.Constant)
+def test_arrows_run_one_way():
+    offences = [
+        f"{file.relative_to(ROOT)}:{line}: {why}"
+        for file in FILES
+        for module, line in imports(file)
+        if (why := unwelcome(file, module)) is not None
     ]
-    assert not [c for c in constants if isinstance(c, float) and c not in (0.0, 1.0)]
+    assert not offences, "\n".join(offences)
+
+
+def test_files_and_functions_stay_short():
+    long = []
+    for file in FILES:
+        lines = file.read_text(encoding="utf-8").count("\n")
+        long += [f"{file.relative_to(ROOT)}: {lines} lines"] if lines > 500 else []
+        for node in ast.walk(TREES[file]):
+            if isinstance(node, ast.FunctionDef):
+                start = node.body[1].lineno if ast.get_docstring(node) and len(node.body) > 1 else node.lineno
+                if (node.end_lineno or 0) - start >= 55:
+                    long.append(f"{file.relative_to(ROOT)}:{node.lineno}: {node.name}")
+    assert not long, "\n".join(long)
+
+
+def literals(file):
+    """The strings of a file that are no docstrings, with their lines."""
+    documentation = {node.value for node in ast.walk(TREES[file]) if isinstance(node, ast.Expr)}
+    for node in ast.walk(TREES[file]):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and node not in documentation:
+            yield node.value, node.lineno
+
+
+def test_codes_stand_in_rules_only():
+    found = [
+        f"{file.relative_to(ROOT)}:{line}: {text[:60]}"
+        for file in FILES
+        if file.name != "rules.py"
+        for text, line in literals(file)
+        if re.fullmatch(r"SD\d{3}", text)
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_only_a_kind_asks_whether_a_scheme_is_of_it():
+    """Elsewhere `scheme.kind` says it: no isinstance on a class of schemes outside the folders of kinds."""
+    schemes = {
+        node.name
+        for file in FILES
+        if file.name in ("scheme.py", "text.py") and room(file) == "kinds"
+        for node in ast.walk(TREES[file])
+        if isinstance(node, ast.ClassDef) and any(getattr(each, "name", "") == "kind" for each in node.body)
+    }
+    assert {"ScalarScheme", "MultivariateScheme", "MatrixFamily"} <= schemes
+    found = [
+        f"{file.relative_to(ROOT)}:{node.lineno}"
+        for file in FILES
+        for node in ast.walk(TREES[file])
+        if isinstance(node, ast.Call)
+        and getattr(node.func, "id", "") == "isinstance"
+        and schemes & {name.id for name in ast.walk(node.args[1]) if isinstance(name, ast.Name)}
+        and len(file.relative_to(ROOT / "kinds").parts if room(file) == "kinds" else ()) < 2
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_no_tolerance_in_a_proof_path():
+    found = [
+        f"{file.relative_to(ROOT)}:{node.lineno}: {node.value}"
+        for file in FILES
+        if room(file) in {"exact", "certificate", "checker"} or {"stages", "claims"} & set(file.parts)
+        for node in ast.walk(TREES[file])
+        if isinstance(node, ast.Constant) and isinstance(node.value, float) and node.value not in (0.0, 1.0)
+    ]
+    assert not found, "\n".join(found)
 
 
 def loaded_by(*arguments):

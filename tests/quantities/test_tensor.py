@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from support import answer, canonical, findings, four_point, scheme, shipped_surface
+from support import answer, findings, four_point, scheme, shipped_surface
 
 from subdiv_cli.catalog.trust import trusted
 from subdiv_cli.checker import check_document
