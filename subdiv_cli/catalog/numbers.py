@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from subdiv_cli.maskfile.roots import roots_between
+from subdiv_cli.maskfile.closed import roots_between
 from subdiv_cli.model import ClosedForm, Exponent, Finding, Interval, Result, Root, RootLog, Rule, logarithm, unpowered
 from subdiv_cli.model.closed import root_log_text, spelled, spelled_terms
 from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV, answering

@@ -141,8 +141,7 @@ def _checked(file: Path, text: str, key: str, value: object) -> Any:
 def _wrong_key(file: Path, text: str, key: str, message: str, help: str) -> SettingsError:
     """The error of a key of the table, at the place where it stands."""
     from subdiv_cli.maskfile import rules as faults
-    from subdiv_cli.maskfile.positions import line_and_column
-    from subdiv_cli.maskfile.scanner import scan
+    from subdiv_cli.maskfile.positions import line_and_column, scan
 
     spot = scan(text).spots.get(("tool", "subdiv", key))
     line, column, source = (None, None, None) if spot is None else line_and_column(text, spot.key)

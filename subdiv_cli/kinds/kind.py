@@ -18,8 +18,8 @@ from subdiv_cli.model.findings import answering
 
 if TYPE_CHECKING:
     from subdiv_cli.certificate import Certificate
-    from subdiv_cli.maskfile.bodies import Body
     from subdiv_cli.maskfile.entries import Table
+    from subdiv_cli.maskfile.mask import Body
     from subdiv_cli.maskfile.problems import Collector
     from subdiv_cli.model.blocks import Drawing, Portrait, Section
 

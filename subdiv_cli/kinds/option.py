@@ -8,13 +8,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from subdiv_cli.kinds.scalar.text import Coefficients, Symbol
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.bodies import Body, check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_FILE_BYTES, MAX_MASK_LENGTH, MAX_NESTING
 from subdiv_cli.maskfile.entries import fault_of_name
-from subdiv_cli.maskfile.evaluate import names_in
-from subdiv_cli.maskfile.expressions import Expression
+from subdiv_cli.maskfile.expressions import Expression, names_in
 from subdiv_cli.maskfile.grammar import Parser, parse
-from subdiv_cli.maskfile.mask import MaskFile
+from subdiv_cli.maskfile.mask import Body, MaskFile, check_fixed_mask
 from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum, product_of
 from subdiv_cli.maskfile.problems import Collector, Fault, Reason, Source, shown
 

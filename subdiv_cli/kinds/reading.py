@@ -8,10 +8,9 @@ from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.bodies import check_fixed_mask
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
-from subdiv_cli.maskfile.mask import MaskFile
+from subdiv_cli.maskfile.mask import MaskFile, check_fixed_mask
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
 from subdiv_cli.maskfile.properties import KEYS, contradictions, expectation
 from subdiv_cli.maskfile.recognise import MARKS

@@ -8,8 +8,7 @@ from collections.abc import Collection, Iterable, Mapping
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.characters import mended
-from subdiv_cli.maskfile.evaluate import evaluate, is_fixed
-from subdiv_cli.maskfile.expressions import Expression
+from subdiv_cli.maskfile.expressions import Expression, evaluate, is_fixed
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.nodes import Number

@@ -199,7 +199,7 @@ class Parser:
         if self._inside_root and (len(token.text) == 1 or self.token.kind != "("):
             return self._unknown(token)
         if token.text not in self._names:
-            from subdiv_cli.maskfile.names import unknown_name
+            from subdiv_cli.maskfile.stuck import unknown_name
 
             raise unknown_name(token, self._names, called=self.token.kind == "(", logarithms=self._logarithms)
         return Name(token.text, token.at)

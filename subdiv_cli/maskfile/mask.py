@@ -2,18 +2,51 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
+from math import lcm
+from typing import Any, Protocol
 
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.bodies import Body
 from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
-from subdiv_cli.maskfile.expressions import Expression, number_of
+from subdiv_cli.maskfile.expressions import Expression, is_fixed, number_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, Source, near, shown
 from subdiv_cli.model import Expectation
+
+
+class Body(Protocol):
+    """What [mask] says, not yet at values of the parameters."""
+
+    def expressions(self) -> Iterable[Expression]:
+        """All in it, for what can be evaluated without parameters and for the names that stand in it."""
+
+    def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> Any | None:
+        """The scheme at these values of the parameters; None where something is wrong, which is recorded."""
+
+
+def check_fixed_mask(body: Body, problems: Collector) -> None:
+    """Records what is wrong with the scheme of a mask that does not hang on parameters."""
+    if all(is_fixed(entry.node) for entry in body.expressions()):
+        body.scheme({}, problems, Work())
+
+
+def zero_mask(values: Mapping[str, Fraction]) -> Fault:
+    """The fault of a mask whose coefficients are all zero at these values of the parameters."""
+    help = "at least one coefficient must not be zero" + ("; try other parameters" if values else "")
+    return Fault(faults.ZERO_MASK, "all coefficients of the mask are zero", help)
+
+
+def too_precise(coefficients: Iterable[Fraction]) -> Fault | None:
+    """The fault of coefficients with a common denominator that is too long; None where it is not."""
+    common = 1
+    for c in coefficients:
+        common = lcm(common, c.denominator)
+        if common.bit_length() > MAX_BITS:
+            message = f"the coefficients' common denominator has more than {MAX_DIGITS} digits"
+            return Fault(faults.OUT_OF_BOUNDS, message, "use fractions with smaller denominators")
+    return None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,8 +80,7 @@ class MaskFile:
         """The 1-based line of a key, `line_of("expect", "holder")`; None where the text does not state it."""
         if not self.source.toml:
             return None
-        from subdiv_cli.maskfile.positions import line_and_column
-        from subdiv_cli.maskfile.scanner import scan
+        from subdiv_cli.maskfile.positions import line_and_column, scan
 
         spot = scan(self.source.text).spots.get(path)
         return None if spot is None else line_and_column(self.source.text, spot.key)[0]

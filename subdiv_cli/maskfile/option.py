@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
-from subdiv_cli.maskfile.evaluate import evaluate
+from subdiv_cli.maskfile.expressions import evaluate
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Fault, MaskFileError, near, shown

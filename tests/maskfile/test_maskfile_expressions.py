@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.maskfile.evaluate import evaluate
+from subdiv_cli.maskfile.expressions import evaluate
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Fault

@@ -7,8 +7,7 @@ import tomllib
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.maskfile.positions import inner_offset, line_and_column
-from subdiv_cli.maskfile.scanner import scan
+from subdiv_cli.maskfile.positions import inner_offset, line_and_column, scan
 
 keys = st.sampled_from(["a", "b-c", "d_1", "12", '"quoted key"', "'literal.key'", '"\\u00e9\\t"', '""'])
 plain = st.text(st.characters(codec="utf-8", exclude_characters="\\\"'", exclude_categories=("Cc", "Cs")), max_size=8)

@@ -13,10 +13,9 @@ from support import scheme
 
 from subdiv_cli.exact.algebraic import isolated, roots
 from subdiv_cli.exact.closed import compare, exponent
-from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
+from subdiv_cli.maskfile.closed import certainly_less, read_closed_form, roots_between
 from subdiv_cli.maskfile.option import parse_property
 from subdiv_cli.maskfile.problems import Fault
-from subdiv_cli.maskfile.roots import roots_between
 from subdiv_cli.model import Effort, RootLog, Verdict
 from subdiv_cli.model.closed import spelled
 from subdiv_cli.pipeline import check

@@ -9,8 +9,8 @@ from subdiv_cli.kinds.kind import Kind
 
 if TYPE_CHECKING:
     from subdiv_cli.kinds.matrices.text import MatrixFamily
-    from subdiv_cli.maskfile.bodies import Body
     from subdiv_cli.maskfile.entries import Table
+    from subdiv_cli.maskfile.mask import Body
     from subdiv_cli.maskfile.problems import Collector
 
 

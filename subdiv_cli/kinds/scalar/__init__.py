@@ -15,8 +15,8 @@ from subdiv_cli.kinds.kind import Analysis, Kind
 if TYPE_CHECKING:
     from subdiv_cli.certificate import Certificate
     from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-    from subdiv_cli.maskfile.bodies import Body
     from subdiv_cli.maskfile.entries import Table
+    from subdiv_cli.maskfile.mask import Body
     from subdiv_cli.maskfile.problems import Collector
     from subdiv_cli.model import Effort, Rule
 

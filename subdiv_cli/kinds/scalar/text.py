@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.bodies import too_precise, zero_mask
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
 from subdiv_cli.maskfile.expressions import Expression, literal, number_of, polynomial_of
 from subdiv_cli.maskfile.laurent import Work
+from subdiv_cli.maskfile.mask import too_precise, zero_mask
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
 from subdiv_cli.maskfile.spelling import listed, number, quoted
 from subdiv_cli.maskfile.values import described

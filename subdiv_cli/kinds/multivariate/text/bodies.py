@@ -12,10 +12,10 @@ from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateS
 from subdiv_cli.kinds.scalar.text import Coefficients, Symbol
 from subdiv_cli.maskfile import laurent
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.bodies import too_precise, zero_mask
 from subdiv_cli.maskfile.bounds import MAX_INDEX, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
 from subdiv_cli.maskfile.laurent import Laurent, TooLargeError, Work, packed
+from subdiv_cli.maskfile.mask import too_precise, zero_mask
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
 
 Nested = tuple["Expression | Nested", ...]

@@ -9,8 +9,7 @@ from subdiv_cli.kinds.multivariate.scheme import IntMatrix, multiple_of_identity
 from subdiv_cli.kinds.multivariate.text.bodies import Grid, LaurentSymbol, Nested
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_COSETS, MAX_DIMENSION, MAX_GRID, MAX_INDEX
-from subdiv_cli.maskfile.evaluate import names_in
-from subdiv_cli.maskfile.expressions import Expression
+from subdiv_cli.maskfile.expressions import Expression, names_in
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import VARIABLES
 from subdiv_cli.maskfile.problems import Fault

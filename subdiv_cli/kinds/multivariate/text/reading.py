@@ -10,10 +10,10 @@ from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.grid import read_grid, read_terms
 from subdiv_cli.kinds.multivariate.text.tensor import read_tensor
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.bodies import Body
 from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
-from subdiv_cli.maskfile.evaluate import names_in
+from subdiv_cli.maskfile.expressions import names_in
 from subdiv_cli.maskfile.laurent import VARIABLES, Work
+from subdiv_cli.maskfile.mask import Body
 from subdiv_cli.maskfile.problems import Collector, Fault
 from subdiv_cli.maskfile.values import described
 
