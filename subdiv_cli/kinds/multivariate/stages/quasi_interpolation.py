@@ -18,7 +18,6 @@ from collections.abc import Mapping
 from fractions import Fraction
 from math import comb
 
-from subdiv_cli.exact.formulas import partial_operator
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.multivariate import rules
@@ -26,6 +25,7 @@ from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbe
 from subdiv_cli.kinds.multivariate.numbers.quasi_interpolation import Point, QuasiInterpolation
 from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model.formulas import partial_operator
 
 RULE = rules.QUASI_INTERPOLATION
 

@@ -13,7 +13,6 @@ not 0; `own_starts` and `own_values`, those of the reduced mask; `support`.
 
 from __future__ import annotations
 
-from subdiv_cli.exact.formulas import derivative
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import ContradictionError, Facts
@@ -22,6 +21,7 @@ from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers, support
 from subdiv_cli.kinds.scalar.stages.stage import integer
 from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model.formulas import derivative
 
 RULE = rules.INTEGER_VALUES
 

@@ -9,7 +9,6 @@ Witness: `starts` and `stencils`, for each j the first index and the weights.
 
 from __future__ import annotations
 
-from subdiv_cli.exact.formulas import stencil
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar import rules
@@ -17,6 +16,7 @@ from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers
 from subdiv_cli.kinds.scalar.stages.integer_values import unusable
 from subdiv_cli.model import Data, Finding
+from subdiv_cli.model.formulas import stencil
 
 RULE = rules.LIMIT_STENCILS
 

@@ -12,8 +12,6 @@ Witness: `degree`, m; `moments`; `operator`, q_0, …, q_m; `stencil_start` and 
 
 from __future__ import annotations
 
-from subdiv_cli.exact.formulas import operator as formula
-from subdiv_cli.exact.formulas import stencil as combination
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.numbers.quasi_interpolation import eigen_sequence, moments, operator, stencil
@@ -21,6 +19,8 @@ from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers
 from subdiv_cli.kinds.scalar.stages.integer_values import unusable
 from subdiv_cli.model import Data, Finding
+from subdiv_cli.model.formulas import operator as formula
+from subdiv_cli.model.formulas import stencil as combination
 
 RULE = rules.QUASI_INTERPOLATION
 
