@@ -6,7 +6,7 @@ question. A rule is a row of a kind's table: what all findings of one code share
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from fractions import Fraction
@@ -135,6 +135,11 @@ class Finding:
     """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
     """The claims of the certificate that say the same, checked independently."""
+
+
+def answering(findings: Iterable[Finding], question: Question) -> Finding | None:
+    """The finding that answers a question; None where none does."""
+    return next((f for f in findings if any(asked == question for asked, _ in f.answers)), None)
 
 
 Answers = Mapping[Question, Answer]

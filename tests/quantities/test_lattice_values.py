@@ -9,8 +9,8 @@ import pytest
 from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers import values as lattice_values
 from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError, at_fractions, at_integers, support_box
-from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.option import from_option
+from subdiv_cli.kinds.reading import read_path
 
 F = Fraction
 MASKS = Path(__file__).parents[2] / "masks" / "multivariate"

@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
+from subdiv_cli.maskfile.canonical import canonical
 from support import answer, findings, four_point, scheme, shipped_surface
 
 from subdiv_cli.catalog.trust import trusted
@@ -16,7 +17,6 @@ from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.tensor import tensor_factors
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.multivariate.stages import analysis
-from subdiv_cli.maskfile.canonical import canonical
 from subdiv_cli.model import Effort, Log, Verdict
 from subdiv_cli.pipeline import check
 
