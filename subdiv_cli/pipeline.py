@@ -14,12 +14,12 @@ from subdiv_cli.certificate import document_text, family_certificate
 from subdiv_cli.checker import check_document
 from subdiv_cli.exact.closed import compare, digits
 from subdiv_cli.kinds import kind_of
-from subdiv_cli.kinds.kind import Analysis, Kind, Scheme, gather
+from subdiv_cli.kinds.kind import Analysis, Drawings, Kind, Options, Scheme, gather
 from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Judgement, Result
 from subdiv_cli.model.judge import judge, status
 
 if TYPE_CHECKING:
-    from subdiv_cli.model.blocks import Portrait
+    from subdiv_cli.model.blocks import Drawing, Portrait
     from subdiv_cli.model.family import FamilyRadius
 
 
@@ -58,6 +58,22 @@ def show(scheme: Scheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, 
     analysis = kind.portraits.analyse(scheme, effort, tolerance)
     checked = certified(kind, analysis, (), effort)
     return checked, kind.portraits.make(analysis, checked.result)
+
+
+def draw(scheme: Scheme, drawings: Drawings, options: Options, effort: Effort) -> Drawing:
+    """A picture of one of the sorts that the kind of the scheme declares; what it rests on is certified and checked.
+
+    Raises NotDrawnError where it cannot be drawn, DisagreementError where the checker says no.
+    """
+    kind = kind_of(scheme)
+    analyse = kind.analyse
+    assert analyse is not None, "a kind that draws decides"
+
+    def certify(part: Effort) -> tuple[Analysis, Result]:
+        analysis = analyse(scheme, part)
+        return analysis, certified(kind, analysis, (), part).result
+
+    return drawings.make(scheme, effort, options, certify)
 
 
 def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort) -> Checked:

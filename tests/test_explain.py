@@ -11,7 +11,7 @@ from subdiv_cli.explain import codes, page
 from subdiv_cli.kinds.reading import read_text
 from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.portrait import portrait
+from subdiv_cli.pipeline import show
 
 PACKAGE = Path(__file__).parents[1] / "subdiv_cli"
 PAGES = sorted((PACKAGE / "explain" / "pages").glob("SD*.md"))
@@ -30,7 +30,7 @@ def findings_of(body, code, tmp_path):
     """Those of `subdiv show` for a code that only it has."""
     if not code.startswith("SD5"):
         return result_of(body, tmp_path).findings
-    return portrait(read_text(body, file="mask.toml").scheme({}), Fraction(1, 1000), Effort())[0].result.findings
+    return show(read_text(body, file="mask.toml").scheme({}), Fraction(1, 1000), Effort())[0].result.findings
 
 
 def result_of(body, tmp_path):

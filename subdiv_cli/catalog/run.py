@@ -9,7 +9,7 @@ from fractions import Fraction
 from subdiv_cli.catalog.discovery import discover
 from subdiv_cli.catalog.files import CertificateDirectory
 from subdiv_cli.catalog.ordered import Numbered, Order, in_order
-from subdiv_cli.catalog.task import Done, Draw, Settings, Task, invalid, perform
+from subdiv_cli.catalog.task import Done, Settings, Task, invalid, perform
 from subdiv_cli.kinds.reading import load_path
 from subdiv_cli.maskfile import MaskFile, MaskFileError
 from subdiv_cli.model import DEFAULT_EFFORT, Expectation, Problem, Result
@@ -36,7 +36,7 @@ def check_all(
     jobs: int = 1,
     cluster: str | None = None,
     shard: tuple[int, int] | None = None,
-    draw: Draw | None = None,
+    sections: bool = False,
     on_total: Callable[[int], None] = _ignore,
     on_done: Callable[[Done], None] = _ignore,
 ) -> Iterator[Result]:
@@ -45,8 +45,9 @@ def check_all(
     `work` and `seconds` are the effort for each question and the time for each mask; `required` is what every mask is
     held to beside its own expectations. `certificates` is a directory for the proofs, made where it is missing;
     `cache` one for results. `jobs` processes work here, or those of the Dask scheduler `cluster`; `shard` (i, n) takes
-    every n-th mask from the i-th on. `on_skipped` hears how many TOML files of the directories are no masks,
-    `on_total` how many masks there are, `on_done` of each when it is done, in whatever order.
+    every n-th mask from the i-th on. With `sections` the results have their stencils and pictures. `on_skipped` hears
+    how many TOML files of the directories are no masks, `on_total` how many masks there are, `on_done` of each when it
+    is done, in whatever order.
 
     Nothing is raised for bad input: its result is `invalid` and holds the problems. An internal error is one too
     (SD099), unless `debug` lets it through. On Ctrl-C what is done comes, then KeyboardInterrupt. Raises OSError where
@@ -61,7 +62,7 @@ def check_all(
         required=tuple(required),
         certificates=directory is not None,
         cache=cache,
-        draw=draw,
+        sections=sections,
     )
     found = discover(target for target in targets if isinstance(target, str))
     on_skipped(found.skipped)

@@ -6,40 +6,21 @@ Nothing is raised for bad input: its result is `invalid` and holds the problems.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.catalog.cache import Cache, Entry, key
+from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.reading import load_path, read_bytes
 from subdiv_cli.maskfile import MaskFile, MaskFileError
 from subdiv_cli.maskfile.problems import internal_error
-from subdiv_cli.model import (
-    DEFAULT_EFFORT,
-    Drawing,
-    Effort,
-    Expectation,
-    Judgement,
-    LatticeMask,
-    Problem,
-    Result,
-    Verdict,
-)
+from subdiv_cli.model import DEFAULT_EFFORT, Effort, Expectation, Judgement, Problem, Result, Verdict
 
-
-class Draw(NamedTuple):
-    """Who makes the drawings of a page; a module and a function by name, as another process has to import them."""
-
-    module: str
-    function: str
-
-    def __call__(self, scheme: Any, converges: bool) -> Drawing:
-        """The drawing of a scheme, of the kinds that the function knows."""
-        from importlib import import_module
-
-        make: Callable[..., Drawing] = getattr(import_module(self.module), self.function)
-        return make(scheme, converges=converges)
+if TYPE_CHECKING:
+    from subdiv_cli.kinds.kind import Scheme
+    from subdiv_cli.model.blocks import Section
 
 
 class Settings(NamedTuple):
@@ -55,7 +36,8 @@ class Settings(NamedTuple):
     """Whether the texts of the certificates are wanted."""
     cache: str | None = None
     """The directory of the cache."""
-    draw: Draw | None = None
+    sections: bool = False
+    """Whether stencils and pictures are wanted."""
 
 
 class Task(NamedTuple):
@@ -110,23 +92,16 @@ def _perform(task: Task, settings: Settings) -> Done:
             reference=mask.reference,
             parameters=parameters,
             expectations=tuple(_placed(judged, mask) for judged in result.expectations),
-            drawing=_drawing(scheme, result, settings),
-            mask=_lattice_mask(scheme),
+            sections=_sections(scheme, result) if settings.sections else (),
         ),
         certificate=done.certificate if settings.certificates else None,
     )
 
 
-def _lattice_mask(scheme: Any) -> LatticeMask | None:
-    """Of masks in several variables, for reports that show stencils."""
-    return LatticeMask(scheme.dilation, tuple(scheme.terms.items())) if hasattr(scheme, "dilation") else None
-
-
-def _drawing(scheme: Any, result: Result, settings: Settings) -> Drawing | None:
-    """Of masks in one variable, for the formats that draw."""
-    if settings.draw is None or result.kind != "scalar":
-        return None
-    return settings.draw(scheme, result.convergent is Verdict.PROVED)
+def _sections(scheme: Scheme, result: Result) -> tuple[Section, ...]:
+    """Those of its kind, if it has some."""
+    make = kind_of(scheme).sections
+    return () if make is None else make(scheme, result)
 
 
 def _kept(data: bytes | None, scheme: Any, expectations: tuple[Expectation, ...], settings: Settings) -> Done:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from pathlib import PurePath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -15,11 +15,9 @@ from subdiv_cli.cli.streams import emit, look_of, why_not
 from subdiv_cli.cli.values import WholeType
 
 if TYPE_CHECKING:
-    from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-    from subdiv_cli.maskfile.points import Points
-    from subdiv_cli.model import Effort, Result
-    from subdiv_cli.plot.figure import Panel
-    from subdiv_cli.plot.sampled import Line
+    from subdiv_cli.kinds.kind import Drawings
+    from subdiv_cli.model.blocks import Drawing, Net
+    from subdiv_cli.plot.panels import Drawn
 
 _EPILOG = """\b
 Examples:
@@ -42,10 +40,11 @@ Exit codes:
 """
 
 _POINTS = 600
-_HEIGHT = 18
+_MOST_POINTS = 10_000
 _MOST_LEVELS = 8
-_DERIVATIVES = 4
-"""Drawn unless more are asked for."""
+_OBJ = ".obj"
+_UNPROVED = {"smoothness": "φ is not proved continuous", "convergence": "S is not proved to converge"}
+"""Question -> why nothing is drawn where it is not decided."""
 
 
 @click.command("plot", epilog=_EPILOG, short_help="Draw the refinable function, its derivatives, and curves.")
@@ -113,167 +112,142 @@ def command(
     of the function, or with --points a control net, refined as far as it is determined.
     """
     _writable(output)
-    family = single.read_family(single.Named("plot", files, mask, start, arity, parameters))
-    from subdiv_cli.model import Effort
-
-    kinds = {one.mask.kind for one in family}
-    if len(kinds) > 1:
-        raise click.UsageError("masks in one variable and in several are not drawn into one picture")
-    if kinds == {"multivariate"}:
-        from subdiv_cli.cli import plot_surfaces
-
-        for name, value in (("--derivatives", derivatives), ("--closed, --open", closed), ("--samples", samples)):
-            if value is not None:
-                raise click.UsageError(f"{name} belongs to curves, those of masks in one variable")
-        asked = plot_surfaces.Asked(output, style, polygon, levels)
-        return plot_surfaces.plot(family, asked, Effort(effort), _nothing)
-    _usage(output, style, polygon, closed, levels, derivatives)
-    panels: list[Panel] | ExitCode
-    points = min(samples or _POINTS, 10_000)
-    if polygon is None:
-        panels = _functions(family, Effort(effort), points, derivatives)
-    else:
-        panels = _curves(family, Effort(effort), points, _points(polygon), closed, levels or 0)
-    if isinstance(panels, ExitCode):
-        return panels
-    return _terminal(panels) if output is None else _file(panels, output)
+    family = single.read_family(single.Named("plot", "drawings", files, mask, start, arity, parameters))
+    options: dict[str, Any] = {
+        "style": style, "derivatives": derivatives, "points": polygon, "closed": closed, "levels": levels,
+        "samples": samples,
+    }  # fmt: skip
+    given = {name for name, value in options.items() if value is not None}
+    drawings = _drawings(family, given, "" if output is None else PurePath(output).suffix.lower())
+    options["samples"] = min(samples or _POINTS, _MOST_POINTS)
+    if polygon is not None:
+        options["points"] = _points(drawings[0], polygon)
+    drawn = _drawn(family, drawings, options, effort)
+    if isinstance(drawn, ExitCode):
+        return drawn
+    return _terminal(drawn) if output is None else _file(drawn, output, style or "surface")
 
 
 def _writable(output: str | None) -> None:
-    from subdiv_cli.cli.plot_surfaces import OBJ
     from subdiv_cli.plot.figure import SUFFIXES
 
     if output is None:
         return
-    if PurePath(output).suffix.lower() not in (*SUFFIXES, OBJ):
-        raise click.BadParameter(f"{output!r} must end in {', '.join((*SUFFIXES, OBJ))}", param_hint="-o")
+    if PurePath(output).suffix.lower() not in (*SUFFIXES, _OBJ):
+        raise click.BadParameter(f"{output!r} must end in {', '.join((*SUFFIXES, _OBJ))}", param_hint="-o")
     if (reason := why_not(output)) is not None:
         raise click.BadParameter(f"{output!r} cannot be written: {reason}", param_hint="-o")
 
 
-def _usage(
-    output: str | None,
-    style: str | None,
-    polygon: str | None,
-    closed: bool | None,
-    levels: int | None,
-    derivatives: int | None,
-) -> None:
-    """For masks in one variable."""
-    if style is not None:
-        raise click.UsageError("--as belongs to surfaces, those of masks in several variables")
-    if output is not None and PurePath(output).suffix.lower() == ".obj":
-        raise click.UsageError("an .obj is the net of a mask in two variables")
-    if polygon is None and (closed is not None or levels):
-        raise click.UsageError("--closed, --open and --levels belong to --points")
-    if polygon is not None and derivatives is not None:
-        raise click.UsageError("--derivatives are those of the refinable function: leave out --points")
+def _drawings(family: Sequence[single.One], given: set[str], suffix: str) -> list[Drawings]:
+    """What is drawn of each mask, all of one sort. Raises a usage error for options that do not go with it."""
+    from subdiv_cli.kinds import kind_of
+
+    found: list[Drawings] = []
+    for one in family:
+        sorts = kind_of(one.scheme).drawings or ()
+        meant = next((sort for sort in sorts if suffix in sort.suffixes and sort.needs <= given), None)
+        if meant is None:
+            raise click.UsageError(_nowhere(one, sorts, suffix))
+        single.refuse_others(given, meant.options)
+        found.append(meant)
+    if len(names := sorted({sort.name for sort in found})) > 1:
+        raise click.UsageError(f"{' and '.join(names)} are not drawn into one picture")
+    if (most := found[0].most) is not None and len(family) > most:
+        raise click.UsageError(f"these are {len(family)} {found[0].name}, and one picture takes {most} at most")
+    return found
 
 
-def _points(file: str) -> Points:
+def _nowhere(one: single.One, sorts: Sequence[Drawings], suffix: str) -> str:
+    """Why no sort of pictures fits: the file, or what is not given."""
+    needed = sorted(option for sort in sorts if suffix in sort.suffixes for option in sort.needs)
+    if needed:
+        return f"of a mask of kind {one.mask.kind} something is drawn only with --{needed[0]}"
+    return "an .obj is the net of a mask in two variables"
+
+
+def _points(drawings: Drawings, file: str) -> Any:
     from subdiv_cli.maskfile import MaskFileError
-    from subdiv_cli.maskfile.points import read_points
 
+    assert drawings.points is not None, "what takes points reads them"
     try:
-        return read_points(file)
+        return drawings.points(file)
     except MaskFileError as error:
         single.complain(error.problems)
 
 
-def _scheme(one: single.One) -> ScalarScheme:
-    from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+def _drawn(
+    family: Sequence[single.One], drawings: Sequence[Drawings], options: dict[str, Any], effort: int
+) -> list[Drawn] | ExitCode:
+    """The blocks of each mask, control polygons only once; an exit code where one has nothing to draw."""
+    from subdiv_cli.kinds.kind import NotDrawnError
+    from subdiv_cli.model import Effort
+    from subdiv_cli.model.blocks import Polygon
+    from subdiv_cli.pipeline import draw
+    from subdiv_cli.plot.panels import Drawn
 
-    assert isinstance(one.scheme, ScalarScheme)
-    return one.scheme
-
-
-def _functions(
-    family: Sequence[single.One], effort: Effort, samples: int, derivatives: int | None
-) -> list[Panel] | ExitCode:
-    """A panel for φ and one for each derivative, a line in it for each mask that has it."""
-    from subdiv_cli.plot.figure import Panel
-    from subdiv_cli.plot.sampled import graph
-    from subdiv_cli.portrait import drawn
-
-    rows: list[list[Line]] = []
-    for one in family:
-        result, curves, support = drawn(_scheme(one), effort, samples)
-        label = one.title(family)
-        if not curves:
-            return _nothing(one, result, ("SD302",), "φ is not proved continuous")
-        for curve in curves[: (_DERIVATIVES if derivatives is None else derivatives) + 1]:
-            if curve.order == len(rows):
-                rows.append([])
-            rows[curve.order].append(graph(curve, label, support))
-    title = family[0].title() if len(family) == 1 else "φ"
-    names = (("φ" + "'" * order if order < 4 else f"φ^({order})") for order in range(len(rows)))
-    return [
-        Panel(f"{name} — {title}" if title != "φ" else name, tuple(lines))
-        for name, lines in zip(names, rows, strict=True)
-    ]
-
-
-def _curves(
-    family: Sequence[single.One], effort: Effort, samples: int, columns: Points, closed: bool | None, levels: int
-) -> list[Panel] | ExitCode:
-    """One panel: the control polygon, the refined ones of the first mask, and the limit curve of each mask."""
-    from subdiv_cli.plot.figure import Panel
-    from subdiv_cli.plot.sampled import plane
-    from subdiv_cli.portrait import TooFewPointsError, traced
-
-    meets = columns[0][0] == columns[0][-1] and columns[1][0] == columns[1][-1]
-    closed = meets if closed is None else closed
-    if closed and meets and len(columns[0]) > 2:
-        columns = (columns[0][:-1], columns[1][:-1])
-    lines = [plane("control polygon", *columns, closed=closed, polygon=True)]
-    for number, one in enumerate(family):
+    found: list[Drawn] = []
+    for one, sort in zip(family, drawings, strict=True):
         try:
-            result, curves, refined = traced(
-                _scheme(one), effort, columns, samples, closed=closed, levels=0 if number else levels
-            )
-        except TooFewPointsError as error:
-            raise click.ClickException(f"{error}: give more, or --closed") from None
-        if not curves:
-            return _nothing(one, result, ("SD201",), "S is not proved to converge")
-        for level, (x, y) in enumerate(refined, 1):
-            lines.append(plane(f"level {level}", x, y, closed=closed, polygon=True))
-        across, up = (curve.values for curve in curves)
-        lines.append(plane(one.title(family), across, up, closed=False))
-    title = family[0].title() if len(family) == 1 else "limit curves"
-    return [Panel(title, tuple(lines), plane=True)]
+            drawing = draw(one.scheme, sort, options, Effort(effort))
+        except NotDrawnError as error:
+            raise click.ClickException(f"not drawn: {error}") from None
+        if not drawing.blocks:
+            return _nothing(one, drawing)
+        told = bool(found)
+        blocks = tuple(b for b in drawing.blocks if not (told and isinstance(b, Polygon) and b.control))
+        found.append(Drawn(one.title(family if len(family) > 1 else ()), one.title(family), blocks))
+        options = options | {"levels": None}  # those of the first mask are enough
+    return found
 
 
-def _nothing(one: single.One, result: Result, codes: Sequence[str], undecided: str) -> ExitCode:
+def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
     """Why there is nothing to draw, on stderr."""
     from subdiv_cli.model import Verdict
+    from subdiv_cli.model.findings import answering
     from subdiv_cli.report.numbers import exact
 
-    verdicts = {found.code: found for found in result.findings}
-    found = next((verdicts[code] for code in codes if verdicts[code].verdict is Verdict.REFUTED), None)
+    assert drawing.result is not None, "what is missing rests on a verdict"
+    assert drawing.question is not None
+    found = answering(drawing.result.findings, drawing.question)
+    refuted = found is not None and found.verdict is Verdict.REFUTED
     at = ", ".join(f"{name} = {exact(value)}" for name, value in one.parameters.items())
     name = f"{one.mask.name or one.mask.file}{f' at {at}' if at else ''}"
-    why = undecided if found is None else found.statement
+    why = found.statement if found is not None and refuted else _UNPROVED[drawing.question.name]
     emit(f"{name}: nothing to draw, {why}\n", sys.stderr)
-    return ExitCode.UNDECIDED if found is None else ExitCode.FAILED
+    return ExitCode.FAILED if refuted else ExitCode.UNDECIDED
 
 
-def _terminal(panels: Sequence[Panel]) -> ExitCode:
-    """The panels drawn with letters; several lines in one are not told apart by colour."""
-    from subdiv_cli.plot.terminal import draw
+def _terminal(drawn: Sequence[Drawn]) -> ExitCode:
+    """The panels drawn with letters."""
+    from subdiv_cli.plot.panels import panels, rows
     from subdiv_cli.report.letters import letters
 
     look = look_of(sys.stdout)
-    rows: list[str] = []
-    for panel in panels:
-        shown = (
-            panel.lines if len(panel.lines) < 2 else [line for line in panel.lines if not line.polygon] or panel.lines
-        )
-        rows += ["", letters(panel.title, look.unicode)] if rows else [letters(panel.title, look.unicode)]
-        rows += draw(shown, width=look.width, height=_HEIGHT, unicode=look.unicode)
-    return single.print_rows(rows)
+    lines: list[str] = []
+    for panel in panels(drawn):
+        lines += [""] if lines else []
+        lines += [letters(panel.title, look.unicode), *rows(panel, width=look.width, unicode=look.unicode)]
+    return single.print_rows(lines)
 
 
-def _file(panels: Sequence[Panel], output: str) -> ExitCode:
-    from subdiv_cli.plot.figure import picture
+def _file(drawn: Sequence[Drawn], output: str, style: str) -> ExitCode:
+    from subdiv_cli.model.blocks import Net
+    from subdiv_cli.plot.panels import figure, panels
 
-    return single.write_picture(output, lambda: picture(panels, PurePath(output).suffix.lower().lstrip(".")))
+    for block in drawn[0].blocks:
+        if isinstance(block, Net):
+            return _net(block, drawn[0].title, output)
+    form = PurePath(output).suffix.lower().lstrip(".")
+    return single.write_picture(output, lambda: figure(panels(drawn), form, style))
+
+
+def _net(net: Net, title: str, output: str) -> ExitCode:
+    from subdiv_cli.plot.obj import obj
+    from subdiv_cli.report.letters import letters
+
+    try:
+        text = obj(net, letters(f"{title}: {net.title}", unicode=False))
+    except OverflowError:
+        raise click.ClickException("not written: a coordinate is larger than any double") from None
+    return single.write_picture(output, lambda: text.encode("ascii"))

@@ -14,7 +14,7 @@ from subdiv_cli.cli.options import Asked
 from subdiv_cli.cli.printing import complain, put
 from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import emit
-from subdiv_cli.model import Data, Finding, Result
+from subdiv_cli.model import Result
 from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
 
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from subdiv_cli.catalog.baseline import Baseline
     from subdiv_cli.catalog.task import Done
     from subdiv_cli.maskfile import MaskFile
-
-DRAWING = ("subdiv_cli.kinds.scalar.numbers.curve", "drawing")
 
 
 class Run:
@@ -88,10 +86,8 @@ class Run:
         told: dict[str, Any] = {"on_total": self._progress.begin, "on_done": self._hear}
         if self.asked.verbose:
             told["on_skipped"] = _tell_skipped
-        if "html" in self.forms:
-            from subdiv_cli.catalog.task import Draw
-
-            told["draw"] = Draw(*DRAWING)
+        if "html" in self.forms or ("text" in self.forms and self.asked.verbosity > 0):
+            told["sections"] = True
         return told
 
     def _hear(self, done: Done) -> None:
@@ -113,14 +109,8 @@ class Run:
         if self.asked.verbose > 1 or written & {"json", "jsonl"} or self.asked.form == "json":
             return result
         if self.asked.form == "jsonl" and not written:
-            return replace(result, findings=(), facts={}, drawing=None, mask=None)
-        return replace(result, findings=tuple(replace(f, witness=_drawn(f)) for f in result.findings))
-
-
-def _drawn(found: Finding) -> Mapping[str, Data]:
-    """What is drawn of a witness: the stencil of Q in several variables."""
-    stencil = found.witness.get("stencil") if found.code == "SD619" else None
-    return {} if stencil is None else {"stencil": stencil}
+            return replace(result, findings=(), facts={})
+        return replace(result, findings=tuple(replace(found, witness={}) for found in result.findings))
 
 
 def _tell_skipped(count: int) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -19,7 +18,7 @@ from subdiv_cli.report.show import FORMATS, renderer
 
 if TYPE_CHECKING:
     from subdiv_cli.model import Result
-    from subdiv_cli.model.blocks import Anatomy
+    from subdiv_cli.model.blocks import Picture
     from subdiv_cli.pipeline import Checked
 
 _EPILOG = """\b
@@ -84,13 +83,11 @@ def command(
     if output is not None and (reason := why_not(output)) is not None:
         raise click.BadParameter(f"{output!r} cannot be written: {reason}", param_hint="-o")
     files = () if file is None else (file,)
-    one = single.read(single.Named("show", files, mask, start, arity, parameters))
+    one = single.read(single.Named("show", "portraits", files, mask, start, arity, parameters))
     form = form or _by_suffix(output)
     look = look_of(sys.stdout) if output is None else Look()
-    several = one.mask.kind == "multivariate"
-    if several:
-        _check_surface_options()
-    page = (_surface_page if several else _page)(one, form, tolerance, effort, certificate, look)
+    _check_options(one)
+    page = _page(one, form, tolerance, effort, certificate, look)
     if output is not None:
         return _write(output, page)
     try:
@@ -101,37 +98,30 @@ def command(
     return ExitCode.PASSED
 
 
-def _check_surface_options() -> None:
-    if click.get_current_context().get_parameter_source("tolerance") is ParameterSource.COMMANDLINE:
-        raise click.UsageError("--tolerance belongs to curves, those of masks in one variable")
+def _check_options(one: single.One) -> None:
+    """Raises a usage error for an option that means nothing for the kind of mask."""
+    from subdiv_cli.kinds import kind_of
+
+    portraits, context = kind_of(one.scheme).portraits, click.get_current_context()
+    assert portraits is not None, "a mask of another kind is not read"
+    given = {name for name in context.params if context.get_parameter_source(name) is ParameterSource.COMMANDLINE}
+    single.refuse_others(given, portraits.options)
 
 
 def _page(one: single.One, form: str, tolerance: Fraction, effort: int, certificate: str | None, look: Look) -> str:
-    from subdiv_cli.kinds.scalar.scheme import ScalarScheme
     from subdiv_cli.model import Effort
-    from subdiv_cli.portrait import portrait
+    from subdiv_cli.pipeline import show
 
-    assert isinstance(one.scheme, ScalarScheme)
-    checked, anatomy = portrait(one.scheme, tolerance, Effort(effort))
-    return renderer(form)(_labelled(one, checked, certificate), anatomy, _picture(anatomy, look), look)
+    checked, portrait = show(one.scheme, tolerance, Effort(effort))
 
+    def draw(block: Picture) -> list[str]:
+        from subdiv_cli.plot.panels import Drawn, panels, rows
 
-def _surface_page(
-    one: single.One, form: str, tolerance: Fraction, effort: int, certificate: str | None, look: Look
-) -> str:
-    from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-    from subdiv_cli.model import Effort
-    from subdiv_cli.plot.heights import draw_heights
-    from subdiv_cli.relief import surface_portrait
-    from subdiv_cli.report.show.lattice import render
-
-    assert isinstance(one.scheme, MultivariateScheme)
-    checked, anatomy = surface_portrait(one.scheme, Effort(effort))
-    picture: list[str] = []
-    if anatomy.surface is not None:
         width = min(look.width - 2, _WIDEST)
-        picture = draw_heights(anatomy.surface, width=width, height=_HEIGHT, unicode=look.unicode)
-    return render(form, _labelled(one, checked, certificate), anatomy, picture, look)
+        found = panels([Drawn("", "", (block,))])
+        return [row for panel in found for row in rows(panel, width=width, unicode=look.unicode, height=_HEIGHT)]
+
+    return renderer(form)(_labelled(one, checked, certificate), portrait, draw, look)
 
 
 def _labelled(one: single.One, checked: Checked, certificate: str | None) -> Result:
@@ -148,16 +138,6 @@ def _by_suffix(output: str | None) -> str:
     from pathlib import PurePath
 
     return "text" if output is None else SUFFIXES.get(PurePath(output).suffix.lower(), "text")
-
-
-def _picture(anatomy: Anatomy, look: Look) -> Sequence[str]:
-    if anatomy.curve is None:
-        return []
-    from subdiv_cli.plot.sampled import graph
-    from subdiv_cli.plot.terminal import draw
-
-    line = graph(anatomy.curve, "φ", anatomy.support)
-    return draw([line], width=min(look.width - 2, _WIDEST), height=_HEIGHT, unicode=look.unicode)
 
 
 def _write(output: str, page: str) -> ExitCode:

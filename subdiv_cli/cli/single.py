@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
@@ -86,10 +86,31 @@ def options(command: Command) -> Command:
     return command
 
 
+BELONGS = {
+    "tolerance": "--tolerance belongs to curves, those of masks in one variable",
+    "derivatives": "--derivatives belongs to curves, the functions of masks in one variable: leave out --points",
+    "closed": "--closed and --open belong to --points, for curves: those of masks in one variable",
+    "levels": "--levels belongs to --points, or to the net of a mask in two variables, -o NET.obj",
+    "points": "--points belongs to masks in one variable, or to the net of one in two, -o NET.obj",
+    "samples": "--samples belongs to curves, those of masks in one variable",
+    "style": "--as belongs to surfaces, those of masks in several variables, in -o FILE.svg, .png or .pdf",
+}
+"""Option that not every kind of mask has -> what it is for."""
+
+
+def refuse_others(given: Collection[str], taken: Collection[str]) -> None:
+    """Raises a usage error for a given option that is not among those that are taken."""
+    for option, what in BELONGS.items():
+        if option in given and option not in taken:
+            raise click.UsageError(what)
+
+
 class Named(NamedTuple):
     """What the command line says about the masks that are meant."""
 
     command: str
+    capability: str
+    """What their kinds are to declare, a field of `Kind`."""
     files: tuple[str, ...]
     mask: str | None
     start: tuple[int, ...] | None
@@ -130,7 +151,7 @@ def read_family(named: Named) -> list[One]:
             start, arity = named.start or 0, 2 if named.arity is None else named.arity
             masks = [from_option(named.mask, start=start, arity=arity, names=values)]
         else:
-            masks = [read_path(file) for file in named.files]
+            masks = [read_path(file, capability=named.capability) for file in named.files]
         return [one for mask in masks for one in _variants(mask, values, alone=len(masks) == 1)]
     except MaskFileError as error:
         complain(error.problems)

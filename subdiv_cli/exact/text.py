@@ -11,45 +11,11 @@ from subdiv_cli.exact.algebraic import AlgebraicNumber, is_reciprocal
 from subdiv_cli.exact.enclosures import bounds
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.rationals import whole
+from subdiv_cli.model import formulas
 from subdiv_cli.model.closed import spelled_terms
-
-_LONGEST_EXACT = 24
-_DIGITS = 10
-_LONGEST_BITS = 256
-"""Python refuses to print huge integers and is slow at large ones: from here on only leading digits are shown."""
-
-
-def number(x: Fraction) -> str:
-    """`-7/16`; a rational with a long spelling as its first digits, `0.43843…`, cut and not rounded."""
-    short = is_short(x) and len(str(x)) <= _LONGEST_EXACT
-    return str(x) if short else truncated(x)
-
-
-def is_short(x: Fraction) -> bool:
-    """Whether x can be printed in full without thought."""
-    return max(x.numerator.bit_length(), x.denominator.bit_length()) <= _LONGEST_BITS
-
-
-def truncated(x: Fraction, digits: int = _DIGITS) -> str:
-    """The decimal digits of x up to some place, followed by `…`; tiny and huge numbers with an exponent."""
-    if x < 0:
-        return "-" + truncated(-x, digits)
-    exponent = 0
-    if x and not Fraction(1, 10**4) <= x < 10**6:
-        exponent = _decimal_exponent(x)
-        x /= Fraction(10) ** exponent
-    whole, decimals = divmod(x.numerator * 10**digits // x.denominator, 10**digits)
-    return f"{whole}.{decimals:0{digits}d}…" + (f"e{exponent}" if exponent else "")
-
-
-def _decimal_exponent(x: Fraction) -> int:
-    """The e with 10^e <= x < 10^(e+1), x > 0: estimated from the bits, then put right."""
-    exponent = (x.numerator.bit_length() - x.denominator.bit_length()) * 30103 // 100000
-    while x < Fraction(10) ** exponent:
-        exponent -= 1
-    while x >= Fraction(10) ** (exponent + 1):
-        exponent += 1
-    return exponent
+from subdiv_cli.model.formulas import is_short as is_short
+from subdiv_cli.model.formulas import number as number
+from subdiv_cli.model.formulas import truncated as truncated
 
 
 def rounded_down(x: float, digits: int = 6) -> str:
@@ -66,7 +32,7 @@ def rounded_up(x: float, digits: int = 6) -> str:
     return rounded_up(x, 2 * digits) if above.denominator == 1 and above > x and digits < 50 else decimal(above, digits)
 
 
-def certain(x: Callable[[], arb], digits: int = _DIGITS) -> str:
+def certain(x: Callable[[], arb], digits: int = 10) -> str:
     """The first digits of a real number, all of them certain; `x` gives a ball around it at the current precision.
 
     A number so close to a decimal that 256 bits do not separate them is shown as the double next to it, without `…`, or
@@ -93,7 +59,7 @@ def polynomial(f: fmpz_poly, variable: str = "x") -> str:
 
 def laurent(a: Laurent) -> str:
     """`-1/16 z^-3 + 9/16 z^-1 + 1`, by rising exponent."""
-    return spelled_terms([(a.low + i, c) for i, c in enumerate(a.coefficients())], "z", " ", number, " ") or "0"
+    return formulas.laurent(a.low, a.coefficients())
 
 
 def decimal(x: Fraction, places: int) -> str:

@@ -203,15 +203,38 @@ class Portraits(NamedTuple):
     """The options of `show` that mean something for this kind."""
 
 
-class Drawings(NamedTuple):
-    """What a kind draws, for `plot`."""
+PICTURES = frozenset({"", ".svg", ".png", ".pdf"})
+"""Where pictures in two dimensions go: the terminal, which has no suffix, and files."""
+Options = Mapping[str, Any]
+"""Of `plot`, by their names: `samples` always, None or nothing for others that are not given."""
+Certify = Callable[[Effort], tuple[Analysis, Result]]
+"""All stages under an effort, and the certified result."""
 
-    make: Callable[..., Drawing]
-    """(scheme, effort, options by name) -> a drawing."""
-    options: frozenset[str]
-    """The options of `plot` that mean something for this kind."""
+
+class NotDrawnError(ValueError):
+    """What is asked for cannot be drawn; the message says why."""
+
+
+class Drawings(NamedTuple):
+    """A sort of pictures that a kind draws, for `plot`: the first one that takes the file and has what it needs."""
+
+    name: str
+    """In the plural, `curves`: only pictures of one name are drawn into one."""
+    make: Callable[[Any, Effort, Options, Certify], Drawing]
+    """A scheme drawn; the last argument analyses it, as often and under as much effort as is needed.
+
+    Raises NotDrawnError.
+    """
     suffixes: frozenset[str]
-    """Of the files that it can be drawn into."""
+    """Of the files that it goes into; an empty one is the terminal."""
+    options: frozenset[str] = frozenset()
+    """The options of `plot` that mean something for it."""
+    needs: frozenset[str] = frozenset()
+    """Those of them that must be given."""
+    points: Callable[[str], Any] | None = None
+    """Reads the file of the option `points`, which is then what was read. Raises MaskFileError."""
+    most: int | None = None
+    """Masks that are drawn into one picture."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -241,6 +264,6 @@ class Kind:
     base: Callable[[Mapping[str, Any], Sequence[int] | None], tuple[int, int]] | None = None
     """(m, s) of a canonical mask, or of its factor in these variables: exponents are to the base λ with λ^s = m."""
     sections: Callable[[Any, Result], tuple[Section, ...]] | None = None
-    """The pictures of a report: stencils, and φ where it is known."""
+    """What a report shows of a scheme and its result beside the findings: stencils, and φ where it is known."""
     portraits: Portraits | None = None
-    drawings: Drawings | None = None
+    drawings: tuple[Drawings, ...] | None = None

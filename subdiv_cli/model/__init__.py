@@ -12,7 +12,7 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from subdiv_cli.model.closed import ClosedForm as ClosedForm
 from subdiv_cli.model.closed import Log as Log
@@ -32,6 +32,9 @@ from subdiv_cli.model.findings import Question as Question
 from subdiv_cli.model.findings import Rule as Rule
 from subdiv_cli.model.findings import Smoothness as Smoothness
 from subdiv_cli.model.findings import Verdict as Verdict
+
+if TYPE_CHECKING:
+    from subdiv_cli.model.blocks import Section
 
 UNKNOWN = Smoothness()
 
@@ -56,33 +59,6 @@ class Judgement(NamedTuple):
     verdict: Verdict
     line: int | None = None
     """Where the mask file states it, 1-based; looked up only where it is not proved."""
-
-
-class Stencil(NamedTuple):
-    """Σ_i weights[i] f_(first+i): what one new value takes of the data f."""
-
-    first: int
-    weights: tuple[Fraction, ...]
-
-
-class Drawing(NamedTuple):
-    """What a page draws of a mask: data for pictures, on which no verdict depends."""
-
-    rules: tuple[Stencil, ...]
-    """For ε = 0, …, p-1: (S f)_(pk+ε) from f_(k+first), …."""
-    limit: Stencil | None = None
-    """The limit stencil: S^∞f(k) from f_(k+first), …; None where convergence is not proved."""
-    curve: tuple[tuple[float, float], ...] = ()
-    """Points (x, φ(x)), x increasing; each is an exact value rounded once."""
-
-
-class LatticeMask(NamedTuple):
-    """A mask in several variables, for the pictures of its stencils."""
-
-    dilation: tuple[tuple[int, ...], ...]
-    """The rows of M."""
-    terms: tuple[tuple[tuple[int, ...], Fraction], ...]
-    """Each α with its a_α."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -141,10 +117,8 @@ class Result:
     """The file it was written to."""
     regressions: tuple[Problem, ...] | None = None
     """What is worse than in the baseline, which then decides the status; None where the baseline has no such mask."""
-    drawing: Drawing | None = None
-    """Made only for a format that draws it."""
-    mask: LatticeMask | None = None
-    """Of a mask in several variables, whose stencils are shown."""
+    sections: tuple[Section, ...] = ()
+    """Stencils and pictures, made only for a format that shows them."""
 
 
 DEFAULT_EFFORT = 20_000

@@ -1,137 +1,159 @@
-"""A mask taken apart, and curves: what `show` and `plot` are told, exact plain data."""
+"""Blocks: what kinds hand to readers, exact data that formats and pictures set as they can; standard library only.
+
+A portrait and the section of a report are headed blocks; a drawing is blocks without words around them.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+if TYPE_CHECKING:
+    from subdiv_cli.model import Result
+    from subdiv_cli.model.findings import Data, Finding, Question
+
+Place = tuple[int, ...]
+"""An index of Z^2."""
 
 
-class Signal(NamedTuple):
-    """A finitely supported sequence: a mask, a stencil, values at the integers."""
+class Text(NamedTuple):
+    """A sentence, or less."""
 
-    start: int
-    values: tuple[Fraction, ...]
+    text: str
+    role: str = "text"
+    """`quiet` for what is of less weight; formats have further ones, for verdicts."""
 
 
-class Factor(NamedTuple):
-    """An irreducible factor of a symbol over Q, or 1 + z + … + z^(p-1)."""
+class Words(NamedTuple):
+    """What the result says of itself in words: its facts, or what is known of its exponents."""
 
-    coefficients: tuple[int, ...]
-    """Lowest power first."""
-    multiplicity: int
-    smoothing: bool = False
-    zeros: tuple[str, ...] = ()
-    """As text, digits that are certain; none for a smoothing factor."""
+    about: Literal["facts", "exponents"]
+
+
+class Statements(NamedTuple):
+    """Findings: a sentence each, or `full`, where there is room, with their reasons and sources."""
+
+    findings: tuple[Finding, ...]
+    full: bool = False
+
+
+class Formula(NamedTuple):
+    """left = right."""
+
+    left: str
+    right: str
+
+
+class Matrix(NamedTuple):
+    """A matrix with its name."""
+
+    name: str
+    rows: tuple[tuple[str, ...], ...]
+
+
+class Grid(NamedTuple):
+    """Rows of numbers on the same nodes: a stencil, a mask, values at the integers."""
+
+    corner: str
+    nodes: tuple[str, ...]
+    rows: tuple[tuple[str, tuple[str, ...]], ...]
+    """Each a name and a number for each node; an empty text where the row has none."""
+
+
+class Plane(NamedTuple):
+    """Numbers at some places of Z^2: the first coordinate is drawn to the right, the second upwards."""
+
+    title: str
+    cells: Mapping[Place, str]
+
+
+class Planes(NamedTuple):
+    """Planes that belong together: they stand beside each other where there is room."""
+
+    planes: tuple[Plane, ...]
 
 
 class Curve(NamedTuple):
-    """Exact values of a function at (start + i) / arity^level, zero elsewhere on that grid."""
+    """Exact values of a function at (start + i) / arity^level; zero elsewhere on that grid, and outside the support."""
 
     arity: int
     level: int
     start: int
     values: tuple[Fraction, ...]
+    support: tuple[Fraction, Fraction]
     order: int = 0
     """Of the derivative whose values these are."""
 
 
-class Surface(NamedTuple):
+class Polygon(NamedTuple):
+    """A polygon in the plane: control points joined, or a curve that is sampled finely."""
+
+    x: tuple[Fraction, ...]
+    y: tuple[Fraction, ...]
+    closed: bool = False
+    control: str | None = None
+    """What the control polygon is called; None for a curve."""
+
+
+class Heights(NamedTuple):
     """Exact values of a function on a plane of R^s at the points U α, α ∈ Z^2; zero where there is none."""
 
     unit: tuple[tuple[Fraction, ...], ...]
     """The rows of U, the first two coordinates."""
-    values: Mapping[tuple[int, ...], Fraction]
+    values: Mapping[Place, Fraction]
     at: tuple[Fraction, ...] = ()
     """The other coordinates, those of the plane."""
 
 
 class Net(NamedTuple):
-    """Control points in space, one for each of some α ∈ Z^2; their neighbours are α ± e_1, α ± e_2."""
+    """Points in space, one for each of some α ∈ Z^2; their neighbours are α ± e_1, α ± e_2."""
 
-    vertices: Mapping[tuple[int, ...], tuple[Fraction, ...]]
+    vertices: Mapping[Place, tuple[Fraction, ...]]
     diagonal: tuple[int, int] | None = None
     """(1, 1) or (1, -1): a neighbour as well, so the faces are triangles; None for quadrilaterals."""
     turned: bool = False
     """The refinement has turned Z^2 over."""
+    title: str = ""
+
+    def faces(self) -> Iterator[tuple[Place, ...]]:
+        """Those with all their vertices in the net, counterclockwise in Z^2."""
+        for i, j in sorted(self.vertices):
+            a, b, c, d = (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
+            halves = {None: ((a, b, c, d),), (1, 1): ((a, b, c), (a, c, d)), (1, -1): ((a, b, d), (b, c, d))}
+            yield from (face for face in halves[self.diagonal] if all(place in self.vertices for place in face))
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Anatomy:
-    """A scalar mask taken apart; empty tuples and None where the scheme does not have the part."""
-
-    mask: Signal
-    constant: Fraction
-    """The symbol is constant · z^power · the product of the factors."""
-    power: int
-    factors: tuple[Factor, ...]
-    components: tuple[Signal, ...]
-    """Polyphase components."""
-    derived: tuple[Signal, ...]
-    """The masks of S_1, …, S_k."""
-    window: int
-    """The first index of the refinement matrices."""
-    matrices: tuple[tuple[tuple[Fraction, ...], ...], ...]
-    """A_0, …, A_(p-1), by rows."""
-    eigenvalues: tuple[tuple[str, ...], ...]
-    support: tuple[Fraction, Fraction]
-    values: tuple[Signal, ...]
-    """φ, φ', … at the integers."""
-    stencils: tuple[Signal, ...]
-    """The limit and its derivatives from the data of a level."""
-    moments: tuple[Fraction, ...]
-    operator: tuple[Fraction, ...]
-    """q_i of Q = Σ q_i D^i."""
-    quasi_stencil: Signal | None
-    eigen_sequences: tuple[tuple[Fraction, ...], ...]
-    """The coefficients of Q x^i, lowest power first."""
-    orders: tuple[int, int] | None
-    """Of approximation, with Q and without."""
-    curve: Curve | None
-    """φ, finely enough for a picture."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SurfaceAnatomy:
-    """A mask in several variables taken apart; None and empty where the scheme does not have the part."""
-
-    dilation: tuple[tuple[int, ...], ...]
-    terms: Mapping[tuple[int, ...], Fraction]
-    factors: Mapping[tuple[int, ...], int]
-    """θ -> how often 1 + z^θ + … + z^((c-1)θ) divides the symbol, the dilation being c I."""
-    quotient: Mapping[tuple[int, ...], Fraction]
-    """What is left of the symbol."""
-    differences: int | None
-    """The dimension of V_k, k the order of the sum rules."""
-    centre: tuple[Fraction, ...] | None
-    """∫ x φ(x) dx."""
-    values: Mapping[tuple[int, ...], Fraction]
-    """φ at the integers."""
-    moments: Mapping[tuple[int, ...], Fraction]
-    """m_μ = Σ φ(-β) β^μ."""
-    operator: Mapping[tuple[int, ...], Fraction]
-    """q_μ of Q = Σ q_μ D^μ."""
-    centred: Mapping[tuple[int, ...], Fraction]
-    """The same of f -> Q f(· - centre)."""
-    quasi_stencil: Mapping[tuple[int, ...], Fraction]
-    """t with Q f(α) = Σ t_j f(α + j) on polynomials."""
-    surface: Surface | None
-    """φ, for a picture."""
+Picture = Curve | Polygon | Heights | Net
+Block = Text | Words | Statements | Formula | Matrix | Grid | Planes | Picture
 
 
 class Section(NamedTuple):
-    """A headed part of a page."""
+    """Blocks under a heading; an empty title is none."""
 
     title: str
-    blocks: tuple[object, ...]
+    blocks: tuple[Block, ...]
 
 
 class Portrait(NamedTuple):
-    """A mask taken apart."""
+    """A mask taken apart, for `show`."""
 
     sections: tuple[Section, ...]
+    data: Mapping[str, Data]
+    """The same as exact data, for JSON."""
 
 
 class Drawing(NamedTuple):
-    """To come."""
+    """What `plot` draws of a mask."""
+
+    blocks: tuple[Picture, ...]
+    result: Result | None = None
+    """What was decided of the mask; None where that did not matter."""
+    question: Question | None = None
+    """Where there are no blocks: what would have to be proved."""
+
+
+def sections(parts: Mapping[str, Iterable[Block]]) -> tuple[Section, ...]:
+    """Those of the headed parts that have something to say."""
+    made = ((title, tuple(blocks)) for title, blocks in parts.items())
+    return tuple(Section(title, blocks) for title, blocks in made if blocks)

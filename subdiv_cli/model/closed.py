@@ -77,7 +77,7 @@ def root_log_text(base: int, polynomial: str, low: str, high: str, divisor: int)
 
 
 def spelled_terms(
-    terms: Iterable[tuple[int, _Number]], variable: str, times: str, show: Callable[[_Number], str], space: str = ""
+    terms: Iterable[tuple[int, _Number]], variable: str, times: str, show: Callable[[_Number], str]
 ) -> str:
     """Coefficients with their exponents as a sum, without those that are 0: `81*x^2-27*x+1`."""
     text = ""
@@ -86,7 +86,7 @@ def spelled_terms(
             continue
         power = "" if exponent == 0 else variable if exponent == 1 else f"{variable}^{exponent}"
         size = "" if power and abs(c) == 1 else show(abs(c))
-        sign = ("-" if c < 0 else "") if not text else f"{space}{'-' if c < 0 else '+'}{space}"
+        sign = ("-" if c < 0 else "") if not text else "-" if c < 0 else "+"
         text += sign + size + (times if size and power else "") + power
     return text
 

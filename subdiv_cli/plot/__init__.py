@@ -1,4 +1,5 @@
-"""Pictures of sampled curves: `sampled` makes points of exact values, `terminal` draws with letters, `figure` with
+"""Pictures of blocks: `panels` says what stands on the same axes, `sampled` and `relief` make doubles of exact values.
 
-matplotlib (the extra `plot`), which is loaded only when a file is drawn.
+`terminal` and `heights` draw with letters, `figure` and `reliefs` with matplotlib (the extra `plot`), which is loaded
+only when a file is drawn; `obj` writes nets.
 """

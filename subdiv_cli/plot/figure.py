@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from io import BytesIO
-from typing import Any, NamedTuple
+from typing import Any
 
-from subdiv_cli.plot.sampled import Line
+from subdiv_cli.plot.sampled import Panel
 
 SUFFIXES = (".svg", ".png", ".pdf")
 INSTALL = "pip install 'subdiv-cli[plot]'"
@@ -15,15 +15,6 @@ _METADATA: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"Creation
 
 class MissingExtraError(ImportError):
     """matplotlib is not there; INSTALL is the mend."""
-
-
-class Panel(NamedTuple):
-    """One pair of axes."""
-
-    title: str
-    lines: tuple[Line, ...]
-    plane: bool = False
-    """A curve in the plane: both axes with the same unit."""
 
 
 def picture(panels: Sequence[Panel], form: str) -> bytes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from subdiv_cli.model.blocks import Surface
+from subdiv_cli.model.blocks import Heights
 from subdiv_cli.plot.relief import ratio, sampled
 from subdiv_cli.plot.terminal import MARGIN, framed
 
@@ -14,18 +14,18 @@ _TALL = 2
 """Height by width of a letter, about."""
 
 
-def draw_heights(surface: Surface, *, width: int = 80, height: int = 30, unicode: bool = True) -> list[str]:
+def draw_heights(heights: Heights, *, width: int = 80, height: int = 30, unicode: bool = True) -> list[str]:
     """A map at most so many columns wide and about so many rows high, both axes in one unit, and its key."""
     columns, rows = max(width - MARGIN - 3, 8), max(height, 4)
-    _, box = sampled(surface, 1, 1)
+    _, box = sampled(heights, 1, 1)
     tall = ratio(box) / _TALL
     if columns * tall > rows:
         columns = max(round(rows / tall), 8)
     rows = max(round(columns * tall), 4)
-    raster, box = sampled(surface, columns, rows)
-    top, shades = max(map(float, surface.values.values())), _SHADES[unicode]
+    raster, box = sampled(heights, columns, rows)
+    top, shades = max(map(float, heights.values.values())), _SHADES[unicode]
     cells = ["".join(_letter(z, top, shades) for z in row) for row in raster]
-    return [*framed(cells, box[0], box[1], columns, unicode), *_key(surface, top, shades, width)]
+    return [*framed(cells, box[0], box[1], columns, unicode), *_key(heights, top, shades, width)]
 
 
 def _letter(z: float, top: float, shades: str) -> str:
@@ -34,9 +34,9 @@ def _letter(z: float, top: float, shades: str) -> str:
     return _BELOW if z < 0 else shades[min(int(z / top * len(shades)), len(shades) - 1)]
 
 
-def _key(surface: Surface, top: float, shades: str, width: int) -> list[str]:
+def _key(heights: Heights, top: float, shades: str, width: int) -> list[str]:
     """What the letters mean, in as many rows as it takes."""
-    low = min(map(float, surface.values.values()))
+    low = min(map(float, heights.values.values()))
     parts = [f"{_BELOW} {low:.3g} to 0"] if low < 0 else []
     parts += [f"{shade} to {top * (i + 1) / len(shades):.3g}" for i, shade in enumerate(shades)]
     rows = [""]

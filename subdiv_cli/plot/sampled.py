@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from subdiv_cli.model.blocks import Curve
+from subdiv_cli.model.blocks import Curve, Polygon
 
 
 class Line(NamedTuple):
@@ -19,10 +19,19 @@ class Line(NamedTuple):
     """A control polygon: its vertices are drawn as well."""
 
 
-def graph(curve: Curve, label: str, support: tuple[Fraction, Fraction]) -> Line:
-    """The graph of a function on an interval outside which it is 0: 0 at the ends, the values between."""
+class Panel(NamedTuple):
+    """One pair of axes."""
+
+    title: str
+    lines: tuple[Line, ...]
+    plane: bool = False
+    """A curve in the plane: both axes with the same unit."""
+
+
+def graph(curve: Curve, label: str) -> Line:
+    """The graph of a function on its support: 0 at the ends, the values between."""
     unit = Fraction(1, curve.arity**curve.level)
-    first, last = support
+    first, last = curve.support
     points = [(float(first), 0.0)] if first < curve.start * unit else []
     points += [(float((curve.start + i) * unit), float(y)) for i, y in enumerate(curve.values)]
     if last > (curve.start + len(curve.values) - 1) * unit:
@@ -31,10 +40,12 @@ def graph(curve: Curve, label: str, support: tuple[Fraction, Fraction]) -> Line:
 
 
 def line(label: str, points: Sequence[tuple[float, float]], *, polygon: bool = False) -> Line:
+    """The polygon through these points."""
     return Line(label, tuple(x for x, _ in points), tuple(y for _, y in points), polygon)
 
 
-def plane(label: str, x: Sequence[Fraction], y: Sequence[Fraction], *, closed: bool, polygon: bool = False) -> Line:
-    """A polygon in the plane; a closed one returns to its first vertex."""
-    points = [(float(u), float(v)) for u, v in zip(x, y, strict=True)]
-    return line(label, [*points, points[0]] if closed else points, polygon=polygon)
+def plane(polygon: Polygon, label: str) -> Line:
+    """A polygon in the plane, a control polygon under its own name; a closed one returns to its first vertex."""
+    points = [(float(u), float(v)) for u, v in zip(polygon.x, polygon.y, strict=True)]
+    points += points[:1] if polygon.closed else []
+    return line(polygon.control or label, points, polygon=polygon.control is not None)

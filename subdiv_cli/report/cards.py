@@ -2,13 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from html import escape
+from itertools import groupby
 
-from subdiv_cli.model import Drawing, Finding, LatticeMask, Result, Stencil, Verdict
+from subdiv_cli.model import Finding, Result, Verdict
+from subdiv_cli.model.blocks import (
+    Block,
+    Curve,
+    Formula,
+    Grid,
+    Matrix,
+    Picture,
+    Planes,
+    Section,
+    Statements,
+    Text,
+    Words,
+)
+from subdiv_cli.model.formulas import derivative
 from subdiv_cli.model.properties import PROPERTIES
 from subdiv_cli.report import svg, words
-from subdiv_cli.report.lattice import put_quasi_interpolation, put_stencils
+from subdiv_cli.report.blocks import put
 from subdiv_cli.report.layout import paint
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
@@ -42,7 +57,7 @@ def card(number: int, result: Result, look: Look) -> str:
     if result.status != "invalid":
         parts.append('<div class="two"><div>')
         parts += [_properties(result), _expectations(result), "</div><div>"]
-        parts += [*_pictures(result.drawing), *_grids(result.mask, result.findings), "</div></div>"]
+        parts += [*(_section(section, result) for section in result.sections), "</div></div>"]
         parts.append(_findings(look.shown(result.findings), look))
         if result.certificate is not None:
             parts.append(f"<p>proof: <code>{text(result.certificate)}</code></p>")
@@ -95,44 +110,60 @@ def _value(shown: str | None) -> str:
     return "" if shown is None else f'<span class="exact">{text(shown)}</span>'
 
 
-def _pictures(drawing: Drawing | None) -> Iterator[str]:
-    """The curve and the stencils, as far as there are any."""
-    if drawing is None:
-        return
-    if drawing.curve:
-        yield f"<figure>{svg.curve(drawing.curve, 'the refinable function φ')}"
-        yield "<figcaption>φ, exact values at finitely many points</figcaption></figure>"
-    else:
-        yield '<p class="quiet">φ is drawn where convergence is proved.</p>'
-    rows = [(f"(S f)_({len(drawing.rules)}k{f'+{e}' if e else ''})", rule) for e, rule in enumerate(drawing.rules)]
-    if drawing.limit is not None:
-        rows.append(("limit at k", drawing.limit))
-    shown = [f"<tr><th>{name}</th><td>{_stencil(rule)}</td></tr>" for name, rule in rows]
-    yield f"<h3>stencils</h3>{_table(shown)}"
+def _section(section: Section, result: Result) -> str:
+    """Curves as pictures, stencils as tables, and words; as the text report has it what is none of these."""
+    whole = any(isinstance(block, _AS_TEXT) for block in section.blocks)
+
+    def shown(block: Block) -> Callable[[Sequence[Block], Result], str]:
+        return (
+            _rows if isinstance(block, Grid) else _figures if isinstance(block, Picture) else _pre if whole else _words
+        )
+
+    title = f"<h3>{text(section.title)}</h3>" if section.title else ""
+    return title + "".join(show(list(blocks), result) for show, blocks in groupby(section.blocks, shown))
 
 
-def _grids(mask: LatticeMask | None, findings: Sequence[Finding]) -> Iterator[str]:
-    """The stencils of a mask in several variables, as the text report has them."""
-    if mask is None:
-        return
+_AS_TEXT = Planes | Matrix | Formula | Statements | Words
+
+
+def _pre(blocks: Sequence[Block], result: Result) -> str:
     page = Page(Look(width=_COLUMNS))
-    put_stencils(page, dict(mask.terms), mask.dilation)
-    put_quasi_interpolation(page, findings)
-    yield f"<h3>stencils</h3><pre>{escape(paint(page.lines))}</pre>"
+    put(page, blocks, result)
+    return f"<pre>{escape(paint(page.lines))}</pre>"
 
 
-def _stencil(stencil: Stencil) -> str:
-    if len(stencil.weights) > MOST_WEIGHTS:
-        return f"{len(stencil.weights)} weights"
-    if not stencil.weights:
+def _words(blocks: Sequence[Block], result: Result) -> str:
+    return "".join(f'<p class="{block.role}">{text(block.text)}</p>' for block in blocks if isinstance(block, Text))
+
+
+def _figures(blocks: Sequence[Block], result: Result) -> str:
+    """Graphs; other pictures are not drawn here."""
+    parts = []
+    for curve in (block for block in blocks if isinstance(block, Curve)):
+        name = derivative("φ", curve.order)
+        caption = f"<figcaption>{name}, exact values at finitely many points</figcaption>"
+        parts.append(f"<figure>{svg.curve(curve, f'the refinable function {name}')}{caption}</figure>")
+    return "".join(parts)
+
+
+def _rows(blocks: Sequence[Block], result: Result) -> str:
+    """One table of all grids."""
+    rows = []
+    for grid in (block for block in blocks if isinstance(block, Grid)):
+        for name, numbers in grid.rows:
+            used = [i for i, number in enumerate(numbers) if number]
+            rows.append(f"<tr><th>{text(name)}</th><td>{_stencil(grid.nodes, numbers, used)}</td></tr>")
+    return _table(rows)
+
+
+def _stencil(nodes: Sequence[str], numbers: Sequence[str], used: Sequence[int]) -> str:
+    if len(used) > MOST_WEIGHTS:
+        return f"{len(used)} weights"
+    if not used:
         return "0"
-    last = stencil.first + len(stencil.weights) - 1
-    where = " … ".join(map(_place, dict.fromkeys((stencil.first, last))))
-    return f'<span class="exact">{", ".join(map(exact, stencil.weights))}</span> <span class="quiet">on {where}</span>'
-
-
-def _place(offset: int) -> str:
-    return f"f_(k{offset:+d})" if offset else "f_k"
+    where = " … ".join(nodes[i] for i in dict.fromkeys((used[0], used[-1])))
+    shown = ", ".join(numbers[i] for i in used)
+    return f'<span class="exact">{text(shown)}</span> <span class="quiet">on {text(where)}</span>'
 
 
 def _findings(findings: Iterable[Finding], look: Look) -> str:

@@ -1,9 +1,11 @@
-"""The curve of φ as an inline SVG: numbers in, a picture out, nothing else needed."""
+"""A curve as an inline SVG: numbers in, a picture out, nothing else needed."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
+
+from subdiv_cli.model.blocks import Curve
 
 WIDTH, HEIGHT = 480, 220
 LEFT, RIGHT, TOP, BOTTOM = 34, 8, 10, 22
@@ -12,8 +14,10 @@ MOST_TICKS = 9
 Points = Sequence[tuple[float, float]]
 
 
-def curve(points: Points, title: str) -> str:
+def curve(values: Curve, title: str) -> str:
     """A polyline over its axes, with the integers below it and the ends of its range beside it."""
+    step = values.arity**values.level
+    points = [((values.start + i) / step, float(y)) for i, y in enumerate(values.values)]
     (left, right), (low, high) = _range(points)
 
     def x(value: float) -> float:

@@ -193,14 +193,15 @@ class _Page(Page):
         self.table(header if header[2] else header[:2], [row if header[2] else row[:2] for row in rows])
 
     def stencils(self, result: Result) -> None:
-        """Of a mask in several variables, where more is asked for: the rule of each coset as a small grid."""
-        if result.mask is None or self.look.verbosity < 1:
+        """Where more is asked for: the sections that have grids of numbers."""
+        if self.look.verbosity < 1 or not result.sections:
             return
-        from subdiv_cli.report.lattice import put_quasi_interpolation, put_stencils
+        from subdiv_cli.report.blocks import has_grids, put
 
-        self.blank()
-        put_stencils(self, dict(result.mask.terms), result.mask.dilation)
-        put_quasi_interpolation(self, result.findings)
+        for section in result.sections:
+            if has_grids(section):
+                self.blank()
+                put(self, section.blocks, result)
 
     def closing(self, result: Result, *, indent: int = 0) -> None:
         """Why the exit code is what it is."""

@@ -288,10 +288,14 @@ def test_a_certificate_that_does_not_verify_is_not_believed(store):
     assert check([FOUR_POINT], cache=store)[1] == []
 
 
-def test_a_hit_loads_no_flint(tmp_path):
+@pytest.mark.parametrize("name", ["scalar/four_point", "multivariate/loop"])
+@pytest.mark.parametrize("more", [[], ["-v"], ["--format", "html"]])
+def test_a_hit_loads_no_flint(tmp_path, name, more):
+    """Nor do the stencils and the curve of a report."""
+    arguments = ["check", str(masks_directory() / f"{name}.toml"), "--cache-dir", str(tmp_path), *more]
     code = (
         "import sys\nfrom subdiv_cli.cli import main\n"
-        f"try:\n    main(['check', {str(FOUR_POINT)!r}, '--cache-dir', {str(tmp_path)!r}])\n"
+        f"try:\n    main({arguments!r})\n"
         "except SystemExit as end:\n    print(end.code, 'flint' in sys.modules, 'numpy' in sys.modules)\n"
     )
     runs = [subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True) for _ in "ab"]
@@ -299,6 +303,7 @@ def test_a_hit_loads_no_flint(tmp_path):
     assert said[0].splitlines()[-1] == "0 True False"
     assert said[1].splitlines()[-1] == "0 False False"
     assert said[0].splitlines()[:-1] == said[1].splitlines()[:-1]
+    assert more == [] or ("1/16" in said[1] and ("f_k" in said[1] or "coset (0, 0)" in said[1]))
 
 
 SUBDIV = [sys.executable, "-m", "subdiv_cli"]

@@ -16,7 +16,7 @@ import report_samples as samples
 from subdiv_cli.catalog.record import UnreadableRecordError, decode, encode
 from subdiv_cli.catalog.run import check_all
 from subdiv_cli.catalog.shipped import masks_directory
-from subdiv_cli.model import Drawing, Exponent, Finding, Log, Result, Stencil, Verdict
+from subdiv_cli.model import Exponent, Finding, Log, Result, Verdict
 
 
 def again(value):
@@ -59,8 +59,7 @@ data = st.recursive(
 def test_any_data(witness, bound, argument):
     found = Finding(code="SD1", name="n", verdict=Verdict.PROVED, statement="s", source="p", witness={"w": witness})
     holder = Exponent(lower=bound, upper=None, exact=Log(3, argument, 2), attained=True)
-    drawing = Drawing(rules=(Stencil(-1, (argument,)),), curve=((0.5, bound),))
-    result = Result(file="f", status="failed", findings=(found,), facts={"x": witness}, holder=holder, drawing=drawing)
+    result = Result(file="f", status="failed", findings=(found,), facts={"x": witness}, holder=holder)
     same(again(result), result)
 
 

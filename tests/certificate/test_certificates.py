@@ -14,8 +14,7 @@ from subdiv_cli.catalog.run import check_all
 from subdiv_cli.checker import check_document, check_text
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.pipeline import check
-from subdiv_cli.portrait import portrait
+from subdiv_cli.pipeline import check, show
 
 ROOT = Path(__file__).parents[2]
 MASKS = sorted((ROOT / "masks").rglob("*.toml"))
@@ -103,7 +102,7 @@ def test_a_higher_effort_still_fits_the_checker(mask):
 
 @pytest.mark.parametrize("file", [file for file in MASKS if "scalar" in file.parts], ids=lambda file: file.stem)
 def test_what_show_says_of_a_shipped_mask_is_certified_too(file):
-    (result, document), _ = portrait(read_path(file).scheme(), Fraction(1, 1000), Effort(20_000))
+    (result, document), _ = show(read_path(file).scheme(), Fraction(1, 1000), Effort(20_000))
     assert document is not None
     jsonschema.validate(document, SCHEMA)
     for finding in result.findings:

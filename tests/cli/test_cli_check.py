@@ -35,9 +35,19 @@ def test_what_the_catalog_is_asked(run, catalog, tmp_path, monkeypatch):
     assert run("check", "a", *options).exit_code == 0
     asked = catalog.asked[1]
     assert asked.pop("required")[0].text == ">= 1"
-    assert asked.pop("draw") == ("subdiv_cli.kinds.scalar.numbers.curve", "drawing")
+    assert asked.pop("sections") is True
     expected = {**DEFAULTS, "jobs": 3, "cache": None, "shard": (2, 5), "cluster": "tcp://x:1"}
     assert asked == {key: value for key, value in expected.items() if key != "required"}
+
+
+def test_stencils_and_pictures_are_made_only_for_what_shows_them(run, catalog, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for arguments in (["-v"], ["-vv"], ["--format", "html"], ["--format", "json", "-o", "html:page"]):
+        assert run("check", "a", *arguments).exit_code == 0
+        assert catalog.asked[1]["sections"] is True
+    for arguments in ([], ["-q"], ["--format", "concise", "-v"], ["--format", "json", "-vv"]):
+        assert run("check", "a", *arguments).exit_code == 0
+        assert "sections" not in catalog.asked[1]
 
 
 @pytest.mark.parametrize(

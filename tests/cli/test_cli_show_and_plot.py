@@ -140,7 +140,7 @@ def test_show_writes_files(run, tmp_path):
         (["plot"], "name a mask"),
         (["plot", FOUR, "-o", "a.gif"], "must end in .svg"),
         (["plot", FOUR, "--closed"], "belong to --points"),
-        (["plot", FOUR, "--levels", "2"], "belong to --points"),
+        (["plot", FOUR, "--levels", "2"], "--levels belongs to --points"),
         (["plot", FOUR, "--points", "none.csv"], "SD002"),
         (["plot", FOUR, "--points", FOUR], "SD021"),
         (["plot", FOUR, "-p", "w=1/16", "-p", "v=2"], "SD011"),

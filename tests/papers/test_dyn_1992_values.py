@@ -12,7 +12,7 @@ from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.spectra import limit_stencil
 from subdiv_cli.kinds.scalar.numbers.values import at_integers, limit_weights
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.portrait import portrait
+from subdiv_cli.pipeline import show
 
 F = Fraction
 CUBIC = scheme([1, 4, 6, 4, 1], start=-2, over=8)
@@ -30,7 +30,7 @@ def pairs(laurent):
 
 
 def shown(mask, code, tolerance="1/1000"):
-    (found,) = findings(portrait(mask, F(tolerance), Effort())[0].result, code)
+    (found,) = findings(show(mask, F(tolerance), Effort())[0].result, code)
     return found
 
 
@@ -139,6 +139,6 @@ def test_interpolatory_schemes_need_to_reproduce():
     """Theorem 5.1; other schemes have no such finding."""
     assert shown(four_point("1/16"), "SD505").witness == {"order": 4}
     assert shown(four_point("1/10"), "SD505").witness == {"order": 2}
-    assert not findings(portrait(CUBIC, F(1, 10), Effort())[0].result, "SD505")
+    assert not findings(show(CUBIC, F(1, 10), Effort())[0].result, "SD505")
     moved = scheme(four_point("1/16").coefficients, start=-2)
-    assert not findings(portrait(moved, F(1, 10), Effort())[0].result, "SD505")
+    assert not findings(show(moved, F(1, 10), Effort())[0].result, "SD505")

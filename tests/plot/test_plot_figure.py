@@ -4,8 +4,8 @@ import sys
 
 import pytest
 
-from subdiv_cli.plot.figure import MissingExtraError, Panel, picture
-from subdiv_cli.plot.sampled import line
+from subdiv_cli.plot.figure import MissingExtraError, picture
+from subdiv_cli.plot.sampled import Panel, line
 
 PANELS = [
     Panel("φ", (line("one", [(0, 0), (1, 1)]), line("two", [(0, 1), (1, 0)]))),

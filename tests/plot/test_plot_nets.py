@@ -9,11 +9,11 @@ import pytest
 from subdiv_cli.kinds.multivariate.numbers import nets
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError
-from subdiv_cli.kinds.multivariate.stages.surfaces import graph, net
+from subdiv_cli.kinds.multivariate.portrait.pictures import graph, net
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort
 from subdiv_cli.model.blocks import Net
-from subdiv_cli.plot.obj import faces, obj
+from subdiv_cli.plot.obj import obj
 
 F = Fraction
 MASKS = Path(__file__).parents[2] / "masks" / "multivariate"
@@ -144,7 +144,7 @@ def test_too_small_and_too_large(monkeypatch):
         net(read("loop"), plane(1), 1)
     with pytest.raises(NoValuesError, match="no vertex of level 2"):
         net(read("loop"), plane(2), 8)
-    assert not list(faces(net(read("butterfly"), plane(3), 1)))
+    assert not list(net(read("butterfly"), plane(3), 1).faces())
     monkeypatch.setattr(nets, "MOST_PRODUCTS", 10_000)
     with pytest.raises(NoValuesError, match="the net of level 3 is too large"):
         net(read("loop"), plane(9), 3)

@@ -5,16 +5,16 @@ from itertools import product
 
 import pytest
 
-from subdiv_cli.model.blocks import Surface
+from subdiv_cli.model.blocks import Heights
 from subdiv_cli.plot.heights import draw_heights
 from subdiv_cli.plot.relief import Relief, relief, sampled
 from subdiv_cli.plot.reliefs import STYLES, reliefs
 
 F = Fraction
 HALF = ((F(1, 2), F(0)), (F(0), F(1, 2)))
-HAT = Surface(HALF, {(i, j): F((2 - abs(i)) * (2 - abs(j)), 4) for i, j in product((-1, 0, 1), repeat=2)})
-TURNED = Surface(((F(1, 2), F(1, 2)), (F(1, 2), F(-1, 2))), HAT.values)
-SIGNED = Surface(HALF, {**HAT.values, (2, 0): F(-1, 3)})
+HAT = Heights(HALF, {(i, j): F((2 - abs(i)) * (2 - abs(j)), 4) for i, j in product((-1, 0, 1), repeat=2)})
+TURNED = Heights(((F(1, 2), F(1, 2)), (F(1, 2), F(-1, 2))), HAT.values)
+SIGNED = Heights(HALF, {**HAT.values, (2, 0): F(-1, 3)})
 MAGIC = {"svg": b"<?xml", "png": b"\x89PNG", "pdf": b"%PDF"}
 
 
@@ -35,12 +35,12 @@ def test_the_hat_in_ascii():
 @pytest.mark.parametrize("unicode", [True, False])
 @pytest.mark.parametrize("width", [1, 20, 40, 79, 200])
 @pytest.mark.parametrize("height", [1, 4, 30])
-@pytest.mark.parametrize("surface", [HAT, TURNED, SIGNED])
-def test_it_fits(unicode, width, height, surface):
-    rows = draw_heights(surface, width=width, height=height, unicode=unicode)
+@pytest.mark.parametrize("heights", [HAT, TURNED, SIGNED])
+def test_it_fits(unicode, width, height, heights):
+    rows = draw_heights(heights, width=width, height=height, unicode=unicode)
     assert all(len(row) <= max(width, 24) for row in rows)
     assert "".join(rows).isascii() is (not unicode)
-    assert ("- -0.333 to 0" in "\n".join(rows)) is (surface is SIGNED)
+    assert ("- -0.333 to 0" in "\n".join(rows)) is (heights is SIGNED)
 
 
 def test_a_grid_has_a_ring_of_zeros():
@@ -52,7 +52,7 @@ def test_a_grid_has_a_ring_of_zeros():
 
 
 def test_a_dilation_that_is_negative_turns_nothing_around():
-    turned = Surface(((F(-1, 2), F(0)), (F(0), F(-1, 2))), {(1, 0): F(1), (0, 0): F(2)})
+    turned = Heights(((F(-1, 2), F(0)), (F(0), F(-1, 2))), {(1, 0): F(1), (0, 0): F(2)})
     found = relief(turned, "turned")
     assert found.x == (-1.0, -0.5, 0.0, 0.5)
     assert found.z[1] == (0.0, 1.0, 2.0, 0.0)

@@ -4,11 +4,11 @@ from fractions import Fraction
 
 import pytest
 
-from subdiv_cli.model.blocks import Curve
+from subdiv_cli.model.blocks import Curve, Polygon
 from subdiv_cli.plot.sampled import Line, graph, line, plane
 from subdiv_cli.plot.terminal import draw
 
-HAT = graph(Curve(2, 1, -1, (Fraction(1, 2), Fraction(1), Fraction(1, 2))), "φ", (Fraction(-1), Fraction(1)))
+HAT = graph(Curve(2, 1, -1, (Fraction(1, 2), Fraction(1), Fraction(1, 2)), (Fraction(-1), Fraction(1))), "φ")
 
 
 def test_a_graph_ends_where_its_support_ends():
@@ -17,8 +17,9 @@ def test_a_graph_ends_where_its_support_ends():
 
 
 def test_a_closed_polygon_returns():
-    square = plane("square", (Fraction(0), Fraction(1)), (Fraction(0), Fraction(2)), closed=True, polygon=True)
-    assert (square.x, square.y, square.polygon) == ((0.0, 1.0, 0.0), (0.0, 2.0, 0.0), True)
+    polygon = Polygon((Fraction(0), Fraction(1)), (Fraction(0), Fraction(2)), closed=True, control="square")
+    square = plane(polygon, "of a mask")
+    assert (square.label, square.x, square.y, square.polygon) == ("square", (0.0, 1.0, 0.0), (0.0, 2.0, 0.0), True)
 
 
 def test_the_hat_in_ascii():

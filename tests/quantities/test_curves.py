@@ -5,10 +5,12 @@ from fractions import Fraction
 import pytest
 from support import b_spline, corner_cutting, four_point, scheme
 
+from subdiv_cli.kinds.scalar import KIND
 from subdiv_cli.kinds.scalar.numbers.operators import apply
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.portrait.curves import TooFewPointsError, limit
 from subdiv_cli.model import Effort
-from subdiv_cli.portrait import TooFewPointsError, drawn, traced
+from subdiv_cli.pipeline import draw
 
 F = Fraction
 POLYGON = (tuple(map(F, (0, 1, 2, 4, 4, 2, 0, -1))), tuple(map(F, (0, 2, 0, 0, 3, 4, 3, 1))))
@@ -20,14 +22,26 @@ MASKS = {
 }
 
 
+CURVES, FUNCTIONS = KIND.drawings
+
+
+def traced(mask, columns, samples, *, closed, levels=0):
+    """The control polygons and the limit curve, each x and y."""
+    options = {"points": columns, "samples": samples, "closed": closed, "levels": levels}
+    *control, curve = draw(mask, CURVES, options, Effort()).blocks
+    assert [polygon.control for polygon in control] == ["control polygon", *(f"level {i + 1}" for i in range(levels))]
+    assert (control[0].x, control[0].y, control[0].closed) == (*columns, closed)
+    return [(polygon.x, polygon.y) for polygon in control], (curve.x, curve.y)
+
+
 @pytest.mark.parametrize("name", MASKS)
 @pytest.mark.parametrize("closed", [True, False])
 @pytest.mark.parametrize("level", [1, 2, 3])
 def test_polygons_are_those_of_subdivision(name, closed, level):
     mask = MASKS[name]
     symbol, p, count = ScalarNumbers(mask, Effort()).symbol, mask.arity, len(POLYGON[0])
-    _, _, refined = traced(mask, Effort(), POLYGON, 50, closed=closed, levels=level)
-    for column, vertices in zip(POLYGON, refined[level - 1], strict=True):
+    refined, _ = traced(mask, POLYGON, 50, closed=closed, levels=level)
+    for column, vertices in zip(POLYGON, refined[level], strict=True):
         reach = range(-3 * count, 4 * count) if closed else range(count)
         data = {i: column[i % count] for i in reach}
         for _ in range(level):
@@ -47,7 +61,9 @@ def test_polygons_are_those_of_subdivision(name, closed, level):
 
 
 def test_an_interpolatory_curve_passes_through_its_points():
-    _, curves, _ = traced(MASKS["four-point"], Effort(), POLYGON, 100, closed=True, levels=0)
+    curves = limit(ScalarNumbers(MASKS["four-point"], Effort()), POLYGON, 100, closed=True)
+    _, drawn = traced(MASKS["four-point"], POLYGON, 100, closed=True)
+    assert drawn == tuple(curve.values for curve in curves)
     for column, curve in zip(POLYGON, curves, strict=True):
         step = 2**curve.level
         assert curve.start == 0
@@ -56,29 +72,38 @@ def test_an_interpolatory_curve_passes_through_its_points():
 
 @pytest.mark.parametrize("name", MASKS)
 def test_the_limit_is_near_a_fine_polygon(name):
-    _, curves, refined = traced(MASKS[name], Effort(), POLYGON, 100, closed=True, levels=6 if "tern" not in name else 4)
-    for curve, vertices in zip(curves, refined[-1], strict=True):
-        assert max(curve.values) == pytest.approx(float(max(vertices)), abs=0.01)
-        assert min(curve.values) == pytest.approx(float(min(vertices)), abs=0.01)
+    refined, curve = traced(MASKS[name], POLYGON, 100, closed=True, levels=6 if "tern" not in name else 4)
+    for values, vertices in zip(curve, refined[-1], strict=True):
+        assert max(values) == pytest.approx(float(max(vertices)), abs=0.01)
+        assert min(values) == pytest.approx(float(min(vertices)), abs=0.01)
 
 
 def test_an_open_curve_knows_how_many_points_it_needs():
     for name, mask in MASKS.items():
         with pytest.raises(TooFewPointsError) as caught:
-            traced(mask, Effort(), tuple(column[:2] for column in POLYGON), 50, closed=False, levels=0)
+            traced(mask, tuple(column[:2] for column in POLYGON), 50, closed=False)
         needed = caught.value.needed
         with pytest.raises(TooFewPointsError):
-            traced(mask, Effort(), tuple(column[: needed - 1] for column in POLYGON), 50, closed=False, levels=0)
+            traced(mask, tuple(column[: needed - 1] for column in POLYGON), 50, closed=False)
         if needed <= len(POLYGON[0]):
             columns = tuple(column[:needed] for column in POLYGON)
-            _, curves, _ = traced(mask, Effort(), columns, 50, closed=False, levels=0)
-            assert curves[0].values, name
+            assert traced(mask, columns, 50, closed=False)[1][0], name
+
+
+def test_a_polygon_whose_ends_meet_is_closed():
+    around = tuple((*column, column[0]) for column in POLYGON)
+    options = {"points": around, "samples": 50}
+    control, curve = draw(MASKS["cubic"], CURVES, options, Effort()).blocks
+    assert (control.x, control.y, control.closed) == (*POLYGON, True)
+    assert (curve.x, curve.y) == traced(MASKS["cubic"], POLYGON, 50, closed=True)[1]
 
 
 def test_functions_up_to_the_proved_order():
-    result, curves, support = drawn(MASKS["cubic"], Effort(), 100)
-    assert [curve.order for curve in curves] == [0, 1, 2]
-    assert support == (-2, 2)
-    assert result.refinable.order == 2
-    assert max(curves[0].values) == F(2, 3)
-    assert drawn(scheme([1, 1]), Effort(), 100)[1] == ()
+    result = draw(MASKS["cubic"], FUNCTIONS, {"samples": 100}, Effort())
+    assert [curve.order for curve in result.blocks] == [0, 1, 2]
+    assert {curve.support for curve in result.blocks} == {(-2, 2)}
+    assert result.result.refinable.order == 2
+    assert max(result.blocks[0].values) == F(2, 3)
+    fewer = draw(MASKS["cubic"], FUNCTIONS, {"samples": 100, "derivatives": 1}, Effort())
+    assert fewer.blocks == result.blocks[:2]
+    assert draw(scheme([1, 1]), FUNCTIONS, {"samples": 100}, Effort()).blocks == ()

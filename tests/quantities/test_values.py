@@ -13,7 +13,7 @@ from subdiv_cli.kinds.scalar.numbers.error_bounds import best_bound, bounds
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_fractions, at_integers, iterated, support
 from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.portrait import portrait
+from subdiv_cli.pipeline import show
 
 F = Fraction
 MASKS = {
@@ -155,14 +155,14 @@ SMALL = st.fractions(min_value=-1, max_value=2, max_denominator=6)
 
 @given(st.integers(2, 4), st.integers(1, 4), st.lists(SMALL, min_size=1, max_size=3), st.integers(-5, 5), st.booleans())
 def test_random_masks_are_certified(p, k, cofactor, start, gapped):
-    """`portrait` raises where the independent checker says no; what is proved has claims, and the values sum to 1."""
+    """`show` raises where the independent checker says no; what is proved has claims, and the values sum to 1."""
     q = Laurent.from_coefficients(start, cofactor)
     q = q.inflate(3) if gapped else q
     assume(q.degree >= 0 and q(1) != 0)
     for _ in range(k):
         q = q * smoothing_factor(p)
     a = q.scale(F(p) / q(1))
-    checked, _ = portrait(scheme(a.coefficients(), start=a.low, arity=p), F(1, 100), Effort(2000))
+    checked, _ = show(scheme(a.coefficients(), start=a.low, arity=p), F(1, 100), Effort(2000))
     assert checked.document is not None
     for found in checked.result.findings:
         assert bool(found.claims) is (found.verdict in (Verdict.PROVED, Verdict.REFUTED)), found.code

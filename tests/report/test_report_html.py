@@ -11,12 +11,13 @@ from browser import dom, needs_chromium, phone, screenshot
 from matplotlib.image import imread
 from support import four_point
 
-from subdiv_cli.kinds.scalar.numbers.curve import drawing
-from subdiv_cli.model import Drawing, Stencil
+from subdiv_cli.kinds.scalar.portrait.sections import sections
+from subdiv_cli.model.blocks import Curve, Formula, Grid, Section, Text
 from subdiv_cli.report.html import render
 from subdiv_cli.report.look import Look
 
-DRAWN = replace(samples.FOUR_POINT, drawing=drawing(four_point("1/16"), converges=True))
+DRAWN = replace(samples.FOUR_POINT, sections=sections(four_point("1/16"), samples.FOUR_POINT))
+HAT = Curve(2, 0, -1, (0, 1, 0), (-1, 1), 1)
 NASTY = '<script>alert(1)</script>"><img src=x onerror=alert(2)>&\x1b\udcff'
 PAGE = render([DRAWN, *samples.ALL[1:], replace(samples.UNDECIDED, name=NASTY, file=NASTY, hints=(NASTY,))], Look())
 VOID = {"meta", "input", "br", "line", "polyline"}
@@ -76,20 +77,30 @@ def test_a_card_has_the_exact_numbers_stencils_and_the_curve():
     assert "-1/16, 9/16, 9/16, -1/16" in card
     assert "f_(k-1) … f_(k+2)" in card
     points = re.search(r'<polyline class="phi" points="([^"]*)"', card)[1].split(" ")
-    assert len(points) == len(DRAWN.drawing.curve) == 385
+    assert len(points) == len(DRAWN.sections[0].blocks[0].values) == 385
     assert "w = 1/16" in card
     assert "symmetric about 0" in card
 
 
 def test_no_curve_without_convergence():
-    page = render([replace(samples.DIVERGENT, drawing=drawing(four_point(1), converges=False))], Look())
+    page = render([replace(samples.DIVERGENT, sections=sections(four_point(1), samples.DIVERGENT))], Look())
     assert "<svg" not in page
     assert "φ is drawn where convergence is proved" in page
 
 
 def test_a_curve_without_extent_can_be_drawn():
-    flat = Drawing(rules=(Stencil(0, ()),), limit=Stencil(0, (1,)), curve=((0.0, 0.0),))
-    assert "<polyline" in render([replace(samples.FOUR_POINT, drawing=flat)], Look())
+    flat = Section("", (Curve(2, 0, 0, (0,), (0, 0)), Grid("", (), (("nothing", ()),))))
+    page = render([replace(samples.FOUR_POINT, sections=(flat,))], Look())
+    assert "<polyline" in page
+    assert "<tr><th>nothing</th><td>0</td></tr>" in page
+
+
+def test_words_and_formulas_are_set_and_escaped():
+    said = (Section("a <b>", (Text("x < y"),)), Section("", (Text("so"), Formula("f", "g & h"), HAT)))
+    page = render([replace(samples.FOUR_POINT, sections=said)], Look())
+    assert '<h3>a &lt;b&gt;</h3><p class="text">x &lt; y</p>' in page
+    assert "<pre>  so\n  f = g &amp; h\n</pre><figure><svg" in page
+    assert "<figcaption>φ', exact values" in page
 
 
 SORT = """<script>

@@ -10,8 +10,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from subdiv_cli.kinds.multivariate.lattice import Lattice
+from subdiv_cli.kinds.multivariate.portrait.stencils import stencil_blocks, stencils
 from subdiv_cli.kinds.reading import read_path
-from subdiv_cli.report.lattice import put_stencils, stencils
+from subdiv_cli.model import Result
+from subdiv_cli.report.blocks import put
 from subdiv_cli.report.layout import paint
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
@@ -37,7 +40,7 @@ def times(matrix, vector):
 
 def draw(terms, dilation, columns, unicode):
     page = Page(Look(width=columns, unicode=unicode))
-    put_stencils(page, terms, dilation)
+    put(page, stencil_blocks(terms, Lattice(dilation)), Result(file="", status="undecided"))
     return paint(page.lines)
 
 
@@ -56,7 +59,7 @@ def test_the_stencils_are_the_scheme(mask):
     terms, dilation = mask
     found = {}
     cosets = []
-    for stencil in stencils(terms, dilation):
+    for stencil in stencils(terms, Lattice(dilation)):
         cosets.append(stencil.coset)
         assert times(dilation, stencil.at) == stencil.coset
         for delta, weight in stencil.weights.items():
@@ -71,9 +74,9 @@ def test_the_stencils_are_the_scheme(mask):
 def test_the_cosets_are_all_of_them(dilation):
     """Every index near the origin is in one coset, whichever mask: a mask of one term says in which."""
     size = len(dilation)
-    residues = [stencil.coset for stencil in stencils({(0,) * size: Fraction(1)}, dilation)]
+    residues = [stencil.coset for stencil in stencils({(0,) * size: Fraction(1)}, Lattice(dilation))]
     for index in product(range(-2, 3) if size == 2 else range(2), repeat=size):
-        holding = [s.coset for s in stencils({index: Fraction(1)}, dilation) if s.weights]
+        holding = [s.coset for s in stencils({index: Fraction(1)}, Lattice(dilation)) if s.weights]
         assert len(holding) == 1
         assert holding[0] in residues
 
@@ -86,7 +89,7 @@ def test_every_weight_is_shown_and_lines_fit(mask, columns, unicode):
     assert all(width(line) <= columns for line in text.splitlines())
     assert unicode or text.isascii()
     flat = re.sub(r"\s", "", text)
-    for stencil in list(stencils(terms, dilation))[:16]:
+    for stencil in list(stencils(terms, Lattice(dilation)))[:16]:
         common = lcm(*(weight.denominator for weight in stencil.weights.values()))
         scale = common if common <= 10**6 else 1
         for weight in stencil.weights.values():
@@ -104,9 +107,9 @@ def test_long_numbers_are_listed():
     assert re.sub(r"\s", "", text).startswith(f"coset(0,0)attheoldpoints:(-1,0):1/1000000,(0,0):{10**80 + 1}/3")
 
 
-def test_a_singular_matrix_has_no_cosets():
-    with pytest.raises(ValueError, match="singular"):
-        list(stencils({(0, 0): Fraction(1)}, ((1, 1), (1, 1))))
+def test_far_places_are_listed():
+    text = draw({(0, 0): Fraction(1, 4), (2000, 2000): Fraction(3, 4)}, ((2, 0), (0, 2)), 80, True)
+    assert text.splitlines()[0] == "    coset (0, 0) at the old points, in 1/4: (-1000, -1000): 3, (0, 0): 1"
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,9 @@ NAMES = ["loop", "butterfly", "midedge", "anisotropic_bilinear", "bear", "trilin
 
 @pytest.fixture(scope="module")
 def results():
-    return dict(zip(NAMES, check_all([str(MASKS / f"{name}.toml") for name in NAMES], debug=True), strict=True))
+    return dict(
+        zip(NAMES, check_all([str(MASKS / f"{name}.toml") for name in NAMES], debug=True, sections=True), strict=True)
+    )
 
 
 def statement(result, code):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cached_property
-from itertools import product
+from itertools import count, product
 
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, characteristic_polynomial
 
@@ -38,6 +38,10 @@ class Lattice:
             return None
         return tuple(x // self.determinant for x in scaled)
 
+    def place(self, alpha: Index) -> tuple[Fraction, ...]:
+        """M^-1 α."""
+        return tuple(Fraction(x, self.determinant) for x in self._scaled(alpha))
+
     def coset(self, alpha: Index) -> Index:
         """A key of α + M Z^s: equal for two indices iff they differ by an element of M Z^s."""
         return tuple(x % self.index for x in self._scaled(alpha))
@@ -65,6 +69,21 @@ class Lattice:
             if len(found) == self.index:
                 break
         return tuple(found.values())
+
+    @cached_property
+    def corner(self) -> tuple[Index, ...]:
+        """One index of each coset from a box at 0, that of the Hermite normal form of M: small sums first.
+
+        The i-th side is the smallest h > 0 with h e_i in MZ^s + Z e_1 + … + Z e_(i-1); a direct sum of these is
+        Z^s/MZ^s.
+        """
+        sides: list[int] = []
+        for i in range(self.dimension):
+            after = (0,) * (self.dimension - i)
+            reached = {self.coset((*alpha, *after)) for alpha in product(*map(range, sides))}
+            unit = tuple(int(i == j) for j in range(self.dimension))
+            sides.append(next(h for h in count(1) if self.coset(tuple(h * x for x in unit)) in reached))
+        return tuple(sorted(product(*map(range, sides)), key=lambda alpha: (sum(alpha), [-k for k in alpha])))
 
     @cached_property
     def scalar_power(self) -> tuple[int, int] | None:

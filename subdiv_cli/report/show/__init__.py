@@ -1,19 +1,23 @@
-"""`subdiv show` in its formats: `content` says once what there is to say, `text`, `markdown` and `latex` set it.
+"""`subdiv show` in its formats: `text`, `markdown` and `latex` set the sections of a portrait, `json` has its data.
 
-`json` has the same as data. A format's module is imported when it is asked for.
+A format's module is imported when it is asked for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 from subdiv_cli.model import Result
-from subdiv_cli.model.blocks import Anatomy
 from subdiv_cli.report.look import Look
 
-Show = Callable[[Result, Anatomy, Sequence[str], Look], str]
-"""The result, the mask taken apart, the lines of a picture of φ, and the place it goes to -> the page."""
+if TYPE_CHECKING:
+    from subdiv_cli.model.blocks import Portrait
+    from subdiv_cli.report.blocks import Draw
+
+Show = Callable[[Result, "Portrait", "Draw", Look], str]
+"""The result, the mask taken apart, what draws a picture with letters, and the place it goes to -> the page."""
 
 FORMATS = ("text", "json", "markdown", "latex")
 

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator
 
 from subdiv_cli.model import Result
-from subdiv_cli.model.blocks import Anatomy
+from subdiv_cli.model.blocks import Block, Formula, Grid, Matrix, Picture, Portrait, Text
 from subdiv_cli.report import words
+from subdiv_cli.report.blocks import Draw, tabled
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import exact
-from subdiv_cli.report.show.content import Block, Drawing, Formula, Grid, Matrix, Section, Text, sections
 from subdiv_cli.report.show.tex import formula, label, sentence
-from subdiv_cli.report.show.tikz import curve
+from subdiv_cli.report.show.tikz import picture
 
 _LONG = 90
 """Letters of a formula beyond which it is set ragged right, to be broken."""
@@ -26,26 +26,22 @@ _HEAD = r"""\documentclass{article}
 """
 
 
-def render(result: Result, anatomy: Anatomy, picture: Sequence[str], look: Look) -> str:
-    drawing = () if anatomy.curve is None else tuple(curve(anatomy.curve, anatomy.support))
-    return page(result, sections(result, anatomy), drawing)
-
-
-def page(result: Result, contents: Iterable[Section], drawing: Sequence[str]) -> str:
-    """The document; `drawing` is the picture in TeX."""
+def render(result: Result, portrait: Portrait, draw: Draw, look: Look) -> str:
+    """The document; its pictures are TikZ."""
     parameters = [f"{name} = {exact(x)}" for name, x in result.parameters.items()]
     about = ", ".join(
         filter(None, (label(result.file), *(sentence(item) for item in (*parameters, result.reference or ""))))
     )
     lines = [f"\\section*{{{sentence(words.name(result))}}}", sentence(words.headline(result)), "", about, ""]
-    for section in contents:
+    for section in portrait.sections:
         lines.append(f"\\subsection*{{{sentence(section.title)}}}")
         for block in section.blocks:
-            lines += [*_lines(block, drawing), ""]
+            for part in tabled(block, result):
+                lines += [*_lines(part), ""]
     return _HEAD + "\n".join(lines) + "\\end{document}\n"
 
 
-def _lines(block: Block, drawing: Sequence[str]) -> Iterator[str]:
+def _lines(block: Block) -> Iterator[str]:
     if isinstance(block, Text):
         yield sentence(block.text)
     elif isinstance(block, Formula):
@@ -65,8 +61,8 @@ def _lines(block: Block, drawing: Sequence[str]) -> Iterator[str]:
         for row in block.rows:
             yield " & ".join(map(formula, row)) + " \\\\"
         yield "\\end{pmatrix} \\]"
-    elif isinstance(block, Drawing):
-        yield from drawing
+    elif isinstance(block, Picture):
+        yield from picture(block)
 
 
 def _cell(text: str) -> str:

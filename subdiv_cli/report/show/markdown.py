@@ -2,34 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from subdiv_cli.model import Result
-from subdiv_cli.model.blocks import Anatomy
+from subdiv_cli.model.blocks import Block, Formula, Grid, Matrix, Picture, Portrait, Text
 from subdiv_cli.report import words
+from subdiv_cli.report.blocks import Draw, tabled
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import exact
-from subdiv_cli.report.show.content import Block, Drawing, Formula, Grid, Matrix, Section, Text, sections
 
 
-def render(result: Result, anatomy: Anatomy, picture: Sequence[str], look: Look) -> str:
-    return page(result, sections(result, anatomy), picture)
-
-
-def page(result: Result, contents: Iterable[Section], picture: Sequence[str]) -> str:
-    """The document; `picture` is in letters."""
+def render(result: Result, portrait: Portrait, draw: Draw, look: Look) -> str:
+    """The document."""
     parameters = [f"{name} = {exact(x)}" for name, x in result.parameters.items()]
     about = " · ".join(_escaped(item) for item in (result.file, *parameters, result.reference or "") if item)
     lines = [f"# {_escaped(words.name(result))}", "", _escaped(words.headline(result)), "", about]
-    for section in contents:
+    for section in portrait.sections:
         lines += ["", f"## {section.title}"]
         for block in section.blocks:
-            lines += ["", *_lines(block, picture)]
+            for part in tabled(block, result):
+                lines += ["", *_lines(part, draw)]
     return "\n".join(lines).rstrip() + "\n"
 
 
-def _lines(block: Block, picture: Sequence[str]) -> list[str]:
+def _lines(block: Block, draw: Draw) -> list[str]:
     if isinstance(block, Text):
         return [_escaped(block.text)]
     if isinstance(block, Formula):
@@ -42,8 +39,7 @@ def _lines(block: Block, picture: Sequence[str]) -> list[str]:
         widths = [max(len(row[i]) for row in block.rows) for i in range(len(block.rows[0]))]
         rows_ = ["  ".join(x.rjust(widths[i]) for i, x in enumerate(row)) for row in block.rows]
         return ["```text", f"{block.name} =", *(f"  {row}" for row in rows_), "```"]
-    assert isinstance(block, Drawing)
-    return ["```text", *picture, "```"]
+    return ["```text", *draw(block), "```"] if isinstance(block, Picture) else []
 
 
 def _row(cells: Sequence[str]) -> str:

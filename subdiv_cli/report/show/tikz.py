@@ -1,11 +1,10 @@
-"""Pictures of φ for LaTeX, in TikZ."""
+"""Pictures for LaTeX, in TikZ: graphs and heights."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
-from subdiv_cli.model.blocks import Curve, Surface
+from subdiv_cli.model.blocks import Curve, Heights, Picture
 
 _WIDTH, _HEIGHT = 12, 5
 """Centimetres of the picture."""
@@ -17,9 +16,17 @@ _CELLS = 1_500
 """Of a surface, about."""
 
 
-def curve(values: Curve, support: tuple[Fraction, Fraction]) -> Iterator[str]:
+def picture(block: Picture) -> Iterator[str]:
+    """The lines of a picture; none for polygons and nets."""
+    if isinstance(block, Curve):
+        yield from _curve(block)
+    elif isinstance(block, Heights):
+        yield from _relief(block)
+
+
+def _curve(values: Curve) -> Iterator[str]:
     """φ and the axis of x, scaled to the page."""
-    first, last = map(float, support)
+    first, last = map(float, values.support)
     step = 1.0 / values.arity**values.level
     every = max(1, len(values.values) // _POINTS)
     inner = ((values.start + i) * step for i in range(0, len(values.values), every))
@@ -33,7 +40,7 @@ def curve(values: Curve, support: tuple[Fraction, Fraction]) -> Iterator[str]:
     yield "\\end{tikzpicture}\\end{center}"
 
 
-def relief(surface: Surface) -> Iterator[str]:
+def _relief(surface: Heights) -> Iterator[str]:
     """A surface from above, one cell for each of some values: the darker the higher, what is negative in red."""
     every = 1
     while len(surface.values) > _CELLS * every**2:

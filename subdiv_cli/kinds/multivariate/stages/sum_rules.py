@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from fractions import Fraction
 from math import comb
 
-from subdiv_cli.exact.formulas import partial_operator
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
@@ -16,6 +15,7 @@ from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.scalar.stages.wording import series
 from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.formulas import partial_operator
 
 
 def coset_sums(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

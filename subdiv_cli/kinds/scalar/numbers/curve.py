@@ -1,13 +1,17 @@
-"""Exact values of φ for a picture: at the integers from the limit stencil, then at finer points by refinement."""
+"""Stencils and exact values of φ for pictures: at the integers from the limit stencil, at finer points by refinement.
+
+Standard library only: a report of kept results draws without flint.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import lcm
+from typing import NamedTuple
 
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
-from subdiv_cli.model import Drawing, Stencil
+from subdiv_cli.model.blocks import Curve
 
 POINTS = 512
 """A curve has at most so many points, unless its support has more integers."""
@@ -15,18 +19,19 @@ LONGEST = 64
 """For longer windows the exact values are not worth their cost in a picture."""
 
 
-def drawing(scheme: ScalarScheme, *, converges: bool) -> Drawing:
-    """The refinement rules of a scheme, and where it converges its limit stencil and the curve of φ."""
-    rules = tuple(_trimmed(rule(scheme, epsilon)) for epsilon in range(scheme.arity))
-    values = integer_values(scheme) if converges else None
-    if values is None:
-        return Drawing(rules=rules)
-    betas = sorted(-x for x in values)
-    limit = Stencil(betas[0], tuple(values[-beta] for beta in betas))
-    return Drawing(rules=rules, limit=_trimmed(limit), curve=curve(scheme, values))
+class Signal(NamedTuple):
+    """A finitely supported sequence: a mask, a stencil, values at the integers."""
+
+    start: int
+    values: tuple[Fraction, ...]
+
+    def trimmed(self) -> Signal:
+        """Without the zeros at its ends; without any value where all are zero."""
+        used = [i for i, value in enumerate(self.values) if value]
+        return Signal(self.start + used[0], self.values[used[0] : used[-1] + 1]) if used else Signal(0, ())
 
 
-def rule(scheme: ScalarScheme, epsilon: int) -> Stencil:
+def rule(scheme: ScalarScheme, epsilon: int) -> Signal:
     """(S f)_(pk+ε) = Σ_j a_(ε-pj) f_(k+j); no weights where the class has no coefficients."""
     p, last = scheme.arity, scheme.start + scheme.degree
     first = -((last - epsilon) // p)
@@ -35,7 +40,13 @@ def rule(scheme: ScalarScheme, epsilon: int) -> Stencil:
         for j in range(first, -(-(epsilon - scheme.start) // p) + 1)
         if 0 <= (k := epsilon - p * j - scheme.start) <= scheme.degree
     )
-    return Stencil(first, weights)
+    return Signal(first, weights)
+
+
+def limit_stencil(integers: Mapping[int, Fraction]) -> Signal:
+    """S^∞f(k) = Σ_j φ(-j) f_(k+j), from φ at the integers."""
+    betas = sorted(-x for x in integers)
+    return Signal(betas[0], tuple(integers[-beta] for beta in betas))
 
 
 def integer_values(scheme: ScalarScheme) -> dict[int, Fraction] | None:
@@ -58,22 +69,23 @@ def integer_values(scheme: ScalarScheme) -> dict[int, Fraction] | None:
     return None if v is None else {-beta: value for beta, value in zip(window, v, strict=True)}
 
 
-def curve(scheme: ScalarScheme, integers: Mapping[int, Fraction]) -> tuple[tuple[float, float], ...]:
-    """φ at ℓ p^-k over its support, by φ(x) = Σ_j a_j φ(px - j) from the integers on; the values are exact until here.
+def curve(scheme: ScalarScheme, integers: Mapping[int, Fraction]) -> Curve:
+    """φ at ℓ p^-k over its support, by φ(x) = Σ_j a_j φ(px - j) from the integers on.
 
     Integers over the common denominator D of the mask times the powers that refinement brings.
     """
-    p = scheme.arity
+    p, first, last = scheme.arity, scheme.start, scheme.start + scheme.degree
     mask_denominator = lcm(*(c.denominator for c in scheme.coefficients))
     mask = [int(c * mask_denominator) for c in scheme.coefficients]
     denominator = lcm(*(v.denominator for v in integers.values()))
     values = {x: int(v * denominator) for x, v in integers.items() if v}
-    step = 1
-    while (scheme.degree // (p - 1) + 1) * step * p <= POINTS:
-        values = _refined(mask, scheme.start, p, values, step)
-        step, denominator = step * p, denominator * mask_denominator
-    low, high = scheme.start * step // (p - 1), -(-(scheme.start + scheme.degree) * step // (p - 1))
-    return tuple((x / step, values.get(x, 0) / denominator) for x in range(low, high + 1))
+    level = 0
+    while (scheme.degree // (p - 1) + 1) * p ** (level + 1) <= POINTS:
+        values = _refined(mask, first, p, values, p**level)
+        level, denominator = level + 1, denominator * mask_denominator
+    low, high = first * p**level // (p - 1), -(-last * p**level // (p - 1))
+    fine = tuple(Fraction(values.get(x, 0), denominator) for x in range(low, high + 1))
+    return Curve(p, level, low, fine, (Fraction(first, p - 1), Fraction(last, p - 1)))
 
 
 def _refined(mask: Sequence[int], start: int, p: int, values: Mapping[int, int], step: int) -> dict[int, int]:
@@ -85,14 +97,6 @@ def _refined(mask: Sequence[int], start: int, p: int, values: Mapping[int, int],
                 at = x + (start + i) * step
                 finer[at] = finer.get(at, 0) + c * value
     return finer
-
-
-def _trimmed(stencil: Stencil) -> Stencil:
-    """Without the zeros at its ends; without any weight where all are zero."""
-    used = [i for i, weight in enumerate(stencil.weights) if weight]
-    if not used:
-        return Stencil(0, ())
-    return Stencil(stencil.first + used[0], stencil.weights[used[0] : used[-1] + 1])
 
 
 def _solution(rows: list[list[Fraction]], unknowns: int) -> list[Fraction] | None:

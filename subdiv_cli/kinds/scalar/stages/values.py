@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from subdiv_cli.exact.formulas import derivative
-from subdiv_cli.exact.formulas import operator as formula
-from subdiv_cli.exact.formulas import stencil as combination
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import ContradictionError, Facts
@@ -24,6 +21,9 @@ from subdiv_cli.kinds.scalar.rules import (
 )
 from subdiv_cli.kinds.scalar.stages.wording import integer
 from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model.formulas import derivative
+from subdiv_cli.model.formulas import operator as formula
+from subdiv_cli.model.formulas import stencil as combination
 
 _INTEGER_VALUES_QUESTION = "what are the values of φ at the integers?"
 _MOST_SHOWN = 9

@@ -1,33 +1,84 @@
-"""Surfaces, nets and masks taken apart, for pictures and pages: φ on a plane, its graph, control nets. No verdicts."""
+"""What `plot` draws of a mask in several variables: φ on a plane, its graph as a net, and control nets. No verdicts."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from contextlib import suppress
 from fractions import Fraction
 from itertools import product
 
 from subdiv_cli.exact.linalg import matrix, solution
+from subdiv_cli.kinds.kind import Analysis, Certify, NotDrawnError, Options
 from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated
-from subdiv_cli.kinds.multivariate.numbers.directional import factored
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.nets import Vertices, diagonal, refined
-from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError as NoValuesError
-from subdiv_cli.kinds.multivariate.numbers.values import at_fractions, at_integers, support_box
+from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError, at_fractions, at_integers, support_box
 from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme, multiple_of_identity
-from subdiv_cli.model.blocks import Net, Surface, SurfaceAnatomy
+from subdiv_cli.model import Effort, Result, Verdict
+from subdiv_cli.model.blocks import Drawing, Heights, Net
+from subdiv_cli.model.findings import SMOOTHNESS, answering
 
 MOST_POINTS = 50_000
 """Of a surface, about."""
-_FEWER = 5_000
-"""Of one in letters."""
+_LEVELS = 3
+"""Of a net, where none are asked for."""
 
 
-def surface(numbers: MultivariateNumbers, points: int = MOST_POINTS) -> Surface:
-    """φ with at most about so many values; in three and more variables on the plane through its centre of mass, or a
+def surfaces(scheme: MultivariateScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
+    """φ, nothing where it is not proved continuous. Raises NotDrawnError."""
+    result, analysis = _continuity(effort, certify)
+    try:
+        return Drawing(() if analysis is None else (heights(analysis.numbers),), result, SMOOTHNESS)
+    except NoValuesError as error:
+        raise NotDrawnError(str(error)) from None
 
-    plane of the grid near it. Needs φ continuous. Raises NoValuesError.
+
+def nets(scheme: MultivariateScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
+    """The control net `points` after `levels` of refinement, as far as it is determined; without one the graph of φ.
+
+    No graph where φ is not proved continuous. Raises NotDrawnError.
+    """
+    if scheme.dimension > 2:
+        raise NotDrawnError("an .obj is the net of a mask in two variables")
+    levels = _LEVELS if options.get("levels") is None else options["levels"]
+    try:
+        if options.get("points") is not None:
+            return Drawing((_with_faces(net(scheme, options["points"], levels), levels),))
+        result, analysis = _continuity(effort, certify)
+        return Drawing(() if analysis is None else (graph(analysis.numbers, levels),), result, SMOOTHNESS)
+    except NoValuesError as error:
+        raise NotDrawnError(str(error)) from None
+
+
+def _with_faces(made: Net, levels: int) -> Net:
+    if next(made.faces(), None) is None:
+        raise NotDrawnError(f"the net is too small: it determines no face of level {levels}")
+    return made
+
+
+def is_continuous(result: Result) -> bool:
+    """Whether φ is proved continuous."""
+    return result.convergent is Verdict.PROVED or result.refinable.order is not None
+
+
+def _continuity(effort: Effort, certify: Certify) -> tuple[Result, Analysis | None]:
+    """A result, and the analysis where it proves φ continuous.
+
+    That takes less than the best exponent: a hundredth and a tenth of the effort are tried first.
+    """
+    for work in sorted({max(effort.work // share, 1) for share in (100, 10, 1)}):
+        analysis, result = certify(Effort(work))
+        if is_continuous(result):
+            return result, analysis
+        decided = answering(result.findings, SMOOTHNESS)
+        if decided is not None and decided.verdict is Verdict.REFUTED:
+            break
+    return result, None
+
+
+def heights(numbers: MultivariateNumbers, points: int = MOST_POINTS) -> Heights:
+    """φ with at most about so many values; in more than two variables on a plane of the grid near its centre of mass.
+
+    Needs φ continuous. Raises NoValuesError.
     """
     scheme = _by_multiples(numbers)
     lattice, sides = Lattice(scheme.dilation), support_box(scheme, Lattice(scheme.dilation))[:2]
@@ -49,7 +100,7 @@ def surface(numbers: MultivariateNumbers, points: int = MOST_POINTS) -> Surface:
             level -= 1
             continue
         plane = tuple(x * unit[2][2] for x in tail)
-        return Surface(tuple(row[:2] for row in unit[:2]), {alpha[:2]: x for alpha, x in values.items()}, plane)
+        return Heights(tuple(row[:2] for row in unit[:2]), {alpha[:2]: x for alpha, x in values.items()}, plane)
 
 
 def _by_multiples(numbers: MultivariateNumbers) -> MultivariateScheme:
@@ -73,36 +124,6 @@ def centre(numbers: MultivariateNumbers) -> tuple[Fraction, ...]:
     return found
 
 
-def anatomy(numbers: MultivariateNumbers, *, continuous: bool, inverted: bool) -> SurfaceAnatomy:
-    """The mask taken apart, with φ where it is proved continuous and has not too many values, and Q where S^∞ is
-
-    proved to be inverted by it.
-    """
-    scheme = numbers.scheme
-    values: Mapping[Index, Fraction] = {}
-    picture = None
-    if continuous:
-        with suppress(NoValuesError):
-            values = at_integers(scheme, numbers.lattice)
-            picture = surface(numbers, _FEWER)
-    quasi = numbers.quasi_interpolation if inverted else None
-    factors, quotient = factored(scheme, numbers.lattice)
-    return SurfaceAnatomy(
-        dilation=scheme.dilation,
-        terms=scheme.terms,
-        factors=factors,
-        quotient=quotient,
-        differences=None if numbers.space is None else numbers.space.basis.nrows(),
-        centre=centre(numbers) if numbers.is_normalised else None,
-        values=values,
-        moments={} if quasi is None else quasi.moments,
-        operator={} if quasi is None else quasi.operator,
-        centred={} if quasi is None else quasi.centred,
-        quasi_stencil={} if quasi is None else quasi.stencil,
-        surface=picture,
-    )
-
-
 def graph(numbers: MultivariateNumbers, levels: int) -> Net:
     """The points (x, y, φ(x, y)), (x, y) ∈ M^-levels Z^2, of the support and around it. Needs φ continuous.
 
@@ -116,14 +137,15 @@ def graph(numbers: MultivariateNumbers, levels: int) -> Net:
         for alpha in product((i - 1, i, i + 1), (j - 1, j, j + 1)):
             place = tuple(sum((x * k for x, k in zip(row, alpha, strict=True)), Fraction(0)) for row in unit)
             vertices[alpha] = (*place, values.get(alpha, Fraction(0)))
-    return _net(numbers.scheme, vertices, levels)
+    return _net(numbers.scheme, vertices, levels, "the graph of φ")
 
 
 def net(scheme: MultivariateScheme, vertices: Vertices, levels: int) -> Net:
     """S^levels of a net on Z^2, as far as it is determined. Raises NoValuesError."""
-    return _net(scheme, refined(scheme, Lattice(scheme.dilation), vertices, levels), levels)
+    return _net(scheme, refined(scheme, Lattice(scheme.dilation), vertices, levels), levels, "a control net")
 
 
-def _net(scheme: MultivariateScheme, vertices: Vertices, levels: int) -> Net:
+def _net(scheme: MultivariateScheme, vertices: Vertices, levels: int, what: str) -> Net:
     lattice = Lattice(scheme.dilation)
-    return Net(vertices, diagonal(scheme, lattice), turned=lattice.determinant < 0 and levels % 2 == 1)
+    turned = lattice.determinant < 0 and levels % 2 == 1
+    return Net(vertices, diagonal(scheme, lattice), turned, f"{what} at level {levels}")

@@ -1,4 +1,4 @@
-"""Curves for pictures: φ, its derivatives, limits of polygons and their control polygons, exactly. No verdicts."""
+"""What `plot` draws of a scalar mask: φ and its derivatives, limits of polygons and their control polygons, exactly."""
 
 from __future__ import annotations
 
@@ -6,21 +6,60 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from subdiv_cli.exact.laurent import Laurent
+from subdiv_cli.kinds.kind import Certify, NotDrawnError, Options
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.numbers.values import at_fractions, at_integers, iterated
-from subdiv_cli.kinds.scalar.numbers.values import support as support
-from subdiv_cli.model.blocks import Curve
+from subdiv_cli.kinds.scalar.numbers.values import at_fractions, at_integers, iterated, support
+from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.model import Effort, Verdict
+from subdiv_cli.model.blocks import Curve, Drawing, Polygon
+from subdiv_cli.model.findings import CONVERGENCE, SMOOTHNESS
 
 MOST_VALUES = 40_000
 """Of one curve, about: what has more is drawn at a coarser level."""
+_DERIVATIVES = 4
+"""Drawn unless more are asked for."""
+
+Coordinates = Sequence[Fraction]
+"""Of the points of a polygon, x or y."""
 
 
-class TooFewPointsError(ValueError):
+class TooFewPointsError(NotDrawnError):
     """An open polygon that determines no piece of the limit; `needed` is the number of points that would."""
 
     def __init__(self, needed: int) -> None:
-        super().__init__(f"an open polygon needs {needed} points for this mask")
+        super().__init__(f"an open polygon needs {needed} points for this mask: give more, or --closed")
         self.needed = needed
+
+
+def functions(scheme: ScalarScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
+    """φ and its derivatives up to the proved order, or `derivatives`; nothing where φ is not proved continuous."""
+    analysis, result = certify(effort)
+    proved, wanted = result.refinable.order, options.get("derivatives")
+    if proved is None:
+        return Drawing((), result, SMOOTHNESS)
+    last = min(proved, _DERIVATIVES if wanted is None else wanted)
+    return Drawing(refinable(analysis.numbers, last, options["samples"]), result)
+
+
+def curves(scheme: ScalarScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
+    """The control polygon `points`, those of the `levels` that follow, and the limit curve.
+
+    Nothing where S is not proved to converge. Raises TooFewPointsError.
+    """
+    x, y = options["points"]
+    meets = x[0] == x[-1] and y[0] == y[-1]
+    closed = meets if options.get("closed") is None else options["closed"]
+    if closed and meets and len(x) > 2:
+        x, y = x[:-1], y[:-1]
+    analysis, result = certify(effort)
+    if result.convergent is not Verdict.PROVED:
+        return Drawing((), result, CONVERGENCE)
+    across, up = limit(analysis.numbers, (x, y), options["samples"], closed=closed)
+    control = [Polygon(x, y, closed, "control polygon")]
+    for level in range(1, (options.get("levels") or 0) + 1):
+        vertices = polygons(analysis.numbers, (x, y), level, closed=closed)
+        control.append(Polygon(vertices[0], vertices[1], closed, f"level {level}"))
+    return Drawing((*control, Polygon(across.values, up.values)), result)
 
 
 def level_for(numbers: ScalarNumbers, length: Fraction | int, points: int) -> int:
@@ -38,13 +77,11 @@ def refinable(numbers: ScalarNumbers, order: int, points: int) -> tuple[Curve, .
     curves = []
     for j in range(order + 1):
         fine = at_fractions(numbers.symbol, numbers.p, at_integers(numbers, j), j, level)
-        curves.append(Curve(numbers.p, level, fine.low, fine.coefficients(), j))
+        curves.append(Curve(numbers.p, level, fine.low, fine.coefficients(), (first, last), j))
     return tuple(curves)
 
 
-def limit(
-    numbers: ScalarNumbers, columns: Sequence[Sequence[Fraction]], points: int, *, closed: bool
-) -> tuple[Curve, ...]:
+def limit(numbers: ScalarNumbers, columns: Sequence[Coordinates], points: int, *, closed: bool) -> tuple[Curve, ...]:
     """The limit of a polygon, one curve for each coordinate: (S^∞ f)(i/p^m) on the interval that it determines.
 
     Point number i is f_i. A closed polygon of N points is continued periodically, and the interval is [0, N]; an open
@@ -62,12 +99,12 @@ def limit(
     for column in columns:
         data = Laurent.from_coefficients(reach[0], [column[i % count] for i in reach])
         fine = at_fractions(numbers.symbol, p, values, 0, level, data)
-        curves.append(Curve(p, level, low, _between(fine, low, high)))
+        curves.append(Curve(p, level, low, _between(fine, low, high), (first, last)))
     return tuple(curves)
 
 
 def polygons(
-    numbers: ScalarNumbers, columns: Sequence[Sequence[Fraction]], level: int, *, closed: bool
+    numbers: ScalarNumbers, columns: Sequence[Coordinates], level: int, *, closed: bool
 ) -> tuple[tuple[Fraction, ...], ...]:
     """The vertices of S^level f, one sequence for each coordinate: those of a period, or all that f determines."""
     count, p = len(columns[0]), numbers.p

@@ -1,0 +1,1 @@
+"""Scalar masks for readers: `page` takes one apart for `show`, `curves` draws for `plot`, `sections` for reports."""

@@ -1,0 +1,141 @@
+"""Numbers and formulas in plain letters: `-1/16 z^-3 + 9/16`, `f - 1/6 f''`; standard library only."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
+
+from subdiv_cli.model.closed import rational
+
+_LONGEST_EXACT = 24
+_LONGEST_BRIEF = 26
+_DIGITS = 10
+_LONGEST_BITS = 256
+"""Huge integers are slow to print: from here on only leading digits are shown."""
+_VARIABLES = "xyzw"
+_HIGHEST = 4
+"""Order of a partial derivative that is written with the names of its variables."""
+
+Spell = Callable[[Fraction], str]
+
+
+def number(x: Fraction) -> str:
+    """`-7/16`; a rational with a long spelling as its first digits, `0.43843…`, cut and not rounded."""
+    short = is_short(x) and len(str(x)) <= _LONGEST_EXACT
+    return str(x) if short else truncated(x)
+
+
+def is_short(x: Fraction) -> bool:
+    """Whether x can be printed in full without thought."""
+    return max(x.numerator.bit_length(), x.denominator.bit_length()) <= _LONGEST_BITS
+
+
+def truncated(x: Fraction, digits: int = _DIGITS) -> str:
+    """The decimal digits of x up to some place, followed by `…`; tiny and huge numbers with an exponent."""
+    if x < 0:
+        return "-" + truncated(-x, digits)
+    exponent = 0
+    if x and not Fraction(1, 10**4) <= x < 10**6:
+        exponent = _decimal_exponent(x)
+        x /= Fraction(10) ** exponent
+    whole, decimals = divmod(x.numerator * 10**digits // x.denominator, 10**digits)
+    return f"{whole}.{decimals:0{digits}d}…" + (f"e{exponent}" if exponent else "")
+
+
+def _decimal_exponent(x: Fraction) -> int:
+    """The e with 10^e <= x < 10^(e+1), x > 0: estimated from the bits, then put right."""
+    exponent = (x.numerator.bit_length() - x.denominator.bit_length()) * 30103 // 100000
+    while x < Fraction(10) ** exponent:
+        exponent -= 1
+    while x >= Fraction(10) ** (exponent + 1):
+        exponent += 1
+    return exponent
+
+
+def brief(x: Fraction) -> str:
+    """`-7/16`, or the first digits of a long number, as formulas that are set have them: `0.43843812…·10^-7`."""
+    text = rational(x)
+    if len(text) <= _LONGEST_BRIEF:
+        return text
+    digits, exponent = abs(x), 0
+    while digits and digits < Fraction(1, 10):
+        digits, exponent = digits * 10, exponent - 1
+    while digits >= 10**6:
+        digits, exponent = digits / 10, exponent + 1
+    whole, decimals = divmod(digits.numerator * 10**8 // digits.denominator, 10**8)
+    return f"{'-' if x < 0 else ''}{whole}.{decimals:08}…" + (f"·10^{exponent}" if exponent else "")
+
+
+def point(entries: Iterable[Fraction | int], spell: Spell = rational) -> str:
+    """`(1/2, 0)`."""
+    return f"({', '.join(spell(Fraction(x)) for x in entries)})"
+
+
+def combination(terms: Iterable[tuple[Fraction, str]], spell: Spell = number) -> str:
+    """Terms with their coefficients, those with a zero one left out."""
+    text = ""
+    for c, name in terms:
+        if not c:
+            continue
+        size = "" if abs(c) == 1 and name else spell(abs(c))
+        sign = ("-" if c < 0 else "") if not text else " - " if c < 0 else " + "
+        text += sign + size + (" " if size and name else "") + name
+    return text or "0"
+
+
+def power(variable: str, exponent: int) -> str:
+    """Nothing, `z`, `z^-3`."""
+    return "" if exponent == 0 else variable if exponent == 1 else f"{variable}^{exponent}"
+
+
+def laurent(start: int, coefficients: Iterable[Fraction | int], spell: Spell = number) -> str:
+    """`-1/16 z^-3 + 9/16 z^-1 + 1`, by rising exponent, as symbols are written."""
+    return combination(((Fraction(c), power("z", start + i)) for i, c in enumerate(coefficients)), spell)
+
+
+def polynomial(coefficients: Sequence[Fraction], spell: Spell = number) -> str:
+    """`x^2 - 1/3`, from the coefficients, lowest power first; printed with the highest first."""
+    return combination(reversed([(c, power("x", i)) for i, c in enumerate(coefficients)]), spell)
+
+
+def stencil(start: int, weights: Iterable[Fraction], name: Callable[[str], str]) -> str:
+    """Σ_j weights_j name(i + start + j), indices as `i-1`."""
+    return combination((w, name(shifted("i", start + j))) for j, w in enumerate(weights))
+
+
+def shifted(index: str, by: int) -> str:
+    """`i`, `i-1`, `i+2`."""
+    return index + (f"{by:+d}" if by else "")
+
+
+def datum(index: str, by: int) -> str:
+    """`f_i`, `f_(i-1)`."""
+    return f"f_({shifted(index, by)})" if by else f"f_{index}"
+
+
+def operator(q: Iterable[Fraction], spell: Spell = number) -> str:
+    """Σ q_i D^i f: `f - 1/6 f'' + 1/2 f^(4)`."""
+    return combination(((c, derivative("f", i)) for i, c in enumerate(q)), spell)
+
+
+def derivative(name: str, order: int) -> str:
+    """`f`, `f'`, `f''`, `f'''`, `f^(4)`."""
+    return name + ("'" * order if order < 4 else f"^({order})")
+
+
+def partial(name: str, mu: Sequence[int]) -> str:
+    """`f`, `f_xy`, in at most four variables and up to order 4, otherwise `D^(3,2)f`."""
+    if sum(mu) > _HIGHEST or len(mu) > len(_VARIABLES):
+        return f"D^({','.join(map(str, mu))}){name}"
+    letters = "".join(x * n for x, n in zip(_VARIABLES, mu, strict=False))
+    return f"{name}_{letters}" if letters else name
+
+
+def partial_operator(q: Mapping[tuple[int, ...], Fraction], spell: Spell = number) -> str:
+    """Σ q_μ D^μ f by rising order: `f - 1/6 f_xx - 1/6 f_xy - 1/6 f_yy`."""
+    return combination(((q[mu], partial("f", mu)) for mu in rising(q)), spell)
+
+
+def rising(indices: Iterable[tuple[int, ...]]) -> list[tuple[int, ...]]:
+    """By total degree, the first variable first."""
+    return sorted(indices, key=lambda mu: (sum(mu), [-n for n in mu]))
