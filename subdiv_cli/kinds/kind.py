@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
 from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict
@@ -211,6 +212,16 @@ Certify = Callable[[Effort], tuple[Analysis, Result]]
 """All stages under an effort, and the certified result."""
 
 
+def late(place: str) -> Callable[..., Any]:
+    """The function at `module:name`, imported when it is called: what a kind declares costs nothing until then."""
+    module, _, name = place.partition(":")
+
+    def call(*arguments: Any, **named: Any) -> Any:
+        return getattr(import_module(module), name)(*arguments, **named)
+
+    return call
+
+
 class NotDrawnError(ValueError):
     """What is asked for cannot be drawn; the message says why."""
 
@@ -241,14 +252,17 @@ class Drawings(NamedTuple):
 class Kind:
     """What the rest of the program asks of a kind of scheme.
 
-    The functions import what they need when they are called, so that the object itself is light.
+    Its functions are `late` ones, so that the object itself is light.
     """
 
     name: str
     keys: tuple[str, ...] = ("mask",)
     """The keys at the top of its files, besides those that all files have."""
     read: Read
-    """A file's top table, the names of its parameters and a collector of problems -> its body."""
+    """A file's top table, the names of its parameters and a collector of problems -> its body, None where that is
+
+    wrong, which is recorded.
+    """
     body_of: Callable[[Any], Body]
     """The literal body of a scheme."""
     spell: Callable[[Any], list[str]]
@@ -256,7 +270,7 @@ class Kind:
     canonical: Callable[[Any], Mapping[str, Any]]
     """A scheme as certificates embed it. Raises ValueError for a number of more than 4300 digits."""
     rules: Callable[[], Mapping[str, Rule]]
-    """Its table of codes."""
+    """Gives its table of codes."""
     analyse: Analyse | None = None
     """All stages under an effort."""
     certificate: Callable[[Analysis], Certificate | None] | None = None

@@ -170,56 +170,41 @@ class Rule(NamedTuple):
         proof: Witness | None = None,
         answers: Answers | None = None,
     ) -> Finding:
-        """A finding that is proved; `answers` are the degrees and orders that no other argument tells."""
-        told = {question: _told(question, Verdict.PROVED, value, closed) for question in self.answers}
-        return self._finding(Verdict.PROVED, statement, told | dict(answers or {}), None, witness, value, closed, proof)
+        """A finding that is proved; `answers` are those that neither the verdict nor the value tells."""
+        return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
 
-    def refuted(
-        self, statement: str, witness: Witness, proof: Witness | None = None, answers: Answers | None = None
-    ) -> Finding:
+    def refuted(self, statement: str, witness: Witness, answers: Answers | None = None) -> Finding:
         """A finding that is refuted."""
-        told = {question: _told(question, Verdict.REFUTED) for question in self.answers}
-        return self._finding(Verdict.REFUTED, statement, told | dict(answers or {}), None, witness, proof=proof)
+        return self._finding(Verdict.REFUTED, statement, None, witness, answers=answers)
 
-    def undecided(self, question: str, reason: str, witness: Witness | None = None) -> Finding:
+    def undecided(self, asked: str, reason: str, witness: Witness | None = None) -> Finding:
         """What was asked and could not be decided, and why."""
-        told = {asked: _told(asked, Verdict.UNDECIDED) for asked in self.answers}
-        return self._finding(Verdict.UNDECIDED, question, told, reason, witness)
+        return self._finding(Verdict.UNDECIDED, asked, reason, witness)
 
-    def skipped(self, question: str, reason: str) -> Finding:
+    def skipped(self, asked: str, reason: str) -> Finding:
         """What makes no sense to ask, and why."""
-        told = {asked: _told(asked, Verdict.SKIPPED) for asked in self.answers}
-        return self._finding(Verdict.SKIPPED, question, told, reason)
+        return self._finding(Verdict.SKIPPED, asked, reason)
 
     def _finding(
         self,
         verdict: Verdict,
         statement: str,
-        answers: Answers,
-        reason: str | None = None,
+        reason: str | None,
         witness: Witness | None = None,
         value: Interval | None = None,
         closed: ClosedForm | None = None,
         proof: Witness | None = None,
+        answers: Answers | None = None,
     ) -> Finding:
+        told = {question: _told(question, verdict, value, closed) for question in self.answers} | dict(answers or {})
         return Finding(
-            code=self.code,
-            name=self.name,
-            verdict=verdict,
-            statement=statement,
-            source=self.source,
-            answers=tuple(answers.items()),
-            reason=reason,
-            value=value,
-            witness=witness or {},
-            proof=proof or {},
+            code=self.code, name=self.name, verdict=verdict, statement=statement, source=self.source,
+            answers=tuple(told.items()), reason=reason, value=value, witness=witness or {}, proof=proof or {},
             closed=closed,
-        )
+        )  # fmt: skip
 
 
-def _told(
-    question: Question, verdict: Verdict, value: Interval | None = None, closed: ClosedForm | None = None
-) -> Answer:
+def _told(question: Question, verdict: Verdict, value: Interval | None, closed: ClosedForm | None) -> Answer:
     """What the verdict and the value of a finding say to a question."""
     if question.name in _EXPONENTS:
         value = value or Interval()

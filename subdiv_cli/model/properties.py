@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
-from subdiv_cli.model import findings as questions
+from subdiv_cli.model import findings as q
 from subdiv_cli.model.findings import Question
 
 
@@ -29,43 +29,17 @@ class Property(NamedTuple):
 
 
 PROPERTIES = (
+    Property("convergent", "convergence", "convergence", "verdict", q.CONVERGENCE, instead=(q.SUMS,)),
     Property(
-        "convergent",
-        "convergence",
-        "convergence",
-        "verdict",
-        questions.CONVERGENCE,
-        instead=(questions.SUMS,),
+        "smoothness", "smoothness", "the order of smoothness", "smoothness", q.SMOOTHNESS, more=(q.NEXT_SMOOTHNESS,)
     ),
-    Property(
-        "smoothness",
-        "smoothness",
-        "the order of smoothness",
-        "smoothness",
-        questions.SMOOTHNESS,
-        more=(questions.NEXT_SMOOTHNESS,),
-    ),
-    Property(
-        "holder",
-        "Hölder exponent",
-        "the Hölder exponent",
-        "exponent",
-        questions.HOLDER_LOWER,
-        more=(questions.HOLDER_UPPER,),
-    ),
-    Property("sobolev", "Sobolev (L2)", "the Sobolev exponent", "exponent", questions.SOBOLEV),
-    Property("stable", "stability", "stability", "verdict", questions.STABILITY),
-    Property(
-        "linearly_independent",
-        "independence",
-        "linear independence",
-        "verdict",
-        questions.INDEPENDENCE,
-        expected=False,
-    ),
-    Property("sum_rule_order", "sum rules", "the sum-rule order", "order", questions.SUM_RULES, expected=False),
-    Property("generation", "generation", "the generation degree", "degree", questions.GENERATION),
-    Property("reproduction", "reproduction", "the reproduction degree", "degree", questions.REPRODUCTION),
+    Property("holder", "Hölder exponent", "the Hölder exponent", "exponent", q.HOLDER_LOWER, more=(q.HOLDER_UPPER,)),
+    Property("sobolev", "Sobolev (L2)", "the Sobolev exponent", "exponent", q.SOBOLEV),
+    Property("stable", "stability", "stability", "verdict", q.STABILITY),
+    Property("linearly_independent", "independence", "linear independence", "verdict", q.INDEPENDENCE, expected=False),
+    Property("sum_rule_order", "sum rules", "the sum-rule order", "order", q.SUM_RULES, expected=False),
+    Property("generation", "generation", "the generation degree", "degree", q.GENERATION),
+    Property("reproduction", "reproduction", "the reproduction degree", "degree", q.REPRODUCTION),
 )
 """In the order of tables."""
 BY_KEY: Mapping[str, Property] = {row.key: row for row in PROPERTIES}

@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from subdiv_cli.kinds.scalar.rules import RULES
+from subdiv_cli.kinds.scalar.rules import rules
 from subdiv_cli.model import (
     Expectation,
     Exponent,
@@ -19,7 +19,7 @@ from subdiv_cli.model import (
 
 def finding(*, code, **fields):
     """A finding of a scalar mask by hand, which answers what its rule answers."""
-    return Finding(code=code, answers=tuple((asked, None) for asked in RULES[code].answers), **fields)
+    return Finding(code=code, answers=tuple((asked, None) for asked in rules()[code].answers), **fields)
 
 
 P, R, U, S = Verdict.PROVED, Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SKIPPED

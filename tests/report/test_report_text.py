@@ -15,7 +15,7 @@ import report_samples as samples
 from hypothesis import given
 from hypothesis import strategies as st
 
-from subdiv_cli.kinds.scalar.rules import RULES
+from subdiv_cli.kinds.scalar.rules import rules
 from subdiv_cli.model import UNKNOWN, Exponent, Finding, Log, Problem, Result, Verdict
 from subdiv_cli.report import FOR_PEOPLE, FORMATS, renderer
 from subdiv_cli.report.json import render as render_json
@@ -178,7 +178,7 @@ def test_the_table_has_codes_and_the_findings_their_sources():
 
 
 def skipped(code, reason):
-    answers = tuple((asked, None) for asked in RULES[code].answers)
+    answers = tuple((asked, None) for asked in rules()[code].answers)
     return replace(samples.DIVERGENT.findings[1], code=code, reason=reason, answers=answers)
 
 

@@ -52,7 +52,7 @@ class Matrices(NamedTuple):
         return MatrixFamily(tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in found))
 
 
-def read_matrices(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
+def read(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
     """The family at the top of a file; None where something is wrong, which is recorded."""
     if "matrices" not in top.data:
         top.missing("matrices", "matrices are missing", _HELP)

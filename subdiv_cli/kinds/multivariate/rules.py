@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from subdiv_cli.model import findings as q
-from subdiv_cli.model.findings import row, table
+from subdiv_cli.model.findings import Rule, row, table
 
 _RADIUS = "family radius bounded radius-upper"
 _BOX_SPLINES = "de Boor, Höllig & Riemenschneider 1993"
@@ -101,4 +103,7 @@ QUASI_INTERPOLATION = row(
     proves="quasi-interpolation",
 )
 
-RULES = table(vars())
+
+def rules() -> Mapping[str, Rule]:
+    """Every row by its code."""
+    return table(globals())

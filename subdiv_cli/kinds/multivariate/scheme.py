@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 Index = tuple[int, ...]
 IntMatrix = tuple[tuple[int, ...], ...]
@@ -47,6 +48,13 @@ class MultivariateScheme:
         """The smallest box that contains the support: its lowest and its highest corner."""
         columns = list(zip(*self.terms, strict=True))
         return tuple(map(min, columns)), tuple(map(max, columns))
+
+
+def base(mask: Mapping[str, Any], variables: Sequence[int] | None) -> tuple[int, int]:
+    """(|det M|, s) of a canonical mask, or of its factor in these variables."""
+    rows = mask["dilation"]
+    block = rows if variables is None else [[rows[i][j] for j in variables] for i in variables]
+    return abs(characteristic_polynomial(block)[0]), len(block)
 
 
 def multiple_of_identity(factor: int, dimension: int) -> IntMatrix:

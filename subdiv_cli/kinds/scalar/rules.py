@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from subdiv_cli.model import findings as q
-from subdiv_cli.model.findings import row, table
+from subdiv_cli.model.findings import Rule, row, table
 
 _RADIUS = "norm product family radius bounded radius-upper"
 
@@ -95,4 +97,7 @@ INTERPOLATORY_ORDER = row("SD505", "interpolatory-order", "Dyn 1992, Theorem 5.1
 ERROR_BOUND = row("SD511", "error-bound", "Dyn 1992, Corollary 3.3", proves="error-bound levels")
 HERMITE_BOUND = row("SD512", "hermite-bound", "Dyn 1992, Proposition 4.7", proves="hermite-bound")
 
-RULES = table(vars())
+
+def rules() -> Mapping[str, Rule]:
+    """Every row by its code."""
+    return table(globals())

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
-from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.entries import Table, check_fixed, mask_table, read_expression
 from subdiv_cli.maskfile.expressions import Expression, literal, number_of, polynomial_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import too_precise, zero_mask
@@ -67,6 +67,12 @@ class Symbol(NamedTuple):
         if polynomial is None:
             return None
         return _scheme(self.arity, polynomial.coefficients, self.expression.path, values, problems)
+
+
+def read(top: Table, parameters: Collection[str], problems: Collector) -> Coefficients | Symbol | None:
+    """The mask of a file; None where something is wrong, which is recorded."""
+    table = mask_table(top)
+    return None if table is None else read_scalar(table, parameters, problems)
 
 
 def read_scalar(table: Table, parameters: Collection[str], problems: Collector) -> Coefficients | Symbol | None:

@@ -14,7 +14,7 @@ from subdiv_cli.kinds.kind import Analysis, Facts, Part
 from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pairs
 from subdiv_cli.kinds.multivariate.claims.products import BoxSplineClaims, Factors, PartCertificate
-from subdiv_cli.kinds.multivariate.text import canonical
+from subdiv_cli.kinds.multivariate.text.writing import canonical
 from subdiv_cli.kinds.scalar.claims import certificate as univariate_certificate
 from subdiv_cli.model import Data, Finding, Verdict, exact_root
 from subdiv_cli.model.closed import rational

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from subdiv_cli.kinds.kind import Analysis, Part, Stage, run_stages
 from subdiv_cli.kinds.multivariate.lattice import Lattice
@@ -36,7 +37,7 @@ STAGES: tuple[Stage, ...] = (
 )
 
 
-def analyse(scheme: MultivariateScheme, effort: Effort) -> Analysis:
+def analyse(scheme: MultivariateScheme, effort: Effort, _: Fraction | None = None) -> Analysis:
     """What all stages find under the effort, of each factor of a tensor product first."""
     lattice = Lattice(scheme.dilation)
     parts: tuple[Part, ...] = ()

@@ -10,7 +10,7 @@ from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.grid import read_grid, read_terms
 from subdiv_cli.kinds.multivariate.text.tensor import read_tensor
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.entries import Table, check_fixed, mask_table, read_expression
 from subdiv_cli.maskfile.expressions import names_in
 from subdiv_cli.maskfile.laurent import VARIABLES, Work
 from subdiv_cli.maskfile.mask import Body
@@ -32,8 +32,11 @@ _ELSEWHERE = {
 } | dict.fromkeys(("kind", "name", "reference", "format"), ("it belongs at the top, above [mask]", ""))
 
 
-def read_multivariate(table: Table, parameters: Collection[str], problems: Collector) -> Body | None:
-    """The body of a multivariate mask; None where something is wrong, which is recorded."""
+def read(top: Table, parameters: Collection[str], problems: Collector) -> Body | None:
+    """The mask of a file; None where something is wrong, which is recorded."""
+    table = mask_table(top)
+    if table is None:
+        return None
     table.only(_KEYS, _ELSEWHERE)
     dilation = Dilation(table)
     given = [key for key in table.data if key in FORMS]

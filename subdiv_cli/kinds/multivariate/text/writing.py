@@ -1,12 +1,16 @@
-"""Masks in several variables -> the lines of their files."""
+"""Masks in several variables -> the lines of their files, and what certificates embed."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
 
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme, multiple_of_identity
 from subdiv_cli.kinds.multivariate.text.bodies import BoxSpline, Grid, LaurentSymbol, Tensor, Terms
 from subdiv_cli.kinds.scalar.text import spelled_entries
 from subdiv_cli.maskfile.expressions import literal
 from subdiv_cli.maskfile.spelling import listed, nested, number, quoted
+from subdiv_cli.model.closed import rational
 
 
 def body_of(scheme: MultivariateScheme) -> Terms:
@@ -31,3 +35,12 @@ def spell(body: BoxSpline | Grid | LaurentSymbol | Tensor | Terms) -> list[str]:
         return [*lines, f"symbol = {quoted(body.expression.text)}"]
     table = f"{{directions = {nested(body.directions)}, multiplicities = {nested(body.multiplicities)}}}"
     return [*lines, f"box_spline = {table}"]
+
+
+def canonical(scheme: MultivariateScheme) -> Mapping[str, Any]:
+    """The mask as certificates embed it, in one spelling, so that two masks are the same iff these are equal."""
+    return {
+        "kind": scheme.kind,
+        "dilation": [list(row) for row in scheme.dilation],
+        "terms": [[list(index), rational(value)] for index, value in scheme.terms.items()],
+    }
