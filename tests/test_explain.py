@@ -7,9 +7,11 @@ from pathlib import Path
 import pytest
 
 from subdiv_cli.catalog.run import check_all
-from subdiv_cli.explain import codes, page
+from subdiv_cli.explain import codes, page, title
+from subdiv_cli.kinds import KINDS, kind_named
 from subdiv_cli.kinds.reading import read_text
 from subdiv_cli.maskfile import MaskFileError
+from subdiv_cli.maskfile.rules import ROWS
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import show
 
@@ -40,11 +42,11 @@ def result_of(body, tmp_path):
     return result
 
 
-def test_codes_in_the_source_are_those_with_a_page():
-    written = {
-        code for file in PACKAGE.rglob("*.py") for code in re.findall(r'"(SD\d{3})"', file.read_text(encoding="utf-8"))
-    }
-    assert written == {file.stem for file in PAGES} == set(codes())
+def test_pages_are_the_rows_of_all_tables():
+    tables = (ROWS, *(kind_named(name).rules() for name in KINDS))
+    rows = {code: row.name for table in tables for code, row in table.items()}
+    assert len(rows) == sum(map(len, tables)), "a code stands in two tables"
+    assert rows == {code: title(code) for code in codes()}
 
 
 @pytest.mark.parametrize("file", PAGES, ids=lambda file: file.stem)

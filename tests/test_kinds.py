@@ -18,14 +18,14 @@ from subdiv_cli.checker.core import Rulebook, Step, Subject
 from subdiv_cli.checker.plain import PlainMask, PlainReaders, literal
 from subdiv_cli.checker.reading import require
 from subdiv_cli.cli import main
-from subdiv_cli.kinds import KINDS, kind_named
+from subdiv_cli.kinds import KINDS
 from subdiv_cli.kinds.kind import PICTURES, Analysis, ContradictionError, Drawings, Kind, Portraits, gather, run_stages
 from subdiv_cli.maskfile.entries import mask_table, read_expression
 from subdiv_cli.maskfile.expressions import Expression, number_of
 from subdiv_cli.maskfile.expressions import literal as literal_expression
 from subdiv_cli.maskfile.problems import Fault
 from subdiv_cli.model import Verdict
-from subdiv_cli.model.blocks import Curve, Drawing, Formula, Portrait, Section, Statements, Text
+from subdiv_cli.model.blocks import Curve, Drawing, Formula, Grid, Portrait, Section, Statements
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import CONVERGENCE, row, table
 from subdiv_cli.report import FORMATS
@@ -87,7 +87,7 @@ def canonical(scheme) -> Mapping[str, Any]:
 
 
 def sections(scheme, result):
-    return (Section("rules", (Text(f"multiply by {scheme.weight}"),)),)
+    return (Section("multiply by", (Grid("", ("f",), (("S f", (str(scheme.weight),)),)),)),)
 
 
 def portrait(analysis, result):
@@ -189,25 +189,22 @@ def test_errors_in_its_files_say_where(file):
 
 @pytest.mark.parametrize("form", FORMATS)
 def test_every_format_shows_it(file, form):
-    plain, full = check(file, "--no-cache", "--format", form), check(file, "--no-cache", "--format", form, "-v")
-    assert "toy" in full + plain
-    assert (form != "html") or "multiply by 1/2" in plain
-    assert (form != "text") or ("multiply by 1/2" in full and "multiply" not in plain)
+    failing = ("--no-cache", "--format", form, "-p", "w=7")
+    plain, full = check(file, *failing, code=1), check(file, *failing, "-v", code=1)
+    assert "the weight 7 is too large" in full or form in ("sarif", "github", "markdown")
+    assert "found not convergent" in full or form in ("json", "jsonl", "text", "html")
+    assert form != "html" or "multiply by" in plain
+    assert form != "text" or ("S f  7" in full and "S f" not in plain)
 
 
 def test_the_cache_verifies_it_again(file, tmp_path, monkeypatch):
     where = tmp_path / "cache"
     first = check(file, "--cache-dir", where, "--format", "json")
     assert len(list(where.rglob("*.entry"))) == 1
-    monkeypatch.setitem(KINDS, "toy", "nobody")  # its stages cannot be asked again
-    with pytest.raises(ModuleNotFoundError):
-        kind_named("toy")
-    monkeypatch.setitem(KINDS, "toy", __name__)
-    monkeypatch.setattr(f"{__name__}.convergence", None)
+    monkeypatch.setattr(f"{__name__}.convergence", None)  # which is not asked again
     assert check(file, "--cache-dir", where, "--format", "json") == first
-    weaker = Rulebook(*RULEBOOK[:3], {}, *RULEBOOK[4:])
-    monkeypatch.setitem(checker.KINDS, "toy", weaker)
-    monkeypatch.undo()
+    monkeypatch.setitem(checker.KINDS, "toy", RULEBOOK._replace(rules={}))  # the checker does not know its rule
+    assert "not checked: 1 error" in check(file, "--cache-dir", where, code=2)  # it is asked again
 
 
 def test_certificates_verify_and_forged_ones_do_not(file, tmp_path):
