@@ -7,12 +7,14 @@ from typing import Any
 
 import click
 
-from subdiv_cli.cli import masks, printing
+from subdiv_cli.cli import masks
 from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.options import Asked, SectionedCommand, check_options
+from subdiv_cli.cli.outputs import put_report, put_reports
 from subdiv_cli.cli.running import Run, tell_missing
 from subdiv_cli.cli.settings import SettingsError, with_settings
-from subdiv_cli.cli.streams import emit, look_of
+from subdiv_cli.cli.streams import complain, emit, look_of
+from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
 
 _EPILOG = """\b
@@ -63,8 +65,7 @@ def command(ctx: click.Context, /, **given: Any) -> ExitCode:
     try:
         asked = Asked(**with_settings(ctx, given))
     except SettingsError as error:
-        printing.complain([error.problem])
-        return ExitCode.ERROR
+        return complain([error.problem])
     masks.usage(asked)
     values = masks.overrides(asked.parameters)
     told = {**_settings(asked), "overrides": values, "required": masks.required(asked.require)}
@@ -112,8 +113,15 @@ def _close(run: Run, look: Look) -> ExitCode:
     asked = run.asked
     missing = run.missing()
     look = look._replace(missing=missing, interrupted=run.interrupted)
-    printed = run.printed if asked.form == "jsonl" else printing.report(run.results, asked.form, look)
-    written = printing.write(run.results, asked.outputs, asked.form, printing.look_for_files(look))
+
+    def render(form: str, look: Look) -> str:
+        return renderer(form)(run.results, look)
+
+    if asked.form == "text":  # the errors on stderr, and first
+        complain(problem for result in run.results for problem in result.problems)
+    streamed = asked.form == "jsonl"
+    printed = run.printed if streamed else put_report(render, asked.form, look._replace(problems=False))
+    written = put_reports(render, asked.form, look, asked.outputs)
     tell_missing(missing)
     count = len(run.results)
     if run.interrupted:

@@ -8,7 +8,7 @@ import click
 
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.settings import SettingsError, find
-from subdiv_cli.cli.streams import emit
+from subdiv_cli.cli.streams import complain, emit
 
 _EPILOG = """\b
 The directory is that of `check`: --cache-dir, SUBDIV_CACHE_DIR, cache-dir in
@@ -35,10 +35,7 @@ def command(cache_dir: str | None) -> ExitCode:
         where = directory(cache_dir or _settled())
         count, size = (0, 0) if where is None else Cache(where).clean()
     except SettingsError as error:
-        from subdiv_cli.cli.printing import complain
-
-        complain([error.problem])
-        return ExitCode.ERROR
+        return complain([error.problem])
     except OSError as error:
         raise click.ClickException(f"the cache cannot be emptied: {error}") from None
     emit(f"removed {count} result{'' if count == 1 else 's'}, {size / 1e6:.1f} MB, from {where}\n", sys.stdout)

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from subdiv_cli.cli.completers import complete_parameter
+from subdiv_cli.cli import options
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.streams import emit, look_of
-from subdiv_cli.cli.values import SecondsType, WholeType
-from subdiv_cli.model import DEFAULT_EFFORT, Effort, Problem
+from subdiv_cli.cli.streams import complain, emit, look_of, put_file
+from subdiv_cli.cli.values import SECONDS
+from subdiv_cli.model import Effort
 from subdiv_cli.model.family import FamilyRadius
 
 if TYPE_CHECKING:
@@ -38,31 +38,14 @@ Exit codes:
 
 @click.command("jsr", epilog=_EPILOG, short_help="Joint spectral radius of matrices, with proof.")
 @click.argument("file", type=click.Path())
-@click.option(
-    "-p",
-    "--parameter",
-    "parameters",
-    multiple=True,
-    metavar="NAME=VALUE",
-    shell_complete=complete_parameter,
-    help="Set a parameter of FILE.",
-)
-@click.option(
-    "--format", "form", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Format on stdout."
-)
-@click.option(
-    "--effort",
-    type=WholeType(),
-    default=DEFAULT_EFFORT,
-    show_default=True,
-    metavar="N",
-    help="Work it may cost. What is found depends on it alone.",
-)
-@click.option("--budget", type=SecondsType(), metavar="SECONDS", help="Stop growing polytopes after so long.")
+@options.parameter("Set a parameter of FILE.")
+@options.text_or_json
+@options.effort("Work it may cost. What is found depends on it alone.")
+@click.option("--budget", type=SECONDS, metavar="SECONDS", help="Stop growing polytopes after so long.")
 @click.option(
     "--certificate", metavar="FILE", type=click.Path(dir_okay=False), help="Write the proof, for `subdiv verify`."
 )
-@click.option("--debug", is_flag=True, help="Show the traceback of an internal error.")
+@options.debug
 def command(
     file: str,
     parameters: tuple[str, ...],
@@ -81,12 +64,12 @@ def command(
     try:
         read, matrices = _read(file, parameters)
     except MaskFileError as error:
-        return _complain(error.problems)
+        return complain(error.problems)
     from subdiv_cli.pipeline import joint_spectral_radius
 
     found = joint_spectral_radius(matrices, Effort(effort, budget))
     text = found.certificate_text()
-    if certificate is not None and text is not None and not _write(certificate, text):
+    if certificate is not None and text is not None and not put_file(certificate, text):
         return ExitCode.ERROR
     proof = certificate if text is not None else None
     render = _as_json if form == "json" else _as_text
@@ -105,24 +88,6 @@ def _read(file: str, parameters: tuple[str, ...]) -> tuple[MaskFile, Any]:
     overrides: dict[str, Fraction] = dict(parse_override(text) for text in parameters)
     read = read_path(file, kind="matrices")
     return read, read.scheme(overrides).matrices
-
-
-def _complain(problems: tuple[Problem, ...]) -> ExitCode:
-    from subdiv_cli.report.problems import render
-
-    emit(render(problems, look_of(sys.stderr)) + "\n", sys.stderr)
-    return ExitCode.ERROR
-
-
-def _write(file: str, text: str) -> bool:
-    from subdiv_cli.catalog.files import write_whole
-
-    try:
-        write_whole(file, text)
-    except OSError as error:
-        emit(f"error: {file} cannot be written: {error.strerror or error}\n", sys.stderr)
-        return False
-    return True
 
 
 def _as_json(_: MaskFile, radius: FamilyRadius, proof: str | None) -> str:

@@ -7,11 +7,10 @@ from collections.abc import Sequence
 
 import click
 
+from subdiv_cli.cli import options
 from subdiv_cli.cli.exits import ExitCode, exit_code
-from subdiv_cli.cli.printing import put
 from subdiv_cli.cli.progress import Progress
-from subdiv_cli.cli.streams import look_of
-from subdiv_cli.cli.values import JobsType
+from subdiv_cli.cli.streams import look_of, put
 from subdiv_cli.model import Result
 from subdiv_cli.report import words
 from subdiv_cli.report.layout import paint
@@ -38,14 +37,9 @@ _TITLES = ("mask", "convergence", "smoothness", "Hölder exponent", "stable", "f
 
 @click.command("list", epilog=_EPILOG)
 @click.argument("words_", nargs=-1, metavar="[WORD]...")
-@click.option(
-    "--format", "form", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Format on stdout."
-)
-@click.option("-j", "--jobs", type=JobsType(), default="auto", show_default=True, metavar="N", envvar="SUBDIV_JOBS",
-              help="Processes to work in.")  # fmt: skip
-@click.option("--no-cache", is_flag=True, envvar="SUBDIV_NO_CACHE", help="Prove it all again.")
-@click.option("--cache-dir", metavar="DIR", type=click.Path(file_okay=False), envvar="SUBDIV_CACHE_DIR",
-              help="Where results are kept.")  # fmt: skip
+@options.text_or_json
+@options.jobs
+@options.kept
 def command(words_: tuple[str, ...], form: str, jobs: int, no_cache: bool, cache_dir: str | None) -> ExitCode:
     """List the masks that ship with subdiv, with what is proved of them."""
     from subdiv_cli.catalog import cache, masks_directory
@@ -65,9 +59,9 @@ def command(words_: tuple[str, ...], form: str, jobs: int, no_cache: bool, cache
     if form == "json":
         from subdiv_cli.report import renderer
 
-        put(renderer("json")(results, look), "json")
+        put(renderer("json")(results, look), encoding="utf-8")
     else:
-        put(_table(results, directory, look), "text")
+        put(_table(results, directory, look))
     return exit_code(result.status for result in results) if results else ExitCode.FAILED
 
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import click
 
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.options import Asked
-from subdiv_cli.cli.printing import complain
+from subdiv_cli.cli.options import Asked, belongs_to_mask
+from subdiv_cli.cli.streams import complain
 from subdiv_cli.model import Expectation, Problem, Result
 
 if TYPE_CHECKING:
@@ -27,9 +27,7 @@ def usage(asked: Asked) -> None:
         raise click.UsageError("nothing to check: name a file, as in `subdiv check four-point.toml`")
     if asked.mask is not None and (asked.targets or asked.files_from is not None):
         raise click.UsageError("--mask checks one mask from the command line: leave out the files, or --mask")
-    if asked.mask is None and (asked.start is not None or asked.arity is not None):
-        option = "--start" if asked.start is not None else "--arity"
-        raise click.UsageError(f"{option} belongs to --mask; a file says it itself, under [mask]")
+    belongs_to_mask(asked.mask, asked.start, asked.arity)
     if asked.quiet and asked.verbose:
         raise click.UsageError("-q and -v contradict each other")
     if asked.files_from == "-" and "-" in asked.targets:

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from typing import Any
 
 import click
 
-from subdiv_cli.cli import printing
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.outputs import Output, OutputType
-from subdiv_cli.cli.streams import look_of
+from subdiv_cli.cli.outputs import Output, OutputType, put_report, put_reports
+from subdiv_cli.cli.streams import complain, look_of
 from subdiv_cli.report import FORMATS
 from subdiv_cli.report.look import Look
 
@@ -45,46 +42,29 @@ Exit codes:
 @click.option("-v", "--verbose", count=True, help="As in check.")
 def command(reports: tuple[str, ...], form: str, outputs: tuple[Output, ...], verbose: int) -> ExitCode:
     """Join JSON reports; any format can be written from them."""
-    from subdiv_cli.catalog.reports import ReportError, join, read_report
+    from subdiv_cli.catalog.reports import ReportError, join, read_report, results_of
+    from subdiv_cli.report import renderer
+    from subdiv_cli.report.json import document
 
     try:
         read = [read_report(file) for file in reports]
         results, shard = join(read)
     except ReportError as error:
-        printing.complain([error.problem])
-        return ExitCode.ERROR
+        return complain([error.problem])
     except ValueError as error:
         raise click.ClickException(str(error)) from None
     missing = tuple(dict.fromkeys(file for report in read for file in report.missing))
-    look = look_of(sys.stdout, verbosity=verbose)._replace(
-        shard=shard, missing=missing, interrupted=any(report.interrupted for report in read)
-    )
-    done = _write(results, outputs, form, look) if outputs else printing.put(_render(results, form, look), form)
+    interrupted = any(report.interrupted for report in read)
+
+    def render(form: str, look: Look) -> str:
+        """JSON keeps every key, also those that this version does not know."""
+        if form != "json":
+            return renderer(form)(results_of(results), look)
+        counts = Counter(result["status"] for result in results)
+        statuses = ("passed", "failed", "undecided", "invalid")
+        return document(results, {"files": len(results), **{status: counts[status] for status in statuses}}, look)
+
+    look = look_of(sys.stdout, verbosity=verbose)
+    look = look._replace(shard=shard, missing=missing, interrupted=interrupted)
+    done = put_reports(render, form, look, outputs) if outputs else put_report(render, form, look)
     return ExitCode.PASSED if done else ExitCode.ERROR
-
-
-def _render(results: Sequence[Mapping[str, Any]], form: str, look: Look) -> str:
-    """JSON keeps every key, also those that this version does not know."""
-    from subdiv_cli.catalog.reports import results_of
-    from subdiv_cli.report import renderer
-    from subdiv_cli.report.json import document
-
-    if form != "json":
-        return renderer(form)(results_of(results), look)
-    counts = Counter(result["status"] for result in results)
-    statuses = ("passed", "failed", "undecided", "invalid")
-    return document(results, {"files": len(results), **{status: counts[status] for status in statuses}}, look)
-
-
-def _write(results: Sequence[Mapping[str, Any]], outputs: Sequence[Output], form: str, look: Look) -> bool:
-    from subdiv_cli.catalog.files import write_whole
-    from subdiv_cli.cli.streams import emit
-
-    written = True
-    for output in outputs:
-        try:
-            write_whole(output.file, _render(results, output.format or form, printing.look_for_files(look)))
-        except OSError as error:
-            emit(f"error: {output.file} cannot be written: {error.strerror or error}\n", sys.stderr)
-            written = False
-    return written

@@ -1,4 +1,4 @@
-"""The options of `check`, in the sections in which its help shows them."""
+"""The options of `check`, in the sections in which its help shows them, and those that other commands share."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import click
 
 from subdiv_cli.cli.completers import complete_code, complete_parameter, complete_property
 from subdiv_cli.cli.outputs import Output, OutputType
-from subdiv_cli.cli.values import IndexType, JobsType, SecondsType, ShardType, WholeType
+from subdiv_cli.cli.values import INDEX, JOBS, SECONDS, SHARD, WHOLE
 from subdiv_cli.model import DEFAULT_EFFORT
 from subdiv_cli.report import FORMATS
 
@@ -79,128 +79,127 @@ def option(section: str, *names: str, **attributes: Any) -> Callable[[F], F]:
     return click.option(*names, cls=Option, section=section, **attributes, **more)
 
 
-def _masks(f: F) -> F:
-    for decorator in reversed(
-        (
-            click.argument("targets", nargs=-1, type=click.Path(), metavar="[FILE | DIR | -]..."),
-            option(
-                "Masks", "-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE",
-                shell_complete=complete_parameter, help="Set a mask's parameter: w=1/20. Repeatable.",
-            ),
-            option(
-                "Masks", "--files-from", metavar="FILE", type=click.Path(dir_okay=False, allow_dash=True),
-                help="Read names of files and directories from FILE, one a line (or NUL between); - is stdin.",
-            ),
-            option(
-                "Masks", "--mask", metavar="MASK",
-                help="Check this mask instead of a file: a list, [1, 3, 3, 1]/4, or a symbol, (1+z)^3/4.",
-            ),
-            option(
-                "Masks", "--start", type=IndexType(), metavar="INDEX",
-                help="Index of the first coefficient of --mask; in several variables -1,-1.  [default: 0]",
-            ),
-            option("Masks", "--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
-        )
-    ):  # fmt: skip
-        f = decorator(f)
-    return f
+def all_of(*decorators: Callable[[F], F]) -> Callable[[F], F]:
+    """Several options as one decorator, in the order in which the help shows them."""
+
+    def decorate(f: F) -> F:
+        for decorator in reversed(decorators):
+            f = decorator(f)
+        return f
+
+    return decorate
 
 
-def _report(f: F) -> F:
-    for decorator in reversed(
-        (
-            option(
-                "Report", "--format", "form", type=click.Choice(list(FORMATS)), default="text", show_default=True,
-                variable="FORMAT", help="Format of the report on stdout.",
-            ),
-            option(
-                "Report", "-o", "--output", "outputs", type=OutputType(), multiple=True, metavar="[FORMAT:]FILE",
-                help="Write the report to FILE as well, whole or not at all; FORMAT is told by the suffix (.json, "
-                ".jsonl, .xml, .sarif, .md, .html), else it is --format. Repeatable.",
-            ),
-            option(
-                "Report", "-v", "--verbose", count=True, help="Every report in full; -vv with the witnesses."
-            ),
-            option("Report", "-q", "--quiet", is_flag=True, help="Show only what did not pass."),
-            option(
-                "Report", "--select", multiple=True, metavar="CODE", shell_complete=complete_code,
-                help="Show only findings with this code, or beginning of codes: SD3. Repeatable.",
-            ),
-            option(
-                "Report", "--ignore", multiple=True, metavar="CODE", shell_complete=complete_code,
-                help="Do not show findings with this code. Neither changes the exit code. Repeatable.",
-            ),
-            option(
-                "Report", "--certificate", "certificates", metavar="DIR", type=click.Path(file_okay=False),
-                help="Write the proof of each mask's verdicts into DIR, for `subdiv verify`.",
-            ),
-        )
-    ):  # fmt: skip
-        f = decorator(f)
-    return f
+def parameter(help: str) -> Callable[[F], F]:
+    """-p NAME=VALUE."""
+    return option(
+        "Masks", "-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE",
+        shell_complete=complete_parameter, help=help,
+    )  # fmt: skip
 
 
-def _gate(f: F) -> F:
-    for decorator in reversed(
-        (
-            option(
-                "Gate", "--require", multiple=True, metavar="PROPERTY", shell_complete=complete_property,
-                variable="REQUIRE",
-                help='Hold every mask to this as well: C1, "holder>=1.5", stable. Repeatable.',
-            ),
-            option(
-                "Gate", "--baseline", metavar="REPORT", type=click.Path(dir_okay=False), variable="BASELINE",
-                help="A JSON report: a mask fails if a verdict is worse than there; masks that are new, by what they "
-                "expect.",
-            ),
-            option(
-                "Gate", "--allow-undecided", is_flag=True, variable="ALLOW_UNDECIDED",
-                help="Undecided is not a failure: exit 0 for it.",
-            ),
-        )
-    ):  # fmt: skip
-        f = decorator(f)
-    return f
+def effort(help: str, **more: Any) -> Callable[[F], F]:
+    """--effort N."""
+    return option(
+        "Run", "--effort", type=WHOLE, default=DEFAULT_EFFORT, show_default=True, metavar="N", help=help, **more
+    )
 
 
-def _run(f: F) -> F:
-    for decorator in reversed(
-        (
-            option(
-                "Run", "--effort", type=WholeType(), default=DEFAULT_EFFORT, show_default=True, metavar="N",
-                variable="EFFORT", help="Work one question may cost. What is found depends on it alone.",
-            ),
-            option(
-                "Run", "--budget", type=SecondsType(), metavar="SECONDS", variable="BUDGET",
-                help="Give up on a mask after so long. Results then depend on the machine.",
-            ),
-            option(
-                "Run", "-j", "--jobs", type=JobsType(), default="auto", show_default=True, metavar="N",
-                variable="JOBS", help="Processes to work in; auto is one for each core, few for few masks.",
-            ),
-            option(
-                "Run", "--shard", type=ShardType(), metavar="I/N",
-                help="Check part I of N only, for a matrix of CI jobs; `subdiv merge` joins their JSON reports.",
-            ),
-            option(
-                "Run", "--dask", metavar="ADDRESS", variable="DASK",
-                help="Work on a Dask cluster, tcp://host:8786 (needs the extra dask).",
-            ),
-            option(
-                "Run", "--no-cache", is_flag=True, variable="NO_CACHE",
-                help="Neither use nor keep results of earlier runs.",
-            ),
-            option(
-                "Run", "--cache-dir", metavar="DIR", type=click.Path(file_okay=False), variable="CACHE_DIR",
-                help="Keep results in DIR instead of the user's cache directory.",
-            ),
-            option("Run", "--debug", is_flag=True, help="Show the traceback of an internal error."),
-        )
-    ):  # fmt: skip
-        f = decorator(f)
-    return f
+debug = option("Run", "--debug", is_flag=True, help="Show the traceback of an internal error.")
+outputs = option(
+    "Report", "-o", "--output", "outputs", type=OutputType(), multiple=True, metavar="[FORMAT:]FILE",
+    help="Write the report to FILE as well, whole or not at all; FORMAT is told by the suffix (.json, .jsonl, .xml, "
+    ".sarif, .md, .html), else it is --format. Repeatable.",
+)  # fmt: skip
+jobs = option(
+    "Run", "-j", "--jobs", type=JOBS, default="auto", show_default=True, metavar="N", variable="JOBS",
+    help="Processes to work in; auto is one for each core, few for few masks.",
+)  # fmt: skip
+kept = all_of(
+    option("Run", "--no-cache", is_flag=True, variable="NO_CACHE", help="Neither use nor keep earlier results."),
+    option(
+        "Run", "--cache-dir", metavar="DIR", type=click.Path(file_okay=False), variable="CACHE_DIR",
+        help="Keep results in DIR instead of the user's cache directory.",
+    ),
+)  # fmt: skip
+text_or_json = click.option(
+    "--format", "form", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Format on stdout."
+)
+named = all_of(
+    parameter("Set a mask's parameter: w=1/20. Repeatable."),
+    option(
+        "Masks", "--mask", metavar="MASK",
+        help="Take this mask instead of a file: a list, [1, 3, 3, 1]/4, or a symbol, (1+z)^3/4.",
+    ),
+    option(
+        "Masks", "--start", type=INDEX, metavar="INDEX",
+        help="Index of the first coefficient of --mask; in several variables -1,-1.  [default: 0]",
+    ),
+    option("Masks", "--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
+)  # fmt: skip
+"""How masks are named beside files; `belongs_to_mask` says what does not go together."""
 
 
-def check_options(f: F) -> F:
-    """All options of `check`."""
-    return _masks(_report(_gate(_run(f))))
+def belongs_to_mask(mask: str | None, start: tuple[int, ...] | None, arity: int | None) -> None:
+    """Raise a usage error for options that say something of a mask that is not there."""
+    if mask is None and (start is not None or arity is not None):
+        name = "--start" if start is not None else "--arity"
+        raise click.UsageError(f"{name} belongs to --mask; a file says it itself, under [mask]")
+
+
+check_options = all_of(
+    click.argument("targets", nargs=-1, type=click.Path(), metavar="[FILE | DIR | -]..."),
+    option(
+        "Masks", "--files-from", metavar="FILE", type=click.Path(dir_okay=False, allow_dash=True),
+        help="Read names of files and directories from FILE, one a line (or NUL between); - is stdin.",
+    ),
+    named,
+    option(
+        "Report", "--format", "form", type=click.Choice(list(FORMATS)), default="text", show_default=True,
+        variable="FORMAT", help="Format of the report on stdout.",
+    ),
+    outputs,
+    option("Report", "-v", "--verbose", count=True, help="Every report in full; -vv with the witnesses."),
+    option("Report", "-q", "--quiet", is_flag=True, help="Show only what did not pass."),
+    option(
+        "Report", "--select", multiple=True, metavar="CODE", shell_complete=complete_code,
+        help="Show only findings with this code, or beginning of codes: SD3. Repeatable.",
+    ),
+    option(
+        "Report", "--ignore", multiple=True, metavar="CODE", shell_complete=complete_code,
+        help="Do not show findings with this code. Neither changes the exit code. Repeatable.",
+    ),
+    option(
+        "Report", "--certificate", "certificates", metavar="DIR", type=click.Path(file_okay=False),
+        help="Write the proof of each mask's verdicts into DIR, for `subdiv verify`.",
+    ),
+    option(
+        "Gate", "--require", multiple=True, metavar="PROPERTY", shell_complete=complete_property, variable="REQUIRE",
+        help='Hold every mask to this as well: C1, "holder>=1.5", stable. Repeatable.',
+    ),
+    option(
+        "Gate", "--baseline", metavar="REPORT", type=click.Path(dir_okay=False), variable="BASELINE",
+        help="A JSON report: a mask fails if a verdict is worse than there; masks that are new, by what they expect.",
+    ),
+    option(
+        "Gate", "--allow-undecided", is_flag=True, variable="ALLOW_UNDECIDED",
+        help="Undecided is not a failure: exit 0 for it.",
+    ),
+    effort("Work one question may cost. What is found depends on it alone.", variable="EFFORT"),
+    option(
+        "Run", "--budget", type=SECONDS, metavar="SECONDS", variable="BUDGET",
+        help="Give up on a mask after so long. Results then depend on the machine.",
+    ),
+    jobs,
+    option(
+        "Run", "--shard", type=SHARD, metavar="I/N",
+        help="Check part I of N only, for a matrix of CI jobs; `subdiv merge` joins their JSON reports.",
+    ),
+    option(
+        "Run", "--dask", metavar="ADDRESS", variable="DASK",
+        help="Work on a Dask cluster, tcp://host:8786 (needs the extra dask).",
+    ),
+    kept,
+    debug,
+)  # fmt: skip
+"""All options of `check`."""

@@ -1,14 +1,17 @@
-"""`-o FILE` and `-o FORMAT:FILE`."""
+"""`-o FILE` and `-o FORMAT:FILE`: where a report is to go, and its way there."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Sequence
 from pathlib import PurePath
 from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from subdiv_cli.report import FORMATS, SUFFIXES
+from subdiv_cli.cli.streams import put, put_file, why_not
+from subdiv_cli.report import FOR_PEOPLE, FORMATS, SUFFIXES
+from subdiv_cli.report.look import Look
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -47,8 +50,6 @@ class OutputType(click.ParamType[Output]):
             self.fail(f"no format {prefix[1]!r}; there are {_formats()}. A file of that name is ./{value}", param, ctx)
         if output.file in ("", "-"):
             self.fail(f"{value!r} names no file; what goes to stdout is chosen with --format", param, ctx)
-        from subdiv_cli.cli.streams import why_not
-
         if (reason := why_not(output.file)) is not None:
             self.fail(f"{output.file!r} cannot be written: {reason}", param, ctx)
         return output
@@ -66,3 +67,16 @@ class OutputType(click.ParamType[Output]):
 
 def _formats() -> str:
     return ", ".join(FORMATS)
+
+
+def put_report(render: Callable[[str, Look], str], form: str, look: Look) -> bool:
+    """A report, rendered in a format for a look, on stdout; whether it could be written."""
+    return put(render(form, look), encoding=None if form in FOR_PEOPLE else "utf-8")
+
+
+def put_reports(render: Callable[[str, Look], str], form: str, look: Look, outputs: Sequence[Output]) -> bool:
+    """The report in every file that is asked for, on paper of its own; whether all could be written."""
+    paper = Look()
+    look = look._replace(width=paper.width, unicode=paper.unicode, colour=paper.colour, problems=paper.problems)
+    written = [put_file(output.file, render(output.format or form, look)) for output in outputs]
+    return all(written)

@@ -11,8 +11,9 @@ import click
 
 from subdiv_cli.cli import single
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.streams import emit, look_of, why_not
-from subdiv_cli.cli.values import WholeType
+from subdiv_cli.cli.options import debug as debug_option
+from subdiv_cli.cli.streams import emit, look_of, put, put_file, why_not
+from subdiv_cli.cli.values import WHOLE
 
 if TYPE_CHECKING:
     from subdiv_cli.kinds.kind import Drawings
@@ -85,8 +86,8 @@ _UNPROVED = {"smoothness": "φ is not proved continuous", "convergence": "S is n
     metavar="K",
     help="Draw the control polygons up to level K too. Of an .obj: refine K times.  [default: 0; of an .obj 3]",
 )
-@click.option("--samples", type=WholeType(), metavar="N", help=f"Points of a curve, at least.  [default: {_POINTS}]")
-@click.option("--debug", is_flag=True, help="Show the traceback of an internal error.")
+@click.option("--samples", type=WHOLE, metavar="N", help=f"Points of a curve, at least.  [default: {_POINTS}]")
+@debug_option
 def command(
     files: tuple[str, ...],
     parameters: tuple[str, ...],
@@ -228,18 +229,23 @@ def _terminal(drawn: Sequence[Drawn]) -> ExitCode:
     for panel in panels(drawn):
         lines += [""] if lines else []
         lines += [letters(panel.title, look.unicode), *rows(panel, width=look.width, unicode=look.unicode)]
-    return single.print_rows(lines)
+    return ExitCode.PASSED if put("\n".join(lines) + "\n") else ExitCode.ERROR
 
 
 def _file(drawn: Sequence[Drawn], output: str, style: str) -> ExitCode:
     from subdiv_cli.model.blocks import Net
+    from subdiv_cli.plot.figure import INSTALL, MissingExtraError
     from subdiv_cli.plot.panels import figure, panels
 
     for block in drawn[0].blocks:
         if isinstance(block, Net):
             return _net(block, drawn[0].title, output)
-    form = PurePath(output).suffix.lower().lstrip(".")
-    return single.write_picture(output, lambda: figure(panels(drawn), form, style))
+    try:
+        picture = figure(panels(drawn), PurePath(output).suffix.lower().lstrip("."), style)
+    except MissingExtraError:
+        emit(f"error: drawing into a file needs matplotlib, which is not installed: {INSTALL}\n", sys.stderr)
+        return ExitCode.ERROR
+    return ExitCode.PASSED if put_file(output, picture) else ExitCode.ERROR
 
 
 def _net(net: Net, title: str, output: str) -> ExitCode:
@@ -250,4 +256,4 @@ def _net(net: Net, title: str, output: str) -> ExitCode:
         text = obj(net, letters(f"{title}: {net.title}", unicode=False))
     except OverflowError:
         raise click.ClickException("not written: a coordinate is larger than any double") from None
-    return single.write_picture(output, lambda: text.encode("ascii"))
+    return ExitCode.PASSED if put_file(output, text) else ExitCode.ERROR

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from subdiv_cli.cli.options import Asked
-from subdiv_cli.cli.printing import complain, put
 from subdiv_cli.cli.progress import Progress
-from subdiv_cli.cli.streams import emit
+from subdiv_cli.cli.streams import complain, emit, put
 from subdiv_cli.model import Result
 from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
@@ -100,7 +99,7 @@ class Run:
             result = self.baseline.judge(result)
         if self.asked.form == "jsonl":
             self._progress.close()
-            self.printed &= put(renderer("jsonl")([result], self.look), "jsonl")
+            self.printed &= put(renderer("jsonl")([result], self.look), encoding="utf-8")
         self.results.append(self._slim(result))
 
     def _slim(self, result: Result) -> Result:
@@ -123,13 +122,11 @@ def _baseline(file: str | None) -> Baseline | None:
         return None
     from subdiv_cli.catalog.baseline import Baseline
     from subdiv_cli.catalog.reports import ReportError, read_report
-    from subdiv_cli.cli.exits import ExitCode
 
     try:
         return Baseline(read_report(file).results)
     except ReportError as error:
-        complain([error.problem])
-        raise click.exceptions.Exit(ExitCode.ERROR) from None
+        raise click.exceptions.Exit(complain([error.problem])) from None
 
 
 def tell_missing(missing: Sequence[str]) -> None:

@@ -11,8 +11,9 @@ from click.core import ParameterSource
 
 from subdiv_cli.cli import single
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.streams import UnwritableError, emit, look_of, why_not
-from subdiv_cli.cli.values import ToleranceType
+from subdiv_cli.cli.options import debug as debug_option
+from subdiv_cli.cli.streams import look_of, put, put_file, why_not
+from subdiv_cli.cli.values import TOLERANCE
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.show import FORMATS, renderer
 
@@ -52,14 +53,14 @@ _WIDEST = 90
 @click.option("-o", "--output", metavar="FILE", type=click.Path(), help="Write the page to FILE, whole or not at all.")
 @click.option(
     "--tolerance",
-    type=ToleranceType(),
+    type=TOLERANCE,
     default="1e-3",
     show_default=True,
     metavar="T",
     help="How close to the limit the control polygon is to come, relative to the largest difference of the data.",
 )
 @click.option("--certificate", metavar="DIR", type=click.Path(file_okay=False), help="Write the proof into DIR.")
-@click.option("--debug", is_flag=True, help="Show the traceback of an internal error.")
+@debug_option
 def command(
     file: str | None,
     parameters: tuple[str, ...],
@@ -88,14 +89,9 @@ def command(
     look = look_of(sys.stdout) if output is None else Look()
     _check_options(one)
     page = _page(one, form, tolerance, effort, certificate, look)
-    if output is not None:
-        return _write(output, page)
-    try:
-        emit(page, sys.stdout, encoding="utf-8" if form == "json" else None)
-    except UnwritableError as error:
-        error.show()
-        return ExitCode.ERROR
-    return ExitCode.PASSED
+    encoding = "utf-8" if form == "json" else None
+    done = put(page, encoding=encoding) if output is None else put_file(output, page)
+    return ExitCode.PASSED if done else ExitCode.ERROR
 
 
 def _check_options(one: single.One) -> None:
@@ -138,17 +134,6 @@ def _by_suffix(output: str | None) -> str:
     from pathlib import PurePath
 
     return "text" if output is None else SUFFIXES.get(PurePath(output).suffix.lower(), "text")
-
-
-def _write(output: str, page: str) -> ExitCode:
-    from subdiv_cli.catalog.files import write_whole
-
-    try:
-        write_whole(output, page)
-    except OSError as error:
-        emit(f"error: {output} cannot be written: {error.strerror or error}\n", sys.stderr)
-        return ExitCode.ERROR
-    return ExitCode.PASSED
 
 
 def _write_certificate(directory: str, file: str, text: str) -> str:

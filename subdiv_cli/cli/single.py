@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
-from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
+from typing import TYPE_CHECKING, NamedTuple, NoReturn
 
 import click
 
-from subdiv_cli.cli.completers import complete_parameter
-from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.streams import UnwritableError, emit, look_of
-from subdiv_cli.model import DEFAULT_EFFORT, Problem, Result
+from subdiv_cli.cli import streams
+from subdiv_cli.cli.options import all_of, belongs_to_mask, effort, named
+from subdiv_cli.model import Problem, Result
 
 if TYPE_CHECKING:
     from subdiv_cli.kinds.kind import Scheme
     from subdiv_cli.maskfile import MaskFile
-
-Command = Callable[..., Any]
 
 
 class One(NamedTuple):
@@ -53,37 +49,8 @@ class One(NamedTuple):
         )
 
 
-def options(command: Command) -> Command:
-    """-p, --mask, --start, --arity and --effort."""
-    from subdiv_cli.cli.values import IndexType, WholeType
-
-    decorators = [
-        click.option(
-            "-p",
-            "--parameter",
-            "parameters",
-            multiple=True,
-            shell_complete=complete_parameter,
-            metavar="NAME=VALUE",
-            help="Set a parameter of the mask: w=1/20. Repeatable.",
-        ),
-        click.option("--mask", metavar="MASK", help="This mask instead of a file: [1, 3, 3, 1]/4, or (1+z)^3/4."),
-        click.option(
-            "--start", type=IndexType(), metavar="INDEX", help="Index of the first coefficient of --mask.  [default: 0]"
-        ),
-        click.option("--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
-        click.option(
-            "--effort",
-            type=WholeType(),
-            default=DEFAULT_EFFORT,
-            show_default=True,
-            metavar="N",
-            help="Work one question may cost.",
-        ),
-    ]
-    for decorator in reversed(decorators):
-        command = decorator(command)
-    return command
+options = all_of(named, effort("Work one question may cost."))
+"""How one mask is named, and what its analysis may cost."""
 
 
 BELONGS = {
@@ -117,27 +84,25 @@ class Named(NamedTuple):
     arity: int | None
     parameters: tuple[str, ...]
 
-    def check(self) -> None:
+    def usage(self) -> None:
         """Raise a usage error for options that do not go together."""
         if bool(self.files) == (self.mask is not None):
             what = f"`subdiv {self.command} four_point.toml`"
             raise click.UsageError(f"name a mask: a FILE or --mask, and not both, as in {what}")
-        if self.mask is None and (self.start is not None or self.arity is not None):
-            option = "--start" if self.start is not None else "--arity"
-            raise click.UsageError(f"{option} belongs to --mask; a file says it itself, under [mask]")
+        belongs_to_mask(self.mask, self.start, self.arity)
 
 
-def read(named: Named) -> One:
+def read(meant: Named) -> One:
     """The one mask that is meant. Where it cannot be read, says why on stderr and exits with 2."""
-    family = read_family(named)
+    family = read_family(meant)
     if len(family) > 1:
-        raise click.UsageError(f"-p gives a parameter several values: `subdiv {named.command}` takes one mask")
+        raise click.UsageError(f"-p gives a parameter several values: `subdiv {meant.command}` takes one mask")
     return family[0]
 
 
-def read_family(named: Named) -> list[One]:
+def read_family(meant: Named) -> list[One]:
     """Every mask that is meant, at every combination of the values of its parameters. Exits with 2 as `read` does."""
-    named.check()
+    meant.usage()
     from subdiv_cli.kinds.option import from_option
     from subdiv_cli.kinds.reading import read_path
     from subdiv_cli.maskfile import MaskFileError
@@ -145,13 +110,13 @@ def read_family(named: Named) -> list[One]:
 
     try:
         values: dict[str, list[Fraction]] = {}
-        for name, value in map(parse_override, named.parameters):
+        for name, value in map(parse_override, meant.parameters):
             values.setdefault(name, []).append(value)
-        if named.mask is not None:
-            start, arity = named.start or 0, 2 if named.arity is None else named.arity
-            masks = [from_option(named.mask, start=start, arity=arity, names=values)]
+        if meant.mask is not None:
+            start, arity = meant.start or 0, 2 if meant.arity is None else meant.arity
+            masks = [from_option(meant.mask, start=start, arity=arity, names=values)]
         else:
-            masks = [read_path(file, capability=named.capability) for file in named.files]
+            masks = [read_path(file, capability=meant.capability) for file in meant.files]
         return [one for mask in masks for one in _variants(mask, values, alone=len(masks) == 1)]
     except MaskFileError as error:
         complain(error.problems)
@@ -166,38 +131,5 @@ def _variants(mask: MaskFile, values: Mapping[str, Sequence[Fraction]], *, alone
 
 
 def complain(problems: Sequence[Problem]) -> NoReturn:
-    """Problems on stderr, and exit code 2."""
-    from subdiv_cli.report.look import UNWRAPPED
-    from subdiv_cli.report.problems import render
-
-    settings = {} if sys.stderr.isatty() else {"width": UNWRAPPED}
-    emit(render(problems, look_of(sys.stderr, **settings)) + "\n", sys.stderr)
-    raise click.exceptions.Exit(ExitCode.ERROR)
-
-
-def print_rows(rows: Sequence[str]) -> ExitCode:
-    """A picture in letters on stdout; on stderr why it cannot be written."""
-    try:
-        emit("\n".join(rows) + "\n", sys.stdout)
-    except UnwritableError as error:
-        error.show()
-        return ExitCode.ERROR
-    return ExitCode.PASSED
-
-
-def write_picture(output: str, draw: Callable[[], bytes]) -> ExitCode:
-    """What is drawn into a file, whole or not at all; on stderr why it is not."""
-    from subdiv_cli.catalog.files import write_whole
-    from subdiv_cli.plot.figure import INSTALL, MissingExtraError
-
-    try:
-        content = draw()
-    except MissingExtraError:
-        emit(f"error: drawing into a file needs matplotlib, which is not installed: {INSTALL}\n", sys.stderr)
-        return ExitCode.ERROR
-    try:
-        write_whole(output, content)
-    except OSError as error:
-        emit(f"error: {output} cannot be written: {error.strerror or error}\n", sys.stderr)
-        return ExitCode.ERROR
-    return ExitCode.PASSED
+    """Problems on stderr, and the end of the command."""
+    raise click.exceptions.Exit(streams.complain(problems))

@@ -1,15 +1,21 @@
-"""Where output goes: the terminal or pipe there is, and files that are whole or not there at all."""
+"""Where output goes: the terminal or pipe there is, and files that are whole or not there at all.
+
+Reports go to stdout and to files, errors to stderr.
+"""
 
 from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterable
 from contextlib import suppress
 from typing import IO, TextIO
 
 import click
 
-from subdiv_cli.report.look import Look
+from subdiv_cli.cli.exits import ExitCode
+from subdiv_cli.model import Problem
+from subdiv_cli.report.look import UNWRAPPED, Look
 
 _NEEDED = "φαρνεΣ½‖∞≥≤−²·—…ö✓✗─"
 WIDEST = 120
@@ -103,3 +109,35 @@ def why_not(file: str) -> str | None:
     if path.exists() and not path.is_file():
         return None
     return None if os.access(path.parent, os.W_OK) else f"the directory {path.parent} is not writable"
+
+
+def put(text: str, *, encoding: str | None = None) -> bool:
+    """A result on stdout; whether it could be written, and on stderr why it could not."""
+    try:
+        emit(text, sys.stdout, encoding=encoding)
+    except UnwritableError as error:
+        error.show()
+        return False
+    return True
+
+
+def put_file(file: str, content: str | bytes) -> bool:
+    """A result in a file, whole or not at all; whether it could be written, and on stderr why it could not."""
+    from subdiv_cli.catalog.files import write_whole
+
+    try:
+        write_whole(file, content)
+    except OSError as error:
+        emit(f"error: {file} cannot be written: {error.strerror or error}\n", sys.stderr)
+        return False
+    return True
+
+
+def complain(problems: Iterable[Problem]) -> ExitCode:
+    """Problems on stderr; wrapped only on a terminal, so that a message can be grepped elsewhere."""
+    from subdiv_cli.report.problems import render
+
+    settings = {} if sys.stderr.isatty() else {"width": UNWRAPPED}
+    if text := render(problems, look_of(sys.stderr, **settings)):
+        emit(text + "\n", sys.stderr)
+    return ExitCode.ERROR

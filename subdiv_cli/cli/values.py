@@ -5,118 +5,79 @@ from __future__ import annotations
 import math
 import os
 import re
+from collections.abc import Callable
+from contextlib import suppress
 from fractions import Fraction
+from typing import TypeVar
 
 import click
+
+T = TypeVar("T")
 
 MOST_JOBS = 1024
 MOST_SHARDS = 1_000_000
 
 
-class WholeType(click.ParamType[int]):
+class Quantity(click.ParamType[T]):
+    """A value that is parsed from its spelling, or refused by saying what is `wanted`."""
+
+    def __init__(self, name: str, parse: Callable[[str], T | None], wanted: str) -> None:
+        self.name, self._parse, self._wanted = name, parse, wanted
+
+    def convert(self, value: str | T, param: click.Parameter | None, ctx: click.Context | None) -> T:
+        """Parse; a number out of a file of settings is parsed as it would be spelled."""
+        if not isinstance(value, str | int | float):
+            return value
+        if (found := self._parse(str(value))) is None:
+            self.fail(f"{value!r} is {self._wanted}", param, ctx)
+        return found
+
+
+def _whole(text: str) -> int | None:
     """A positive whole number."""
-
-    name = "number"
-
-    def convert(self, value: str | int, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        """Parse."""
-        try:
-            number = int(value)
-        except ValueError:
-            number = 0
-        if number < 1:
-            self.fail(f"{value!r} is not a positive whole number", param, ctx)
-        return number
+    number = int(text) if re.fullmatch(r"\s*\+?[0-9]{1,18}\s*", text) else 0
+    return number if number > 0 else None
 
 
-class IndexType(click.ParamType[tuple[int, ...]]):
+def _index(text: str) -> tuple[int, ...] | None:
     """An index of a mask: an integer, or one for each variable, -1,-1."""
-
-    name = "index"
-
-    _SPELLING = re.compile(r"\s*[+-]?[0-9]{1,9}\s*(,\s*[+-]?[0-9]{1,9}\s*){0,3}")
-
-    def convert(
-        self, value: str | tuple[int, ...], param: click.Parameter | None, ctx: click.Context | None
-    ) -> tuple[int, ...]:
-        """Parse."""
-        if isinstance(value, tuple):
-            return value
-        if not self._SPELLING.fullmatch(value):
-            self.fail(f"{value!r} is not an index: an integer, or in several variables -1,-1", param, ctx)
-        return tuple(map(int, value.split(",")))
+    spelled = re.fullmatch(r"\s*[+-]?[0-9]{1,9}\s*(,\s*[+-]?[0-9]{1,9}\s*){0,3}", text)
+    return tuple(map(int, text.split(","))) if spelled else None
 
 
-class SecondsType(click.ParamType[float]):
+def _seconds(text: str) -> float | None:
     """A positive, finite number of seconds."""
-
-    name = "seconds"
-
-    def convert(self, value: str | float, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """Parse."""
-        try:
-            number = float(value)
-        except ValueError:
-            number = 0.0
-        if not (number > 0 and math.isfinite(number)):
-            self.fail(f"{value!r} is not a positive number of seconds", param, ctx)
-        return number
+    with suppress(ValueError):
+        if (number := float(text)) > 0 and math.isfinite(number):
+            return number
+    return None
 
 
-class ToleranceType(click.ParamType[Fraction]):
+def _tolerance(text: str) -> Fraction | None:
     """A positive number, exactly as it is spelled: 1e-3, 0.001, 1/1000."""
-
-    name = "tolerance"
-
-    _SPELLING = re.compile(r"[0-9]{1,50}(/[0-9]{1,50}|(\.[0-9]{1,50})?([eE][+-]?[0-9]{1,3})?)")
-
-    def convert(self, value: str | Fraction, param: click.Parameter | None, ctx: click.Context | None) -> Fraction:
-        """Parse."""
-        if isinstance(value, Fraction):
-            return value
-        number = Fraction(0)
-        if self._SPELLING.fullmatch(value) and not re.search(r"/0+$", value):
-            number = Fraction(value)
-        if number <= 0:
-            self.fail(f"{value!r} is not a positive number; write 1e-3 or 1/1000", param, ctx)
-        return number
+    spelled = re.fullmatch(r"[0-9]{1,50}(/[0-9]{1,50}|(\.[0-9]{1,50})?([eE][+-]?[0-9]{1,3})?)", text)
+    number = Fraction(text) if spelled and not re.search(r"/0+$", text) else Fraction(0)
+    return number if number > 0 else None
 
 
-class JobsType(click.ParamType[int]):
+def _jobs(text: str) -> int | None:
     """A positive whole number, or `auto`: the cores that this process may use."""
-
-    name = "number"
-
-    def convert(self, value: str | int, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        """Parse."""
-        if value == "auto":
-            return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-        try:
-            number = int(value)
-        except ValueError:
-            number = 0
-        if not 1 <= number <= MOST_JOBS:
-            self.fail(f"{value!r} is neither auto nor a number from 1 to {MOST_JOBS}", param, ctx)
-        return number
+    if text == "auto":
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    number = _whole(text)
+    return None if number is None or number > MOST_JOBS else number
 
 
-class ShardType(click.ParamType[tuple[int, int]]):
+def _shard(text: str) -> tuple[int, int] | None:
     """`i/n` with 1 <= i <= n."""
-
-    name = "i/n"
-
-    def convert(
-        self, value: str | tuple[int, int], param: click.Parameter | None, ctx: click.Context | None
-    ) -> tuple[int, int]:
-        """Parse."""
-        if isinstance(value, tuple):
-            return value
-        index, count = _whole(value.partition("/")[0]), _whole(value.partition("/")[2])
-        if not 1 <= index <= count <= MOST_SHARDS:
-            self.fail(f"{value!r} is no part: write 1/4, 2/4, …", param, ctx)
-        return index, count
+    index, _, count = text.partition("/")
+    i, n = _whole(index) or 0, _whole(count) or 0
+    return (i, n) if 1 <= i <= n <= MOST_SHARDS else None
 
 
-def _whole(text: str) -> int:
-    """A number in plain digits; 0 for anything else."""
-    return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else 0
+WHOLE = Quantity("number", _whole, "not a positive whole number")
+INDEX = Quantity("index", _index, "not an index: an integer, or in several variables -1,-1")
+SECONDS = Quantity("seconds", _seconds, "not a positive number of seconds")
+TOLERANCE = Quantity("tolerance", _tolerance, "not a positive number; write 1e-3 or 1/1000")
+JOBS = Quantity("number", _jobs, f"neither auto nor a number from 1 to {MOST_JOBS}")
+SHARD = Quantity("i/n", _shard, "no part: write 1/4, 2/4, …")

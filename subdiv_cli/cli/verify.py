@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from subdiv_cli.cli.completers import complete_parameter
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.streams import emit
+from subdiv_cli.cli.options import parameter
+from subdiv_cli.cli.streams import complain, emit
 
 if TYPE_CHECKING:
     from subdiv_cli.checker.plain import PlainMask
@@ -37,15 +37,7 @@ python -m subdiv_cli.checker CERT runs it alone."""
 @click.option(
     "--mask", metavar="FILE", type=click.Path(), help="Check that the certificate is about the mask of this file."
 )
-@click.option(
-    "-p",
-    "--parameter",
-    "parameters",
-    multiple=True,
-    metavar="NAME=VALUE",
-    shell_complete=complete_parameter,
-    help="Set a parameter of --mask.",
-)
+@parameter("Set a parameter of --mask.")
 def command(certificates: tuple[str, ...], mask: str | None, parameters: tuple[str, ...]) -> ExitCode:
     """Check certificates: each is VERIFIED, or a claim is named that fails.
 
@@ -100,17 +92,13 @@ def _asked(file: str, parameters: Sequence[str]) -> _Asked:
     from subdiv_cli.kinds.reading import read_path
     from subdiv_cli.maskfile import MaskFileError
     from subdiv_cli.maskfile.option import parse_override
-    from subdiv_cli.report.problems import render
 
     try:
         overrides = dict(parse_override(text) for text in parameters)
         read = read_path(file)
         scheme = read.scheme(overrides)
     except MaskFileError as error:
-        from subdiv_cli.cli.streams import look_of
-
-        emit(render(error.problems, look_of(sys.stderr)) + "\n", sys.stderr)
-        raise click.exceptions.Exit(ExitCode.ERROR) from None
+        raise click.exceptions.Exit(complain(error.problems)) from None
     if (plain := plain_mask(read.source.text)) is not None:
         return _Asked(plain, f"the mask of {file}")
     return _Asked(
