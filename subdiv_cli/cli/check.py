@@ -97,11 +97,7 @@ def _look(asked: Asked) -> Look:
     for code in (*asked.select, *asked.ignore):
         if not any(one.startswith(code.upper()) for one in known):
             raise click.UsageError(f"no finding code begins with {code!r}; `subdiv explain` lists them")
-    return look_of(
-        sys.stdout,
-        verbosity=asked.verbosity,
-        allow_undecided=asked.allow_undecided,
-    )._replace(
+    return look_of(sys.stdout, verbosity=asked.verbosity, allow_undecided=asked.allow_undecided)._replace(
         select=tuple(code.upper() for code in asked.select),
         ignore=tuple(code.upper() for code in asked.ignore),
         shard=asked.shard,

@@ -50,8 +50,8 @@ def command(code: str | None) -> None:
 def _list() -> str:
     """A line for each code: its name and the beginning of its page."""
     from subdiv_cli.explain import codes, page, title
-    from subdiv_cli.report.layout import wrap
     from subdiv_cli.report.letters import letters, width
+    from subdiv_cli.report.page import wrap
 
     unicode = speaks_mathematics(sys.stdout)
     dots = " …" if unicode else " ..."
@@ -80,8 +80,8 @@ def _print(text: str) -> None:
 
 def _fitting(text: str) -> str:
     """A page in the letters and the width of stdout: paragraphs that are wider are wrapped, examples are not."""
-    from subdiv_cli.report.layout import wrap
     from subdiv_cli.report.letters import letters, width
+    from subdiv_cli.report.page import wrap
 
     room, unicode, blocks, example = columns(sys.stdout), speaks_mathematics(sys.stdout), [], False
     for block in text.split("\n\n"):

@@ -13,9 +13,8 @@ from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import look_of, put
 from subdiv_cli.model import Result
 from subdiv_cli.report import words
-from subdiv_cli.report.layout import paint
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.page import Page
+from subdiv_cli.report.page import Page, paint
 
 _EPILOG = """\b
 Examples:

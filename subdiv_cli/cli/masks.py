@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -99,17 +98,13 @@ def targets(asked: Asked, names: Collection[str]) -> list[str | MaskFile] | Resu
 def _listed(file: str) -> list[str]:
     """The names in a list, one a line; with a NUL in it, as `find -print0` writes it, between those."""
     from os import fsdecode
-    from pathlib import Path
+
+    from subdiv_cli.maskfile.bounds import at_most
 
     try:
-        if file == "-":
-            data = sys.stdin.buffer.read(MOST_BYTES + 1)
-        else:
-            with Path(file).open("rb") as stream:
-                data = stream.read(MOST_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise click.UsageError(f"--files-from {file}: cannot be read: {reason}") from None
+        data = at_most(file, MOST_BYTES)
+    except OSError as error:
+        raise click.UsageError(f"--files-from {file}: cannot be read: {error.strerror or error}") from None
     if len(data) > MOST_BYTES:
         raise click.UsageError(f"--files-from {file}: larger than {MOST_BYTES >> 20} MiB")
     lines = data.split(b"\0") if b"\0" in data else data.splitlines()

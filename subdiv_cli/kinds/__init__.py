@@ -20,7 +20,7 @@ KINDS = {
 }
 """Kind -> the module that has it as `KIND`."""
 PLANNED = ("vector", "hermite", "piecewise")
-"""Kinds that files may have no module decides yet."""
+"""Kinds that a file may name and no module decides yet."""
 
 
 def kind_named(name: str) -> Kind:

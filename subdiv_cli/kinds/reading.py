@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
+from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES, at_most
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
 from subdiv_cli.maskfile.mask import MaskFile, check_fixed_mask
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
@@ -35,15 +34,9 @@ def load_path(path: str | Path) -> bytes:
     """The bytes of a mask file; "-" is standard input. Raises MaskFileError: SD002, or SD010 for a file too large."""
     file = str(path)
     try:
-        if file == "-":
-            data = sys.stdin.buffer.read(MAX_FILE_BYTES + 1)
-        else:
-            with Path(path).open("rb") as stream:
-                data = stream.read(MAX_FILE_BYTES + 1)
+        data = at_most(path, MAX_FILE_BYTES)
     except OSError as error:
         raise MaskFileError([unreadable(file, error)]) from None
-    except ValueError:  # a null character in the name
-        raise MaskFileError([unreadable(file, FileNotFoundError())]) from None
     if len(data) > MAX_FILE_BYTES:
         raise MaskFileError([_too_big(file)])
     return data

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
+
 MAX_FILE_BYTES = 1 << 18
 """256 KiB: a mask of 2000 coefficients with a hundred digits each stays below."""
 MAX_NESTING = 32
@@ -33,3 +36,14 @@ MAX_WORK = 2_000_000
 """Products of small integers that all expressions of a file together may cost: about a second."""
 MAX_PROBLEMS = 50
 """Problems of one file that are shown."""
+
+
+def at_most(file: str | Path, count: int) -> bytes:
+    """The first bytes of a file, `count` of them and one more if there are; "-" is standard input. Raises OSError."""
+    if str(file) == "-":
+        return sys.stdin.buffer.read(count + 1)
+    try:
+        with Path(file).open("rb") as stream:
+            return stream.read(count + 1)
+    except ValueError:  # a null character in the name
+        raise FileNotFoundError(2, "No such file or directory") from None

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import csv
 import re
-import sys
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import product
-from pathlib import Path
 
 from subdiv_cli.maskfile import rules as faults
+from subdiv_cli.maskfile.bounds import at_most
 from subdiv_cli.maskfile.problems import MaskFileError, shown, unreadable
 
 MAX_POINTS = 2_000
@@ -81,11 +80,7 @@ def net(text: str, file: str) -> Net:
 def _text(file: str, limit: int) -> str:
     """The text of a file of points. Raises MaskFileError."""
     try:
-        if file == "-":
-            data = sys.stdin.buffer.read(_MAX_BYTES + 1)
-        else:
-            with Path(file).open("rb") as stream:
-                data = stream.read(_MAX_BYTES + 1)
+        data = at_most(file, _MAX_BYTES)
     except OSError as error:
         raise MaskFileError([unreadable(file, error)]) from None
     try:

@@ -7,7 +7,7 @@ name under `explain/pages`, and is never given anew once it was.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from subdiv_cli.model import Problem
 
@@ -22,28 +22,9 @@ class FaultRule(NamedTuple):
     help: str | None = None
     """How to mend it, in one line, where nothing better is said at the place."""
 
-    def problem(
-        self,
-        message: str,
-        help: str | None = None,
-        *,
-        file: str | None = None,
-        key: str | None = None,
-        line: int | None = None,
-        column: int | None = None,
-        source: str | None = None,
-    ) -> Problem:
-        """The problem of this code, with the help of the row where none is given; the rest is as `Problem` has it."""
-        return Problem(
-            code=self.code,
-            message=message,
-            help=self.help if help is None else help,
-            file=file,
-            key=key,
-            line=line,
-            column=column,
-            source=source,
-        )
+    def problem(self, message: str, help: str | None = None, **place: Any) -> Problem:
+        """The problem of this code, with the help of the row where none is given; `place` are further fields of it."""
+        return Problem(code=self.code, message=message, help=self.help if help is None else help, **place)
 
 
 TOML_SYNTAX = FaultRule("SD001", "toml-syntax")

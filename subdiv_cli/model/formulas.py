@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from itertools import groupby
 
 from subdiv_cli.model.closed import rational
 
@@ -139,3 +140,9 @@ def partial_operator(q: Mapping[tuple[int, ...], Fraction], spell: Spell = numbe
 def rising(indices: Iterable[tuple[int, ...]]) -> list[tuple[int, ...]]:
     """By total degree, the first variable first."""
     return sorted(indices, key=lambda mu: (sum(mu), [-n for n in mu]))
+
+
+def product(word: Sequence[int], name: str, times: str = "") -> str:
+    """The product M_(w_ℓ) … M_(w_1) of a word, runs of one matrix as its powers: `M_1M_0^12`."""
+    runs = ((letter, len(list(run))) for letter, run in groupby(reversed(word)))
+    return times.join(f"{name}_{letter}" + (f"^{count}" if count > 1 else "") for letter, count in runs)

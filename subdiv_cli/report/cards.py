@@ -24,12 +24,11 @@ from subdiv_cli.model.formulas import derivative
 from subdiv_cli.model.properties import PROPERTIES
 from subdiv_cli.report import svg, words
 from subdiv_cli.report.blocks import put
-from subdiv_cli.report.layout import paint
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.notices import notices
 from subdiv_cli.report.numbers import data, exact
-from subdiv_cli.report.page import Page
+from subdiv_cli.report.page import Page, paint
 
 MOST_WEIGHTS = 40
 """A stencil longer than this is left out: its numbers are in the mask."""

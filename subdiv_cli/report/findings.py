@@ -11,9 +11,8 @@ from itertools import groupby
 
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.report import words
-from subdiv_cli.report.layout import led, stacked
 from subdiv_cli.report.numbers import data, interval
-from subdiv_cli.report.page import INDENT, Page
+from subdiv_cli.report.page import INDENT, Page, led, stacked
 
 NARROW = 60
 """Below so many columns findings are indented less."""

@@ -16,9 +16,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from subdiv_cli.model.blocks import Grid, Place, Plane, Planes, Text
 from subdiv_cli.model.formulas import point
-from subdiv_cli.report.layout import wrap
 from subdiv_cli.report.letters import width
-from subdiv_cli.report.page import INDENT, Page
+from subdiv_cli.report.page import INDENT, Page, wrap
 
 _GAP = 4
 _WIDE = 16

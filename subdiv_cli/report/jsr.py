@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from subdiv_cli.model.family import FamilyRadius
+from subdiv_cli.model.formulas import product
 from subdiv_cli.report.letters import clean, letters
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import LONGEST, enclosed
@@ -24,7 +25,7 @@ def render(radius: FamilyRadius, look: Look, *, file: str, name: str | None, pro
         lines[1] = f"  {name} · {lines[1].strip()}"
     if radius.words:
         attained = "attained by" if radius.exact is not None else "at least that of"
-        lines += [f"  {attained} the product {_product(word)}, length {len(word)}" for word in radius.words]
+        lines += [f"  {attained} the product {product(word, 'M', ' ')}, length {len(word)}" for word in radius.words]
     if radius.method:
         lines.append("  proof: " + _METHODS[radius.method].format(n=_count(radius.vertices)))
     if radius.bounded:
@@ -61,14 +62,3 @@ def _count(vertices: int | None) -> str:
 
 def _matrices(count: int) -> str:
     return "matrix" if count == 1 else "matrices"
-
-
-def _product(word: tuple[int, ...]) -> str:
-    """M_(w_ℓ) … M_(w_1), runs as powers."""
-    runs: list[list[int]] = []
-    for letter in reversed(word):
-        if runs and runs[-1][0] == letter:
-            runs[-1][1] += 1
-        else:
-            runs.append([letter, 1])
-    return " ".join(f"M_{letter}" + (f"^{count}" if count > 1 else "") for letter, count in runs)

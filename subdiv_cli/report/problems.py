@@ -14,9 +14,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from subdiv_cli.model import Problem
-from subdiv_cli.report.layout import Line, led, paint
 from subdiv_cli.report.letters import letters, width
 from subdiv_cli.report.look import Look
+from subdiv_cli.report.page import Line, led, paint
 
 SNIPPET = 100
 """Columns of a source line that are shown at most."""

@@ -11,10 +11,9 @@ from subdiv_cli.model import Exponent, Finding, Judgement, Result, Verdict
 from subdiv_cli.model.findings import answering
 from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report import findings, words
-from subdiv_cli.report.layout import Cell, joined, paint
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import at_least, at_most, exact, finite, worth
-from subdiv_cli.report.page import INDENT, Page
+from subdiv_cli.report.page import INDENT, Cell, Page, joined, paint
 
 TITLES = ("property", "verdict", "value", "proof")
 

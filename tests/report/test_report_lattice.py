@@ -15,10 +15,9 @@ from subdiv_cli.kinds.multivariate.portrait.stencils import stencil_blocks, sten
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Result
 from subdiv_cli.report.blocks import put
-from subdiv_cli.report.layout import paint
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.page import Page
+from subdiv_cli.report.page import Page, paint
 
 GOLDEN = Path(__file__).with_name("golden") / "stencils"
 MASKS = Path(__file__).parents[2] / "masks" / "multivariate"

@@ -6,10 +6,9 @@ from subdiv_cli.model import Result
 from subdiv_cli.model.blocks import Portrait
 from subdiv_cli.report import words
 from subdiv_cli.report.blocks import Draw, put
-from subdiv_cli.report.layout import joined, paint
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import exact
-from subdiv_cli.report.page import INDENT, Page
+from subdiv_cli.report.page import INDENT, Page, joined, paint
 
 
 def render(result: Result, portrait: Portrait, draw: Draw, look: Look) -> str:

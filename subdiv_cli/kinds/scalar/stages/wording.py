@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.model import Finding
+from subdiv_cli.model.formulas import product
 
 NOT_NORMALISED = "a(1) is not the arity, so there is no refinable function with integral 1"
 
@@ -32,14 +33,8 @@ def derived_names(last: int) -> str:
 
 
 def product_name(word: tuple[int, ...]) -> str:
-    """The product T_(w_ℓ) … T_(w_1) of a word, runs as powers: `T_1T_0^12`."""
-    runs: list[list[int]] = []
-    for letter in reversed(word):
-        if runs and runs[-1][0] == letter:
-            runs[-1][1] += 1
-        else:
-            runs.append([letter, 1])
-    return "".join(f"T_{letter}" + (f"^{count}" if count > 1 else "") for letter, count in runs)
+    """The product T_(w_ℓ) … T_(w_1) of a word: `T_1T_0^12`."""
+    return product(word, "T")
 
 
 def series(values: tuple[Fraction, ...], show: Callable[[Fraction], str]) -> str:

@@ -5,8 +5,8 @@ import re
 from hypothesis import given
 from hypothesis import strategies as st
 
-from subdiv_cli.report.layout import joined, led, paint, paragraph, table, wrap
 from subdiv_cli.report.letters import width
+from subdiv_cli.report.page import joined, led, paint, paragraph, table, wrap
 
 texts = st.text(st.sampled_from("ab/φ中 "), max_size=80)
 
