@@ -22,7 +22,7 @@ from subdiv_cli.kinds.scalar.numbers.polynomials import residue_sums, sum_rules
 from subdiv_cli.kinds.scalar.numbers.radius import difference_radius
 from subdiv_cli.kinds.scalar.numbers.spectra import Spectrum, spectrum
 from subdiv_cli.kinds.scalar.numbers.stability import (
-    Step,
+    ReductionStep,
     bezout_cofactors,
     circle_factors,
     cycles,
@@ -61,7 +61,7 @@ class ScalarNumbers:
         return sum_rules(self.symbol, self.p)
 
     @cached_property
-    def reduction(self) -> tuple[Step, ...]:
+    def reduction(self) -> tuple[ReductionStep, ...]:
         """The steps to a stable mask; none where φ is stable, or where a(1) ≠ p and there is no φ."""
         return reduction(self.symbol, self.p) if self.is_normalised else ()
 

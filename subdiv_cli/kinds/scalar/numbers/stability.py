@@ -77,7 +77,7 @@ def monic(f: fmpz_poly) -> Laurent:
     return Laurent(0, fmpq_poly(f) / fmpq(f.leading_coefficient()))
 
 
-class Step(NamedTuple):
+class ReductionStep(NamedTuple):
     """a0(z) = a(z) g(z)/g(z^p), an exact division; φ = Σ_j g_j φ0(·-j) / g(1)."""
 
     factor: Laurent
@@ -88,7 +88,7 @@ class Step(NamedTuple):
     """a0."""
 
 
-def reduction(a: Laurent, p: int) -> tuple[Step, ...]:
+def reduction(a: Laurent, p: int) -> tuple[ReductionStep, ...]:
     """The steps from a symbol with a(1) = p to one with a stable refinable function; none where it is stable.
 
     Where all polyphase components vanish at a point of |z| = 1, g is their gcd; where a has a cycle of n-th roots of
@@ -96,13 +96,13 @@ def reduction(a: Laurent, p: int) -> tuple[Step, ...]:
     that φ and φ0 are finite or locally finite combinations of each other's translates: equally smooth. The degree
     falls by (p-1) deg g in each step, so the steps end; the sum-rule order does not fall.
     """
-    steps: list[Step] = []
+    steps: list[ReductionStep] = []
     while (found := _unstable_factor(a, p)) is not None:
         g, cycle = found
         a, remainder = (a * g).divide(g.inflate(p))
         if remainder.poly or g(1) == 0:
             raise ArithmeticError("an inexact reduction step")
-        steps.append(Step(g, cycle, a))
+        steps.append(ReductionStep(g, cycle, a))
     return tuple(steps)
 
 

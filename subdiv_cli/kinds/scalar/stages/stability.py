@@ -10,7 +10,7 @@ from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import laurent
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.numbers.stability import Step
+from subdiv_cli.kinds.scalar.numbers.stability import ReductionStep
 from subdiv_cli.kinds.scalar.rules import INDEPENDENCE, REDUCTION, STABILITY
 from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED
 from subdiv_cli.model import Data, Finding, Verdict
@@ -135,7 +135,7 @@ def reduced_mask(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     return (REDUCTION.proved(statement, witness),)
 
 
-def _text(step: Step, p: int) -> str:
+def _text(step: ReductionStep, p: int) -> str:
     if step.cycle is not None:
         return f"by g = Φ_{step.cycle} in a(z) g(z)/g(z^{p})"
     return f"by g = {laurent(step.factor)} in a(z) g(z)/g(z^{p})"
