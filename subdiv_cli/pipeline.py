@@ -10,12 +10,13 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from subdiv_cli.certificate import document_text, family_certificate
+from subdiv_cli.certificate import Certificate, Proofs, document_text, family_certificate
 from subdiv_cli.checker import check_document
 from subdiv_cli.exact.closed import compare, digits
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import Analysis, Drawings, Kind, Options, Scheme, gather
-from subdiv_cli.model import Effort, Expectation, Exponent, Finding, Judgement, Result
+from subdiv_cli.model import DECIDED, Effort, Expectation, Exponent, Finding, Judgement, Result
+from subdiv_cli.model.findings import uncertified
 from subdiv_cli.model.judge import judge, status
 
 if TYPE_CHECKING:
@@ -77,15 +78,14 @@ def draw(scheme: Scheme, drawings: Drawings, options: Options, effort: Effort) -
 
 
 def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort) -> Checked:
-    """What the stages have found, with every verdict checked. Raises DisagreementError."""
-    assert kind.certificate is not None, "a kind that finds something proves it"
-    findings = analysis.findings
-    written = kind.certificate(analysis)
-    if written is not None and not verified(written.document):
-        written = None
-    claims = written.claims if written is not None else [()] * len(findings)
-    findings = tuple(_named(finding, numbers) for finding, numbers in zip(findings, claims, strict=True))
-    gathered = gather(findings)
+    """What the stages have found, every verdict of it checked; what cannot be certified is undecided.
+
+    Raises DisagreementError.
+    """
+    assert kind.proofs is not None, "a kind that finds something proves it"
+    certificate = _verified(kind.proofs(analysis))
+    claims = certificate.claims if certificate is not None else [()] * len(analysis.findings)
+    gathered = gather(tuple(map(_claimed, analysis.findings, claims)))
     result = replace(
         gathered,
         kind=kind.name,
@@ -97,7 +97,25 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
     )
     judgements = judged(expectations, result)
     result = replace(result, expectations=judgements, status=status(result.convergent, judgements))
-    return Checked(result, None if written is None else written.document)
+    return Checked(result, None if certificate is None else certificate.document)
+
+
+def _verified(proofs: Proofs) -> Certificate | None:
+    """The certificate, without the claims that the checker finds too dear and all that rests on them.
+
+    None where nothing is left. Raises DisagreementError.
+    """
+    dear = set[int]()
+    while (certificate := proofs.certificate(dear)) is not None:
+        outcome = check_document(certificate.document)
+        if outcome.verified:
+            return certificate
+        if not outcome.exhausted:
+            raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
+        if outcome.claim is None:
+            return None
+        dear.add(certificate.made[outcome.claim])
+    return None
 
 
 def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgement, ...]:
@@ -105,8 +123,10 @@ def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgeme
     return tuple(Judgement(expectation=e, verdict=judge(compare, e, result)) for e in expectations)
 
 
-def _named(finding: Finding, claims: tuple[int, ...]) -> Finding:
-    """With the numbers of its claims; its proof is in them, and is long."""
+def _claimed(finding: Finding, claims: tuple[int, ...]) -> Finding:
+    """With the numbers of its claims, which have its proof, a long one; undecided where no verified claim says it."""
+    if finding.verdict in DECIDED and not claims:
+        return uncertified(finding)
     return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
 
 
@@ -137,14 +157,8 @@ def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effo
 
     radius = answer(matrices, effort)
     document = family_certificate(matrices, radius)
-    if document is not None and not verified(document):
+    if document is not None and not (outcome := check_document(document)).verified:
+        if not outcome.exhausted:
+            raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
         document = None
     return CheckedRadius(radius, document)
-
-
-def verified(document: Mapping[str, Any]) -> bool:
-    """Whether the checker verifies it; False where it asks more than the checker does. Raises DisagreementError."""
-    outcome = check_document(document)
-    if not outcome.verified and not outcome.exhausted:
-        raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
-    return outcome.verified

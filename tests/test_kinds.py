@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 from subdiv_cli import checker
-from subdiv_cli.certificate.claims import Claims, certificate_of
+from subdiv_cli.certificate.claims import Claims, proofs
 from subdiv_cli.checker.core import Rulebook, Step, Subject
 from subdiv_cli.checker.plain import PlainMask, PlainReaders, literal
 from subdiv_cli.checker.reading import require
@@ -79,7 +79,7 @@ def certificate(analysis):
     def claims_of(finding):
         return [claims.prove("toy", {"property": "convergent", "holds": finding.verdict is Verdict.PROVED})]
 
-    return certificate_of(claims, canonical(analysis.scheme), analysis.findings, claims_of)
+    return proofs(claims, canonical(analysis.scheme), analysis.findings, claims_of)
 
 
 def canonical(scheme) -> Mapping[str, Any]:
@@ -111,7 +111,7 @@ KIND = Kind(
     canonical=canonical,
     rules=lambda: table({"CONVERGES": CONVERGES}),
     analyse=analyse,
-    certificate=certificate,
+    proofs=certificate,
     base=lambda mask, variables: (2, 1),
     sections=sections,
     portraits=Portraits(analyse, portrait),

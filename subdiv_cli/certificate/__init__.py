@@ -4,7 +4,7 @@ FORMAT.md specifies the document, RADIUS.md the claims on joint spectral radii; 
 Nothing is computed here that a stage has not found: witnesses are spelled as claims, which say what each costs.
 """
 
-from subdiv_cli.certificate.claims import Certificate, document_text
+from subdiv_cli.certificate.claims import Certificate, Proofs, document_text
 from subdiv_cli.certificate.radius import family_certificate
 
-__all__ = ["Certificate", "document_text", "family_certificate"]
+__all__ = ["Certificate", "Proofs", "document_text", "family_certificate"]

@@ -1,18 +1,27 @@
-"""Claims in the order they are made: each statement once, with what it uses, as FORMAT.md says."""
+"""Claims in the order they are made: each statement once, with what it uses, as FORMAT.md says.
+
+A certificate has as many of them as the checker is asked to do work for. What is too dear is left out alone: findings
+come in the order of the questions that they answer, each with all that its claims rest on.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from subdiv_cli.model import DECIDED, Finding
 from subdiv_cli.model.closed import rational
+from subdiv_cli.model.properties import PROPERTIES
 
 Json = dict[str, Any]
 MOST_WORK = 50_000_000
-"""What the checker does for one certificate; a longer one is not written."""
+"""What the checker does for one certificate."""
+
+
+class UnwrittenError(Exception):
+    """A claim cannot be made, because the certificate of a factor leaves out what it rests on."""
 
 
 class Claims:
@@ -41,35 +50,136 @@ class Claims:
         statement: Json = self.made[number]["statement"]
         return statement
 
-    def document(self, mask: Mapping[str, Any], goal: Iterable[int]) -> Json | None:
-        """The document as FORMAT.md has it, about this mask, with the statements of these claims as its goal.
+    def needs(self, number: int) -> Iterator[int]:
+        """The earlier claims that a claim rests on: those that it uses, and those that introduce what it speaks of."""
+        claim = self.made[number]
+        yield from claim["uses"]
+        statement, own = claim["statement"], set(_introduced(claim))
+        if (family := statement.get("family")) is not None and family not in own:
+            yield from (k for k in range(number) if family in _introduced(self.made[k]))
+        if mask := statement.get("mask", statement.get("from", 0)):
+            yield from (k for k in range(number) if self.made[k]["rule"] == "reduction" and _to(self.made[k]) <= mask)
 
-        None without a goal, and where the claims ask more of the checker than it does.
-        """
-        statements = [self.statement(number) for number in dict.fromkeys(goal)]
-        if not statements or sum(claim["work"] for claim in self.made) > MOST_WORK:
-            return None
-        return {"format": "subdiv-certificate", "version": 1, "mask": mask, "goal": statements, "claims": self.made}
+    def closure(self, numbers: Iterable[int], known: Collection[int]) -> set[int]:
+        """These claims and all that they rest on, without those that are known."""
+        found: set[int] = set()
+        waiting = list(numbers)
+        while waiting:
+            number = waiting.pop()
+            if number not in found and number not in known:
+                found.add(number)
+                waiting += self.needs(number)
+        return found
+
+    def document(self, mask: Mapping[str, Any], goal: Iterable[int], kept: Sequence[int]) -> Json:
+        """The document as FORMAT.md has it: the kept claims, in rising order, and the statements of some as its goal."""
+        new, families = {old: number for number, old in enumerate(kept)}, dict[int, int]()
+        made = []
+        for number in kept:
+            claim = self.made[number]
+            for family in _introduced(claim):
+                families[family] = len(families)
+            uses = [new[used] for used in claim["uses"]]
+            made.append({**claim, "statement": _renumbered(claim, families), "uses": uses})
+        statements = [made[new[number]]["statement"] for number in dict.fromkeys(goal)]
+        return {"format": "subdiv-certificate", "version": 1, "mask": mask, "goal": statements, "claims": made}
+
+
+def _introduced(claim: Json) -> list[int]:
+    """The families that a claim introduces."""
+    statement = claim["statement"]
+    if statement["property"] == "family":
+        return [statement["family"]]
+    return list(statement["parts"]) if claim["rule"] == "blocks" else [statement["part"]] if "part" in statement else []
+
+
+def _to(claim: Json) -> int:
+    """The mask that a step of a reduction leads to."""
+    number: int = claim["statement"]["to"]
+    return number
+
+
+def _renumbered(claim: Json, families: Mapping[int, int]) -> Json:
+    """The statement of a claim with its families as they are numbered where some are left out."""
+    statement: Json = claim["statement"]
+    changed: Json = {key: families.get(statement[key], statement[key]) for key in ("family", "part") if key in statement}
+    if claim["rule"] == "blocks":
+        changed["parts"] = [families[part] for part in statement["parts"]]
+    return statement | changed
 
 
 class Certificate(NamedTuple):
-    """A document as FORMAT.md has it, and for each finding the numbers of the claims that say the same."""
+    """A document as FORMAT.md has it, and for each finding the numbers of its claims that say the same."""
 
     document: Json
     claims: tuple[tuple[int, ...], ...]
+    made: Sequence[int]
+    """The claims of the document, as they are numbered where none is left out."""
 
 
-def certificate_of(
-    claims: Claims, mask: Mapping[str, Any], findings: Iterable[Finding], claims_of: Callable[[Finding], Iterable[int]]
-) -> Certificate | None:
-    """The proof of the findings that are decided, its goal in their order.
+class Proofs(NamedTuple):
+    """The claims that were made of an analysis, and for each finding the numbers of those that say the same."""
 
-    `claims_of` makes the claims that say what a finding says; none where its witness was too costly to compute. None
-    where the whole asks more of the checker than it does.
+    claims: Claims
+    mask: Mapping[str, Any]
+    findings: Sequence[Finding]
+    numbers: Sequence[Sequence[int]]
+    """None for a finding that is not decided, or whose witness was too costly to compute."""
+
+    def certificate(self, without: Set[int] = frozenset()) -> Certificate | None:
+        """The certificate of the findings that the checker has work for and that need none of these claims.
+
+        None where there is none.
+        """
+        kept, left = self._selected(without)
+        numbers = [() if place in left else several for place, several in enumerate(self.numbers)]
+        goal = [number for several in numbers for number in several]
+        if not goal:
+            return None
+        made = sorted(kept)
+        new = {old: number for number, old in enumerate(made)}
+        renumbered = tuple(tuple(new[number] for number in several) for several in numbers)
+        return Certificate(self.claims.document(self.mask, goal, made), renumbered, made)
+
+    def _selected(self, without: Set[int]) -> tuple[Collection[int], Set[int]]:
+        """The claims that are kept, and the places of the findings that are left out."""
+        room = MOST_WORK
+        if not without and sum(claim["work"] for claim in self.claims.made) <= room:
+            return range(len(self.claims.made)), frozenset()
+        kept, left = set[int](), set[int]()
+        for place in sorted(range(len(self.findings)), key=lambda place: _importance(self.findings[place])):
+            more = self.claims.closure(self.numbers[place], kept)
+            work = sum(self.claims.made[number]["work"] for number in more)
+            if work > room or more & without:
+                left.add(place)
+            else:
+                kept |= more
+                room -= work
+        return kept, left
+
+
+def _importance(finding: Finding) -> int:
+    """The place of its question among the properties of a scheme; what answers none comes last."""
+    asked = {question for question, _ in finding.answers}
+    places = (place for place, row in enumerate(PROPERTIES) if asked & {row.question, *row.more, *row.instead})
+    return next(places, len(PROPERTIES))
+
+
+def proofs(
+    claims: Claims, mask: Mapping[str, Any], findings: Sequence[Finding], claims_of: Callable[[Finding], Iterable[int]]
+) -> Proofs:
+    """The claims of the findings that are decided; `claims_of` makes those that say what a finding says.
+
+    It makes none where the witness was too costly to compute, or raises UnwrittenError.
     """
-    numbers = tuple(tuple(claims_of(found)) if found.verdict in DECIDED else () for found in findings)
-    document = claims.document(mask, (number for several in numbers for number in several))
-    return None if document is None else Certificate(document, numbers)
+
+    def made(found: Finding) -> tuple[int, ...]:
+        try:
+            return tuple(claims_of(found)) if found.verdict in DECIDED else ()
+        except UnwrittenError:
+            return ()
+
+    return Proofs(claims, mask, findings, tuple(map(made, findings)))
 
 
 def polynomial(start: int, coefficients: Sequence[Fraction | int]) -> Json:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, cast
 
-from subdiv_cli.certificate.claims import Claims, Json
+from subdiv_cli.certificate.claims import MOST_WORK, Claims, Json
 from subdiv_cli.certificate.witness import as_integer, as_rational, as_rationals, as_tuple, as_word
 from subdiv_cli.model import Data
 from subdiv_cli.model.closed import rational
@@ -164,4 +164,6 @@ def family_certificate(matrices: Sequence[Sequence[Sequence[Fraction]]], radius:
         lower = {"property": "radius-lower", **statement}
         goal.append(claims.add("word", lower, {"word": list(word)}, [], work))
     rows = [[[rational(x) for x in row] for row in matrix] for matrix in matrices]
-    return claims.document({"kind": "matrices", "matrices": rows}, goal)
+    if sum(claim["work"] for claim in claims.made) > MOST_WORK:
+        return None
+    return claims.document({"kind": "matrices", "matrices": rows}, goal, range(len(claims.made)))

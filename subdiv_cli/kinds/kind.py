@@ -18,7 +18,7 @@ from subdiv_cli.model import findings as questions
 from subdiv_cli.model.findings import answering
 
 if TYPE_CHECKING:
-    from subdiv_cli.certificate import Certificate
+    from subdiv_cli.certificate import Proofs
     from subdiv_cli.maskfile.entries import Table
     from subdiv_cli.maskfile.mask import Body
     from subdiv_cli.maskfile.problems import Collector
@@ -273,8 +273,8 @@ class Kind:
     """Gives its table of codes."""
     analyse: Analyse | None = None
     """All stages under an effort."""
-    certificate: Callable[[Analysis], Certificate | None] | None = None
-    """The proof of an analysis; None where it asks too much of the checker."""
+    proofs: Callable[[Analysis], Proofs] | None = None
+    """The claims that prove an analysis."""
     base: Callable[[Mapping[str, Any], Sequence[int] | None], tuple[int, int]] | None = None
     """(m, s) of a canonical mask, or of its factor in these variables: exponents are to the base λ with λ^s = m."""
     sections: Callable[[Any, Result], tuple[Section, ...]] | None = None

@@ -7,7 +7,7 @@ question. A rule is a row of a kind's table: what all findings of one code share
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
 from typing import NamedTuple, NoReturn
@@ -135,6 +135,24 @@ class Finding:
     """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
     """The claims of the certificate that say the same, checked independently."""
+
+
+UNCERTIFIED = "its proof asks more work of the checker than it does"
+"""The reason of a finding that would be decided, had it a place in the certificate."""
+
+
+def uncertified(finding: Finding) -> Finding:
+    """A decided finding as an undecided one: no verified claim says it, so it is not claimed."""
+    return replace(
+        finding,
+        verdict=Verdict.UNDECIDED,
+        statement=f"not certified: {finding.statement}",
+        answers=tuple((question, _told(question, Verdict.UNDECIDED, None, None)) for question, _ in finding.answers),
+        reason=UNCERTIFIED,
+        value=None,
+        proof={},
+        closed=None,
+    )
 
 
 def answering(findings: Iterable[Finding], *asked: Question) -> Finding | None:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import comb, prod
 from typing import NamedTuple, cast
 
-from subdiv_cli.certificate.claims import Claims, Json
+from subdiv_cli.certificate.claims import Claims, Json, UnwrittenError
 from subdiv_cli.certificate.radius import spelled
 from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple
 from subdiv_cli.model import Data, Finding, Question
@@ -84,11 +84,15 @@ class PartCertificate(NamedTuple):
 class Factors:
     """The claims of one certificate that come of its factors."""
 
-    def __init__(self, claims: Claims, parts: Sequence[PartCertificate], work: int) -> None:
-        self._claims, self._parts, self._work = claims, parts, work
+    def __init__(self, claims: Claims, parts: Sequence[PartCertificate | None], work: int) -> None:
+        self._claims, self._work = claims, work
+        self._parts = [part for part in parts if part is not None]
+        self._complete = len(self._parts) == len(parts)
 
     def product(self) -> int:
-        """The mask is their product."""
+        """The mask is their product. Raises UnwrittenError where one has no certificate."""
+        if not self._complete:
+            raise UnwrittenError
         documents = list({json.dumps(part.document): part.document for part in self._parts}.values())
         which = [documents.index(part.document) for part in self._parts]
         work = self._work + sum(claim["work"] for document in documents for claim in document["claims"])
@@ -97,6 +101,8 @@ class Factors:
 
     def say(self, rule: str, statement: Json, *more: int) -> list[int]:
         """What all of them or one of them is enough for; nothing where their certificates do not say it."""
+        if not self._complete:
+            return []
         found = [any(_is_enough(said, statement) for said in part.document["goal"]) for part in self._parts]
         if not (all(found) if statement.get("holds", statement["property"] == "smooth") else any(found)):
             return []
@@ -124,7 +130,7 @@ class Factors:
         between = finding.witness.get("between")
         said = {part.variables: part.stated.get(question, ()) for part in self._parts}
         variables = cast("tuple[int, ...]", finding.witness["variables"])
-        if not said[variables] or (between is not None and not all(said.values())):
+        if not self._complete or not said[variables] or (between is not None and not all(said.values())):
             return []
         witness = {} if between is None else {"between": rational(as_rational(between))}
         statement = {"variables": list(variables), "statement": said[variables][0]}

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import comb
 from typing import Any, cast
 
-from subdiv_cli.certificate.claims import Certificate, Claims, Json, certificate_of
+from subdiv_cli.certificate.claims import Claims, Json, Proofs, UnwrittenError, proofs
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
 from subdiv_cli.kinds.kind import Analysis, Facts, Part
@@ -15,31 +15,25 @@ from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pairs
 from subdiv_cli.kinds.multivariate.claims.products import BoxSplineClaims, Factors, PartCertificate
 from subdiv_cli.kinds.multivariate.text.writing import canonical
-from subdiv_cli.kinds.scalar.claims import certificate as univariate_certificate
+from subdiv_cli.kinds.scalar.claims import claims_of as univariate_claims
 from subdiv_cli.model import Data, Finding, Verdict, exact_root
 from subdiv_cli.model.closed import rational
 
 Map = Mapping[str, Data]
 
 
-def certificate(analysis: Analysis) -> Certificate | None:
-    """The proof of what was found of a mask in several variables, with those of its factors inside.
-
-    None where it asks more of the checker than it does, or where a factor's does.
-    """
+def claims_of(analysis: Analysis) -> Proofs:
+    """The claims that prove what was found of a mask in several variables, with certificates of its factors inside."""
     parts = [_of_part(part) for part in analysis.parts]
-    known = [part for part in parts if part is not None]
-    if len(known) < len(parts):
-        return None
     mask = dict(canonical(analysis.scheme))
-    proof = _Proof(mask, analysis.findings, known)
-    return certificate_of(proof.claims, mask, analysis.findings, proof.claims_of)
+    proof = _Proof(mask, analysis.findings, parts)
+    return proofs(proof.claims, mask, analysis.findings, proof.claims_of)
 
 
 def _of_part(part: Part) -> PartCertificate | None:
-    """The certificate of a factor, and what it states of each question."""
-    make = univariate_certificate if part.scheme.kind == "scalar" else certificate
-    written = make(part.analysis)
+    """The certificate of a factor, and what it states of each question; None where it would have no claim."""
+    make = univariate_claims if part.scheme.kind == "scalar" else claims_of
+    written = make(part.analysis).certificate()
     if written is None:
         return None
     claims = written.document["claims"]
@@ -55,7 +49,7 @@ def _of_part(part: Part) -> PartCertificate | None:
 class _Proof:
     """A certificate under construction. Each method returns the number of a claim."""
 
-    def __init__(self, mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate]) -> None:
+    def __init__(self, mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate | None]) -> None:
         self.claims = Claims()
         self.found = Facts(findings)
         self.s = len(mask["dilation"])
@@ -189,7 +183,10 @@ class _Proof:
                 [self._coset_sums(), *self._norms(self.found[rules.DIRECTIONAL_NORMS])],
             )
         elif by == rules.TENSOR_PRODUCT.code:
-            return self.factors.say("converges", {"property": "convergent", "holds": holds})[0]
+            said = self.factors.say("converges", {"property": "convergent", "holds": holds})
+            if not said:
+                raise UnwrittenError
+            return said[0]
         elif by == rules.MATRIX_NORMS.code:
             uses = [self._matrix_norm()]
         elif by == rules.SOBOLEV.code:

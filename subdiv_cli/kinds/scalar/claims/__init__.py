@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from subdiv_cli.certificate.claims import Certificate, certificate_of
+from subdiv_cli.certificate.claims import Proofs, proofs
 from subdiv_cli.kinds.kind import Analysis
 from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.claims import smoothness, structure, values
@@ -43,8 +43,8 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
 """The numbers of the claims that say what a decided finding says, by code; none where its witness is missing."""
 
 
-def certificate(analysis: Analysis) -> Certificate | None:
-    """The proof of what was found of a scalar mask; None where it asks more of the checker than it does."""
+def claims_of(analysis: Analysis) -> Proofs:
+    """The claims that prove what was found of a scalar mask."""
     scheme, findings = analysis.scheme, analysis.findings
     proof = Proof(scheme.arity, scheme.degree, findings)
-    return certificate_of(proof.claims, canonical(scheme), findings, lambda found: CLAIMS[found.code](proof, found))
+    return proofs(proof.claims, canonical(scheme), findings, lambda found: CLAIMS[found.code](proof, found))

@@ -140,7 +140,8 @@ def attained(proof: Proof, finding: Finding) -> list[int]:
 
 def _exactly(proof: Proof) -> int | None:
     """The claim that says what α is."""
-    claims = holder_lower(proof, proof.found[rules.HOLDER_LOWER])
+    if not (claims := holder_lower(proof, proof.found[rules.HOLDER_LOWER])):
+        return None
     name = proof.claims.statement(claims[0])["property"]
     return claims[0] if name in ("holder", "holder-root") else None
 
