@@ -16,7 +16,7 @@ from subdiv_cli.exact.closed import compare, digits
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import Analysis, Drawings, Kind, Options, Scheme, gather
 from subdiv_cli.model import DECIDED, Effort, Expectation, Exponent, Finding, Judgement, Result
-from subdiv_cli.model.findings import uncertified
+from subdiv_cli.model.findings import TOO_DEAR, UNWRITTEN, uncertified
 from subdiv_cli.model.judge import judge, status
 
 if TYPE_CHECKING:
@@ -83,9 +83,10 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
     Raises DisagreementError.
     """
     assert kind.proofs is not None, "a kind that finds something proves it"
-    certificate = _verified(kind.proofs(analysis))
+    proofs = kind.proofs(analysis)
+    certificate = _verified(proofs)
     claims = certificate.claims if certificate is not None else [()] * len(analysis.findings)
-    gathered = gather(tuple(map(_claimed, analysis.findings, claims)))
+    gathered = gather(tuple(map(_claimed, analysis.findings, claims, proofs.numbers)))
     result = replace(
         gathered,
         kind=kind.name,
@@ -123,10 +124,13 @@ def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgeme
     return tuple(Judgement(expectation=e, verdict=judge(compare, e, result)) for e in expectations)
 
 
-def _claimed(finding: Finding, claims: tuple[int, ...]) -> Finding:
-    """With the numbers of its claims, which have its proof, a long one; undecided where no verified claim says it."""
+def _claimed(finding: Finding, claims: tuple[int, ...], made: Sequence[int]) -> Finding:
+    """With the numbers of its claims, which have its proof, a long one; undecided where no verified claim says it.
+
+    `made` are the claims that say it, verified or not.
+    """
     if finding.verdict in DECIDED and not claims:
-        return uncertified(finding)
+        return uncertified(finding, TOO_DEAR if made else UNWRITTEN)
     return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
 
 

@@ -16,7 +16,7 @@ from subdiv_cli.model.closed import rational
 from subdiv_cli.model.properties import PROPERTIES
 
 Json = dict[str, Any]
-MOST_WORK = 50_000_000
+MOST_WORK = 250_000_000
 """What the checker does for one certificate."""
 
 
@@ -72,13 +72,14 @@ class Claims:
         return found
 
     def document(self, mask: Mapping[str, Any], goal: Iterable[int], kept: Sequence[int]) -> Json:
-        """The document as FORMAT.md has it: the kept claims, in rising order, and the statements of some as its goal."""
+        """The document as FORMAT.md has it: the kept claims, in their order, and the statements of some as its goal."""
         new, families = {old: number for number, old in enumerate(kept)}, dict[int, int]()
+        first = min((family for claim in self.made for family in _introduced(claim)), default=0)
         made = []
         for number in kept:
             claim = self.made[number]
             for family in _introduced(claim):
-                families[family] = len(families)
+                families[family] = first + len(families)
             uses = [new[used] for used in claim["uses"]]
             made.append({**claim, "statement": _renumbered(claim, families), "uses": uses})
         statements = [made[new[number]]["statement"] for number in dict.fromkeys(goal)]
@@ -101,11 +102,13 @@ def _to(claim: Json) -> int:
 
 def _renumbered(claim: Json, families: Mapping[int, int]) -> Json:
     """The statement of a claim with its families as they are numbered where some are left out."""
-    statement: Json = claim["statement"]
-    changed: Json = {key: families.get(statement[key], statement[key]) for key in ("family", "part") if key in statement}
+    statement: Json = dict(claim["statement"])
+    for key in ("family", "part"):
+        if key in statement:
+            statement[key] = families.get(statement[key], statement[key])
     if claim["rule"] == "blocks":
-        changed["parts"] = [families[part] for part in statement["parts"]]
-    return statement | changed
+        statement["parts"] = [families[part] for part in statement["parts"]]
+    return statement
 
 
 class Certificate(NamedTuple):

@@ -17,7 +17,7 @@ from importlib import import_module
 from typing import Any
 
 from subdiv_cli.checker import core
-from subdiv_cli.checker.core import Outcome, Rulebook
+from subdiv_cli.checker.core import MAX_WORK, Outcome, Rulebook
 from subdiv_cli.checker.reading import MAX_BYTES
 
 __all__ = ["KINDS", "Outcome", "check_document", "check_file", "check_text"]
@@ -41,9 +41,12 @@ KINDS: MutableMapping[str, Rulebook] = _Kinds(
 """All kinds of documents. A new kind adds a line; no certificate names a module."""
 
 
-def check_text(text: str) -> Outcome:
-    """Check a certificate as it stands in its file. Never raises: whatever goes wrong is not verified."""
-    return core.check_text(text, KINDS)
+def check_text(text: str, work: int = MAX_WORK) -> Outcome:
+    """Check a certificate as it stands in its file. Never raises: whatever goes wrong is not verified.
+
+    `work` is how much its claims may ask for, in the units that FORMAT.md counts in.
+    """
+    return core.check_text(text, KINDS, work)
 
 
 def check_document(document: object) -> Outcome:
@@ -51,7 +54,7 @@ def check_document(document: object) -> Outcome:
     return core.check_document(document, KINDS)
 
 
-def check_file(name: str) -> tuple[Outcome, str]:
+def check_file(name: str, work: int = MAX_WORK) -> tuple[Outcome, str]:
     """Check a certificate's file; its text as well, "" where it is not UTF-8. Raises OSError if it cannot be read."""
     with open(name, "rb") as file:  # noqa: PTH123 (pathlib is slow to load)
         content = file.read(MAX_BYTES + 1)
@@ -61,4 +64,4 @@ def check_file(name: str) -> tuple[Outcome, str]:
         return core.not_verified("document", "not UTF-8"), ""
     if len(content) > MAX_BYTES:
         return core.not_verified("document", "the file is too large"), ""
-    return check_text(text), text
+    return check_text(text, work), text

@@ -1,7 +1,7 @@
-"""`python -m subdiv_cli.checker CERT… [--mask FILE]`: a line for each certificate.
+"""`python -m subdiv_cli.checker CERT… [--mask FILE] [--work N]`: a line for each certificate.
 
-With --mask each must be about the mask of a plain file, one whose coefficients are literal numbers. Exit code 0: all
-verified; 1: not all; 2: usage, or a file cannot be read.
+With --mask each must be about the mask of a plain file, one whose coefficients are literal numbers; --work is how much
+work the claims of each may ask for. Exit code 0: all verified; 1: not all; 2: usage, or a file cannot be read.
 """
 
 from __future__ import annotations
@@ -9,14 +9,17 @@ from __future__ import annotations
 import sys
 
 from subdiv_cli.checker import check_file
+from subdiv_cli.checker.core import MAX_WORK
 from subdiv_cli.checker.plain import PlainMask, certified_mask, plain_mask
 
-USAGE = "usage: python -m subdiv_cli.checker CERT… [--mask FILE]"
+USAGE = "usage: python -m subdiv_cli.checker CERT… [--mask FILE] [--work N]"
 
 
 def main(names: list[str]) -> int:
-    names, file = _split(names)
-    if not names or any(name.startswith("-") for name in names):
+    names, file = _option(names, "--mask")
+    names, most = _option(names, "--work")
+    work = MAX_WORK if most is None else int(most) if most.isascii() and most.isdecimal() and len(most) < 16 else 0
+    if not names or not work or any(name.startswith("-") for name in names):
         print(USAGE, file=sys.stderr)
         return 2
     asked: PlainMask | None = None
@@ -25,7 +28,7 @@ def main(names: list[str]) -> int:
     code = 0
     for name in names:
         try:
-            outcome, text = check_file(name)
+            outcome, text = check_file(name, work)
         except (OSError, ValueError) as error:
             print(f"{name!a}: {error}", file=sys.stderr)
             code = 2
@@ -41,11 +44,11 @@ def main(names: list[str]) -> int:
     return code
 
 
-def _split(names: list[str]) -> tuple[list[str], str | None]:
-    """The certificates, and the file of --mask."""
-    if "--mask" not in names[:-1]:
+def _option(names: list[str], option: str) -> tuple[list[str], str | None]:
+    """The other arguments, and the value of an option."""
+    if option not in names[:-1]:
         return names, None
-    at = names.index("--mask")
+    at = names.index(option)
     return names[:at] + names[at + 2 :], names[at + 1]
 
 

@@ -19,9 +19,10 @@ MAX_FAMILIES = 1000
 MAX_ENTRIES = 4_000_000
 """Of the matrices of all families."""
 MAX_CLAIMS = 10_000
-MAX_WORK = 50_000_000
-MAX_SIZE = 1 << 28
-"""Work times the squares of the lengths of its numbers in pieces of 512 bits, over all claims."""
+MAX_WORK = 250_000_000
+"""Over all claims, unless the caller sets another bound: some 30 s where every operation is done."""
+SIZE = 4
+"""Work times the squares of the lengths of its numbers in pieces of 512 bits, over all claims: a multiple of it."""
 _CLAIM = {"rule": "any", "statement": "any", "witness": "any", "uses": "natural[]", "work": "work"}
 Statement = dict[str, Any]
 
@@ -79,7 +80,9 @@ class Subject:
         """As the rules of the kind know it."""
         self.families = list(families)
         """Those of the document, and those that claims introduce."""
-        self.size_left = MAX_SIZE
+        self.work = MAX_WORK
+        """The bound on the work of all claims."""
+        self.size_left = SIZE * MAX_WORK
         self.kinds: Mapping[str, Rulebook] = {}
         """Of certificates inside of the document."""
 
@@ -127,7 +130,7 @@ class Claim:
 
     def check_inside(self, document: object) -> tuple[Outcome, Rulebook | None, Subject | None]:
         """Another certificate, on numbers as long as this document may still have; what it is about as well."""
-        checker = _Checker(self._subject.size_left)
+        checker = _Checker(self._subject.work, self._subject.size_left)
         outcome = _outcome(checker, document, self._subject.kinds)
         if checker.subject is not None:
             self._subject.size_left = checker.subject.size_left
@@ -161,17 +164,18 @@ class Claim:
         require(not self._uses, "it uses claims that it does not need")
 
 
-def check_text(text: str, kinds: Mapping[str, Rulebook]) -> Outcome:
+def check_text(text: str, kinds: Mapping[str, Rulebook], work: int = MAX_WORK) -> Outcome:
+    """Never raises: whatever goes wrong is NOT VERIFIED; `work` bounds that of all claims."""
     try:
         document = parse(text)
     except Rejected as why:
         return not_verified("document", why)
-    return check_document(document, kinds)
+    return check_document(document, kinds, work)
 
 
-def check_document(document: object, kinds: Mapping[str, Rulebook]) -> Outcome:
-    """Never raises: whatever goes wrong is NOT VERIFIED."""
-    return _outcome(_Checker(), document, kinds)
+def check_document(document: object, kinds: Mapping[str, Rulebook], work: int = MAX_WORK) -> Outcome:
+    """As `check_text`, of a document that is parsed."""
+    return _outcome(_Checker(work, SIZE * work), document, kinds)
 
 
 def _outcome(checker: _Checker, document: object, kinds: Mapping[str, Rulebook]) -> Outcome:
@@ -186,8 +190,8 @@ def _outcome(checker: _Checker, document: object, kinds: Mapping[str, Rulebook])
 class _Checker:
     """One run, and where it stands."""
 
-    def __init__(self, size: int = MAX_SIZE) -> None:
-        self.size = size
+    def __init__(self, most: int, size: int) -> None:
+        self.most, self.size = most, size
         self.rulebook: Rulebook | None = None
         self.subject: Subject | None = None
         self.place = "document"
@@ -202,7 +206,7 @@ class _Checker:
         require(parts["format"] == FORMAT, f"the format is not {FORMAT}")
         require(parts["version"] == VERSION, f"the version is not {VERSION}")
         rulebook, subject = self.rulebook, self.subject = _read_mask(parts["mask"], kinds)
-        subject.kinds, subject.size_left = kinds, self.size
+        subject.kinds, subject.work, subject.size_left = kinds, self.most, self.size
         claims = parts["claims"]
         if type(claims) is not list:
             raise Rejected("the claims are not a list")
@@ -245,7 +249,7 @@ class _Checker:
         require(fits, "the rule does not prove such statements")
         require(max(parts["uses"], default=-1) < len(self.proved), "it uses a claim that does not come before it")
         self.work += parts["work"]
-        require_few(self.work <= MAX_WORK, f"the claims up to this one take more than {MAX_WORK} of work")
+        require_few(self.work <= self.most, f"the claims up to this one take more than {self.most} of work")
         uses = [self.proved[i] for i in parts["uses"]]
         claim = Claim(subject, statement, _read_witness(parts["witness"], step.witnesses), parts["work"], uses)
         result = step.check(claim)

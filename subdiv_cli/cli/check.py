@@ -37,7 +37,7 @@ Exit codes:
   0    every expectation proved (convergence, where a mask states none)
   1    an expectation refuted, or something worse than in the baseline
   2    not checked: usage, an unreadable or invalid mask, an internal error
-  3    nothing refuted, something undecided (0 with --allow-undecided)
+  3    nothing refuted, something undecided (0 with --allow-undecided); or a --certificate that leaves something out
   130  interrupted; the masks checked so far are reported
   Of several, 2 beats 1 beats 3, and 130 beats all.
 
@@ -119,9 +119,13 @@ def _close(run: Run, look: Look) -> ExitCode:
     printed = run.printed if streamed else put_report(render, asked.form, look._replace(problems=False))
     written = put_reports(render, asked.form, look, asked.outputs)
     tell_missing(missing)
+    for sentence in run.unproved:
+        emit(f"warning: {sentence}\n", sys.stderr)
     count = len(run.results)
     if run.interrupted:
         emit(f"interrupted: {count} mask{'' if count == 1 else 's'} checked until then\n", sys.stderr)
     statuses = (result.status for result in run.results)
     code = exit_code(statuses, allow_undecided=asked.allow_undecided, interrupted=run.interrupted)
+    if run.unproved and code is ExitCode.PASSED and not asked.allow_undecided:
+        code = ExitCode.UNDECIDED
     return code if (printed and written) or run.interrupted else ExitCode.ERROR

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Generator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from subdiv_cli.cli.options import Asked
 from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import complain, emit, put
 from subdiv_cli.model import Result
+from subdiv_cli.model.findings import UNCERTIFIED
 from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
 
@@ -33,6 +34,8 @@ class Run:
         self.printed = True
         self.forms = {asked.form, *(output.format or asked.form for output in asked.outputs)}
         self.baseline = _baseline(asked.baseline)
+        self.unproved: list[str] = []
+        """What certificates that were asked for leave out, a sentence for each mask."""
         self._trouble: str | None = None
         self._progress = Progress()
 
@@ -100,6 +103,8 @@ class Run:
         if self.asked.form == "jsonl":
             self._progress.close()
             self.printed &= put(renderer("jsonl")([result], self.look), encoding="utf-8")
+        if self.asked.certificates is not None and result.status != "invalid":
+            self.unproved += _left_out(result)
         self.results.append(self._slim(result))
 
     def _slim(self, result: Result) -> Result:
@@ -110,6 +115,17 @@ class Run:
         if self.asked.form == "jsonl" and not written:
             return replace(result, findings=(), facts={})
         return replace(result, findings=tuple(replace(found, witness={}) for found in result.findings))
+
+
+def _left_out(result: Result) -> Iterator[str]:
+    """What the certificate of a mask does not prove, and why."""
+    if result.certificate is None:
+        yield f"there is no certificate of {result.file}: nothing is proved of it"
+        return
+    for reason in UNCERTIFIED:
+        codes = dict.fromkeys(found.code for found in result.findings if found.reason == reason)
+        if codes:
+            yield f"{result.certificate} leaves out {', '.join(codes)}: {reason}"
 
 
 def _tell_skipped(count: int) -> None:

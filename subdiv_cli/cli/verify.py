@@ -12,6 +12,7 @@ import click
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.options import parameter
 from subdiv_cli.cli.streams import complain, emit
+from subdiv_cli.cli.values import WHOLE
 
 if TYPE_CHECKING:
     from subdiv_cli.checker.plain import PlainMask
@@ -38,7 +39,8 @@ python -m subdiv_cli.checker CERT runs it alone."""
     "--mask", metavar="FILE", type=click.Path(), help="Check that the certificate is about the mask of this file."
 )
 @parameter("Set a parameter of --mask.")
-def command(certificates: tuple[str, ...], mask: str | None, parameters: tuple[str, ...]) -> ExitCode:
+@click.option("--work", type=WHOLE, metavar="N", help="Work that the claims of each may ask for.  [default: 250000000]")
+def command(certificates: tuple[str, ...], mask: str | None, parameters: tuple[str, ...], work: int | None) -> ExitCode:
     """Check certificates: each is VERIFIED, or a claim is named that fails.
 
     A DIR is searched for *.json files.
@@ -47,7 +49,7 @@ def command(certificates: tuple[str, ...], mask: str | None, parameters: tuple[s
         raise click.UsageError("nothing to verify: name a certificate, as in `subdiv verify four_point.json`")
     asked = None if mask is None else _asked(mask, parameters)
     names = [name for target in certificates for name in _files(target)]
-    codes = [_verify(name, mask, asked, len(names) > 1) for name in names]
+    codes = [_verify(name, mask, asked, work, len(names) > 1) for name in names]
     if not names:
         emit("error: no *.json files there\n", sys.stderr)
         return ExitCode.ERROR
@@ -59,12 +61,13 @@ def _files(target: str) -> Iterator[str]:
     yield from (str(file) for file in sorted(path.rglob("*.json"))) if path.is_dir() else (target,)
 
 
-def _verify(name: str, mask: str | None, asked: _Asked | None, several: bool) -> ExitCode:
+def _verify(name: str, mask: str | None, asked: _Asked | None, work: int | None, several: bool) -> ExitCode:
     from subdiv_cli.checker import check_file
+    from subdiv_cli.checker.core import MAX_WORK
     from subdiv_cli.checker.plain import certified_mask
 
     try:
-        outcome, text = check_file(name)
+        outcome, text = check_file(name, MAX_WORK if work is None else work)
     except OSError as error:
         emit(f"error: {name} cannot be read: {error.strerror or error}\n", sys.stderr)
         return ExitCode.ERROR

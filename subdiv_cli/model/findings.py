@@ -137,18 +137,20 @@ class Finding:
     """The claims of the certificate that say the same, checked independently."""
 
 
-UNCERTIFIED = "its proof asks more work of the checker than it does"
-"""The reason of a finding that would be decided, had it a place in the certificate."""
+TOO_DEAR = "its proof asks more work of the checker than it does"
+UNWRITTEN = "its proof costs too much to write down; a higher --effort may do it"
+UNCERTIFIED = (TOO_DEAR, UNWRITTEN)
+"""The reasons of a finding that would be decided, had it a place in the certificate."""
 
 
-def uncertified(finding: Finding) -> Finding:
+def uncertified(finding: Finding, reason: str) -> Finding:
     """A decided finding as an undecided one: no verified claim says it, so it is not claimed."""
     return replace(
         finding,
         verdict=Verdict.UNDECIDED,
         statement=f"not certified: {finding.statement}",
         answers=tuple((question, _told(question, Verdict.UNDECIDED, None, None)) for question, _ in finding.answers),
-        reason=UNCERTIFIED,
+        reason=reason,
         value=None,
         proof={},
         closed=None,

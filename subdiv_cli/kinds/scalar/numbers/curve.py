@@ -1,6 +1,6 @@
 """Stencils and exact values of φ for pictures: at the integers from the limit stencil, at finer points by refinement.
 
-Light: flint is imported only where something is drawn.
+Standard library only: a report of kept results draws without flint.
 """
 
 from __future__ import annotations
@@ -63,10 +63,9 @@ def integer_values(scheme: ScalarScheme) -> dict[int, Fraction] | None:
     def a(k: int) -> Fraction:
         return scheme.coefficients[k - s] if s <= k <= s + n else Fraction(0)
 
-    from subdiv_cli.exact.linalg import matrix, solution
-
-    rows = [[a(alpha - p * beta) - (alpha == beta) for alpha in window] for beta in window]
-    v = solution(matrix([*rows, [1] * len(window)]), [*[Fraction(0)] * len(window), Fraction(1)])
+    rows = [[a(alpha - p * beta) - (alpha == beta) for alpha in window] + [Fraction(0)] for beta in window]
+    rows.append([Fraction(1)] * (len(window) + 1))
+    v = _solution(rows, len(window))
     return None if v is None else {-beta: value for beta, value in zip(window, v, strict=True)}
 
 
@@ -98,3 +97,19 @@ def _refined(mask: Sequence[int], start: int, p: int, values: Mapping[int, int],
                 at = x + (start + i) * step
                 finer[at] = finer.get(at, 0) + c * value
     return finer
+
+
+def _solution(rows: list[list[Fraction]], unknowns: int) -> list[Fraction] | None:
+    """The unique solution of linear equations [coefficients…, right side]; None where it is not unique."""
+    for column in range(unknowns):
+        pivot = next((i for i in range(column, len(rows)) if rows[i][column]), None)
+        if pivot is None:
+            return None
+        rows[column], rows[pivot] = rows[pivot], rows[column]
+        lead = rows[column]
+        inverse = 1 / lead[column]
+        rows[column] = lead = [x * inverse for x in lead]
+        for i, row in enumerate(rows):
+            if i != column and (factor := row[column]):
+                rows[i] = [x - factor * y for x, y in zip(row, lead, strict=True)]
+    return [row[-1] for row in rows[:unknowns]]

@@ -146,7 +146,7 @@ class ScalarNumbers:
     @cached_property
     def bezout_cofactors(self) -> tuple[Laurent, ...] | None:
         """Of the polyphase components; None where they would cost more than the effort."""
-        affordable = self.effort.allows(len(self.scheme.coefficients) ** 2 * self.weight // 4)
+        affordable = self.effort.allows(len(self.scheme.coefficients) ** 2 * self.weight // 16)
         return bezout_cofactors(self.symbol, self.p) if affordable else None
 
     @cached_property
