@@ -31,7 +31,7 @@ Fields = Mapping[str, str | Reader]
 MAX_BYTES = 64 << 20
 MAX_LENGTH = 4_000
 """Coefficients of a polynomial, letters of a word, members of a list."""
-MAX_INTEGER = 1_000_000
+MAX_INTEGER = 4_000_000
 """An index or an exponent."""
 MAX_NATURAL = 10_000
 """An order, a level, a letter, the number of a mask or of a claim."""
@@ -41,7 +41,7 @@ MAX_LETTERS = 64
 """Of a family."""
 MAX_FAMILY = 1 << 30
 """Bits of all entries of a family over their common denominator, at least."""
-MAX_INDEX = 10_000
+MAX_INDEX = 1_000_000
 """A coordinate of an index in Z^s."""
 MAX_DIMENSION = 4
 MAX_VERTICES = 20_000

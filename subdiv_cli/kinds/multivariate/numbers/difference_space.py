@@ -10,6 +10,8 @@ Written for what the joint spectral radius ρ_k of the T_ε on V_k decides:
 * With sum rules of order k the T_ε map U_k, the v on a large window that annihilate π_(k-1), into itself, and on
   U_j / U_(j+1), j < k, they all act as one matrix, dual to p -> p(M^-1 ·) on homogeneous polynomials of degree j. So
   ρ_1 = max(ρ_k, ρ(M^-1)) for k > 1, and as M is expanding, ρ_1 < 1 iff ρ_k < 1.
+* The ε may be any representatives of the cosets: with ε + Mη for ε the image is a shift. With ε + t for all ε the
+  operators are those of the mask a(· + t): where the mask stands far off, that keeps V_k as small as near the origin.
 """
 
 from __future__ import annotations
@@ -36,6 +38,8 @@ class DifferenceSpace:
 
     order: int
     """k."""
+    cosets: tuple[Index, ...]
+    """The coset representatives ε."""
     window: tuple[Index, ...]
     """Where some b_i is not zero."""
     basis: fmpq_mat
@@ -49,10 +53,12 @@ class DifferenceSpace:
 def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> DifferenceSpace | None:
     """V_k; None where it, or its window, is larger than is looked at, or has numbers too long for a short basis."""
     starts = [difference(mu) for mu in indices_of_degree(lattice.dimension, k)]
-    window = _invariant_window(scheme, lattice, {alpha for v in starts for alpha in v})
+    at = [min(max(0, low), high) for low, high in zip(*scheme.bounds(), strict=True)]
+    cosets = tuple(tuple(map(sum, zip(epsilon, at, strict=True))) for epsilon in lattice.representatives)
+    window = _invariant_window(scheme, lattice, cosets, {alpha for v in starts for alpha in v})
     if window is None:
         return None
-    operators = [transition_matrix(scheme, lattice, epsilon, window) for epsilon in lattice.representatives]
+    operators = [transition_matrix(scheme, lattice, epsilon, window) for epsilon in cosets]
     places = {alpha: j for j, alpha in enumerate(window)}
     first = fmpq_mat([_row(v, places) for v in starts])
     span = _closure(first, operators)
@@ -63,6 +69,7 @@ def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> Di
     coordinates = basis.transpose() * (basis * basis.transpose()).inv()
     return DifferenceSpace(
         order=k,
+        cosets=cosets,
         window=tuple(window[j] for j in used),
         basis=fmpq_mat([[row[j] for j in used] for row in basis.table()]),
         matrices=tuple((basis * t.transpose() * coordinates).transpose() for t in operators),
@@ -80,12 +87,14 @@ def difference(mu: Index) -> dict[Index, int]:
     return v
 
 
-def _invariant_window(scheme: MultivariateScheme, lattice: Lattice, start: Iterable[Index]) -> list[Index] | None:
+def _invariant_window(
+    scheme: MultivariateScheme, lattice: Lattice, cosets: Sequence[Index], start: Iterable[Index]
+) -> list[Index] | None:
     """The smallest set that holds the start and the supports of all images of sequences on it."""
     shifts = [
         tuple(g - e for g, e in zip(gamma, epsilon, strict=True))
         for gamma in scheme.terms
-        for epsilon in lattice.representatives
+        for epsilon in cosets
     ]
     found, queue = set(start), list(start)
     while queue:

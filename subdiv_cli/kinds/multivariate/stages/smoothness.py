@@ -88,7 +88,7 @@ def difference_radius(numbers: MultivariateNumbers, facts: Facts) -> tuple[Findi
     statement = f"ρ_{space.order} {size} on V_{space.order} of dimension {space.basis.nrows()}{_how(radius)}"
     return (
         DIFFERENCE_RADIUS.proved(
-            statement, witness, value, proof={"space": _data(numbers, space), "radius": radius.proof}
+            statement, witness, value, proof={"space": _data(space), "radius": radius.proof}
         ),
     )
 
@@ -100,11 +100,11 @@ def _how(radius: Radius) -> str:
     return by + attains
 
 
-def _data(numbers: MultivariateNumbers, space: DifferenceSpace) -> dict[str, Data]:
+def _data(space: DifferenceSpace) -> dict[str, Data]:
     """The space as certificates have it."""
     return {
         "order": space.order,
-        "cosets": numbers.lattice.representatives,
+        "cosets": space.cosets,
         "window": space.window,
         "basis": tuple(tuple(int(x) for x in row) for row in rows_of(space.basis)),
         "matrices": tuple(rows_of(m) for m in space.matrices),
