@@ -190,3 +190,36 @@ def test_a_mask_that_needs_no_polytope_loads_no_numpy(mask):
 
 def test_a_mask_that_needs_a_polytope_loads_numpy():
     assert "numpy" in loaded_by("check", "--mask", "[-1, 0, 6, 10, 6, 0, -1]/10", "--format", "concise")
+
+
+def documented(tree, prefix="", public=True):
+    """(name, node, whether it is public) of a module, its classes and its functions, wherever they stand."""
+    yield prefix or "module", tree, public
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            inner = public and not isinstance(tree, ast.FunctionDef) and not node.name.startswith("_")
+            yield from documented(node, f"{prefix}.{node.name}".lstrip("."), inner)
+
+
+def unclear(node, public):
+    """What is wrong with the docstring of a module, a class or a function, as (line, complaint)."""
+    text = ast.get_docstring(node) or ""
+    summary, _, rest = text.partition("\n")
+    if text and (summary[-1] not in ".?:" or re.match(r"\s*[a-z]\w|\s*[…,;]", rest)):
+        yield "the first line is no whole sentence"
+    if public and isinstance(node, ast.FunctionDef):
+        calls = (each.exc for each in ast.walk(node) if isinstance(each, ast.Raise))
+        raised = {call.func.id for call in calls if isinstance(call, ast.Call) and isinstance(call.func, ast.Name)}
+        classes = {name for name in raised if name[0].isupper()}
+        if classes and "Raises" not in text and not any(name in text for name in classes):
+            yield f"{', '.join(sorted(classes))} may be raised and is not named"
+
+
+def test_docstrings_say_what_comes_back_and_what_is_raised():
+    offences = [
+        f"{file.relative_to(ROOT)}:{getattr(node, 'lineno', 1)}: {name}: {complaint}"
+        for file in FILES
+        for name, node, public in documented(TREES[file])
+        for complaint in unclear(node, public)
+    ]
+    assert not offences, "\n".join(offences)

@@ -44,7 +44,7 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
 
 
 def certificate(analysis: Analysis) -> Certificate | None:
-    """The proof of what was found of a scalar mask; None where it asks more of the checker than it does."""
+    """The proof of the findings on a scalar mask; None where it asks more of the checker than it does."""
     scheme, findings = analysis.scheme, analysis.findings
     proof = Proof(scheme.arity, scheme.degree, findings)
     return certificate_of(proof.claims, canonical(scheme), findings, lambda found: CLAIMS[found.code](proof, found))

@@ -32,7 +32,7 @@ from subdiv_cli.model.findings import Witness
 
 
 def contractivity(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
-    """SD301: for ν = 1, …, k, does (1/p)S_ν contract?
+    """SD301: for ν = 1, …, k, whether (1/p)S_ν contracts.
 
     Theorem (Dyn 1992, 3.2 and 3.4, for any arity p): with sum rules of order ν, ‖((1/p)S_ν)^L‖∞ < 1 for some L iff
     S_(ν-1) converges uniformly, and then φ and every limit function are C^(ν-1). Hypotheses a(1) = p and the sum rules:
@@ -100,7 +100,7 @@ def _bound(radius: Radius) -> str:
 
 
 def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD201: does S converge uniformly, to a limit that is not zero for some data (Dyn 1992, section 2)?
+    """SD201: whether S converges uniformly, to a limit that is not zero for some data (Dyn 1992, section 2).
 
     Theorem (Dyn 1992, Theorem 3.2, for any arity p): S converges uniformly iff its residue sums are 1 and
     ‖((1/p)S_1)^L‖∞ < 1 for some L. Both directions need no stability, and the mask judged is S's own, never a reduced
@@ -179,7 +179,7 @@ def _proved(statement: str, order: int, by: Rule) -> Finding:
 
 
 def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD303: with φ proved C^n, is C^(n+1) refuted?
+    """SD303: whether C^(n+1) is refuted for a φ that is proved C^n.
 
     Theorem (Cavaretta, Dahmen & Micchelli 1991; Dyn 1992, 5.3 for interpolatory schemes): for stable φ, φ ∈ C^m iff α >
     m, where α = -log_p ρ and ρ is the joint spectral radius of the transition matrices of D = S_(Δ^k). So C^m is

@@ -69,7 +69,7 @@ def integer_values(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 
 def _line(values: Laurent, order: int) -> str:
-    """`φ(-1, 0, 1) = 1/6, 2/3, 1/6`."""
+    """The values as a line of text: `φ(-1, 0, 1) = 1/6, 2/3, 1/6`."""
     c = values.coefficients()
     places = [str(values.low + i) for i in range(len(c))]
     name = derivative("φ", order)
@@ -79,7 +79,7 @@ def _line(values: Laurent, order: int) -> str:
 
 
 def unusable(facts: Facts) -> str | None:
-    """Why limits cannot be spoken of with the values of φ; None where they can."""
+    """The reason why limits cannot be spoken of with the values of φ; None where they can."""
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
         return "S is not proved to converge"
     return None if facts.verdict(INTEGER_VALUES) is Verdict.PROVED else "the values of φ are not known"
