@@ -38,8 +38,8 @@ class Image(NamedTuple):
 class Body:
     """A polytope while it grows: its vertices, with what each of them is the image of.
 
-    Each vertex v stands for `copies` columns: v; its conjugate, where vectors are complex; and in a symmetric family the
-    reflections of these. Column u·copies + c is copy c of vertex u.
+    Each vertex v stands for `copies` columns: v; its conjugate, where vectors are complex; and in a symmetric family
+    the reflections of these. Column u·copies + c is copy c of vertex u.
     """
 
     def __init__(

@@ -106,7 +106,7 @@ class _Eigenspace:
         starts = np.array([leader.start for leader in group], dtype=np.float64)
         self._basis = self.projection @ starts.T * np.array(sizes)
         self.corners: Array = self._basis
-        """Of the hull, as columns, but for what turns make of them, and negatives."""
+        """The corners of the hull as columns, without their negatives and what turns make of them."""
         self.turns: list[Array] = [np.eye(len(group))]
         """Matrices of ways from E to E that are exact: with a corner its images by them are in the body."""
 

@@ -103,7 +103,7 @@ def _normalisation(scheme: ScalarScheme) -> Iterator[str]:
 
 
 def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
-    """A hint for 0.333333 in place of 1/3: the sums miss 1 by little, and simple fractions nearby have the right ones."""
+    """A hint for 0.333333 in place of 1/3: the sums miss 1 by little, and simple fractions nearby have right sums."""
     sums = _sums(scheme, scheme.coefficients)
     if any(abs(s - 1) > _NEAR for s in sums):
         return

@@ -94,7 +94,7 @@ def simple_growth(annihilator: fmpq_poly) -> Growth | None:
 
 
 def _largest_real_root(factors: list[fmpz_poly]) -> tuple[int, AlgebraicNumber]:
-    """The largest real zero of irreducible polynomials, none a multiple of another, and the number of its polynomial."""
+    """The largest real zero of irreducible polynomials, none a multiple of another, and which of them has it."""
     if len(factors) == 1 and factors[0].degree() == 1:
         return 0, AlgebraicNumber(factors[0], isolated_roots(factors[0])[0])
 

@@ -32,7 +32,10 @@ class TooFewPointsError(NotDrawnError):
 
 
 def functions(scheme: ScalarScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
-    """The drawing of φ and its derivatives up to the proved order, or `derivatives`; empty where φ is not proved continuous."""
+    """The drawing of φ and its derivatives up to the proved order, or `derivatives`; empty unless φ is continuous.
+
+    φ must be proved continuous by the stages.
+    """
     analysis, result = certify(effort)
     proved, wanted = result.refinable.order, options.get("derivatives")
     if proved is None:
