@@ -12,7 +12,7 @@ from subdiv_cli.model.closed import rational
 
 Json = dict[str, Any]
 MOST_WORK = 50_000_000
-"""What the checker does for one certificate; a longer one is not written."""
+"""The most work that the checker does for one certificate; a longer one is not written."""
 
 
 class Claims:
@@ -23,6 +23,7 @@ class Claims:
         self._numbers: dict[str, int] = {}
 
     def add(self, rule: str, statement: Json, witness: Json, uses: Sequence[int] = (), work: int = 1) -> int:
+        """The number of the claim; the same claim has the same number."""
         claim = {"rule": rule, "statement": statement, "witness": witness, "uses": list(uses), "work": work}
         key = json.dumps(claim, sort_keys=True)
         if key not in self._numbers:
@@ -33,18 +34,18 @@ class Claims:
     def prove(
         self, rule: str, statement: Json, witness: Json | None = None, uses: Sequence[int] = (), work: int = 1
     ) -> int:
-        """As `add`; a statement without its property is of the one that has the name of the rule."""
+        """The number of the claim, as in `add`; a statement without a property has that of the rule's name."""
         return self.add(rule, {"property": rule, **statement}, witness or {}, uses, work)
 
     def statement(self, number: int) -> Json:
-        """What a claim states."""
+        """The statement of the claim with this number."""
         statement: Json = self.made[number]["statement"]
         return statement
 
     def document(self, mask: Mapping[str, Any], goal: Iterable[int]) -> Json | None:
         """The document as FORMAT.md has it, about this mask, with the statements of these claims as its goal.
 
-        None without a goal, and where the claims ask more of the checker than it does.
+        None without a goal, and where the claims need more work than the checker does.
         """
         statements = [self.statement(number) for number in dict.fromkeys(goal)]
         if not statements or sum(claim["work"] for claim in self.made) > MOST_WORK:
@@ -53,7 +54,7 @@ class Claims:
 
 
 class Certificate(NamedTuple):
-    """A document as FORMAT.md has it, and for each finding the numbers of the claims that say the same."""
+    """A document as FORMAT.md has it, and for each finding the numbers of the claims that state it."""
 
     document: Json
     claims: tuple[tuple[int, ...], ...]
@@ -64,8 +65,8 @@ def certificate_of(
 ) -> Certificate | None:
     """The proof of the findings that are decided, its goal in their order.
 
-    `claims_of` makes the claims that say what a finding says; none where its witness was too costly to compute. None
-    where the whole asks more of the checker than it does.
+    `claims_of` makes the claims that state a finding; none where its witness was too costly to compute. None where the
+    whole needs more work than the checker does.
     """
     numbers = tuple(tuple(claims_of(found)) if found.verdict in DECIDED else () for found in findings)
     document = claims.document(mask, (number for several in numbers for number in several))
@@ -73,6 +74,7 @@ def certificate_of(
 
 
 def polynomial(start: int, coefficients: Sequence[Fraction | int]) -> Json:
+    """A polynomial as statements have it: its start and its coefficients."""
     return {"start": start, "coefficients": [rational(c) for c in coefficients]}
 
 

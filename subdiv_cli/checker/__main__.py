@@ -1,4 +1,4 @@
-"""`python -m subdiv_cli.checker CERT… [--mask FILE]`: a line for each certificate.
+"""The command `python -m subdiv_cli.checker CERT… [--mask FILE]`: a line for each certificate.
 
 With --mask each must be about the mask of a plain file, one whose coefficients are literal numbers. Exit code 0: all
 verified; 1: not all; 2: usage, or a file cannot be read.
@@ -15,6 +15,7 @@ USAGE = "usage: python -m subdiv_cli.checker CERT… [--mask FILE]"
 
 
 def main(names: list[str]) -> int:
+    """The exit code of the command with these arguments; the lines are printed."""
     names, file = _split(names)
     if not names or any(name.startswith("-") for name in names):
         print(USAGE, file=sys.stderr)
@@ -42,7 +43,7 @@ def main(names: list[str]) -> int:
 
 
 def _split(names: list[str]) -> tuple[list[str], str | None]:
-    """The certificates, and the file of --mask."""
+    """The names of the certificates, and the file of --mask, None without it."""
     if "--mask" not in names[:-1]:
         return names, None
     at = names.index("--mask")

@@ -43,7 +43,7 @@ _DONE = {"analyse": "checked", "portraits": "taken apart", "drawings": "drawn"}
 
 
 def lacking(name: str, capability: str) -> str | None:
-    """The reason why a kind lacks a capability: `masks of kind matrices cannot be checked yet`; None where it has it."""
+    """The reason why a kind lacks a capability: `masks of kind matrices cannot be checked yet`; None if it has it."""
     if name in KINDS and getattr(kind_named(name), capability) is not None:
         return None
     return f"masks of kind {name} cannot be {_DONE[capability]} yet"

@@ -15,7 +15,10 @@ UPPER = ("radius-upper", "radius", "bounded")
 
 
 def blocks(c: Claim) -> None:
-    """P^-1 M_i P are block triangular, so products have the products of the blocks: JSR is the largest of them."""
+    """P^-1 M_i P are block triangular, so products have the products of the blocks: JSR is the largest of them.
+
+    Raises Rejected where P is singular.
+    """
     family, parts, sizes = c.family(), c.statement["parts"], c.witness["sizes"]
     order, basis = family.order, c.witness["basis"]
     require(len(parts) == len(sizes) >= 2 and min(sizes) >= 1, "there are not two blocks, or not as many as parts")
@@ -111,7 +114,7 @@ def lower_of_blocks(c: Claim) -> None:
 
 
 def bound_of(s: Statement) -> Fraction:
-    """x with JSR^length <= x, of a claim that bounds a radius from above."""
+    """The bound x with JSR^length <= x, of a claim that bounds a radius from above."""
     bound: Fraction = s["bound" if s["property"] == "radius-upper" else "high"]
     return bound
 

@@ -96,7 +96,7 @@ class Factors:
         return self._claims.prove("tensor-product", statement, {"which": which, "certificates": documents}, work=work)
 
     def say(self, rule: str, statement: Json, *more: int) -> list[int]:
-        """The claims for which all factors, or one of them, are enough; none where their certificates do not state it."""
+        """The claims for which all factors, or one of them, are enough; none where the certificates do not state it."""
         found = [any(_is_enough(said, statement) for said in part.document["goal"]) for part in self._parts]
         if not (all(found) if statement.get("holds", statement["property"] == "smooth") else any(found)):
             return []
@@ -120,7 +120,7 @@ class Factors:
         return self._of_one("of-factor", finding, SOBOLEV)
 
     def _of_one(self, rule: str, finding: Finding, question: Question) -> list[int]:
-        """The claims by one factor's answer to a question; none where a certificate that is needed does not state it."""
+        """The claims by one factor's answer to a question; none where a certificate it needs does not state it."""
         between = finding.witness.get("between")
         said = {part.variables: part.stated.get(question, ()) for part in self._parts}
         variables = cast("tuple[int, ...]", finding.witness["variables"])

@@ -223,7 +223,7 @@ class MatrixNorm(NamedTuple):
 
 
 class Iterate(NamedTuple):
-    """The norm ‖S_Q^t‖∞ for one t of 1, 2, …"""
+    """The norm ‖S_Q^t‖∞ of one iterate, t = 1, 2, and so on."""
 
     norm: Fraction
     work: int
@@ -251,7 +251,7 @@ def iterates(found: Reduction, effort: Effort) -> Iterator[Iterate]:
 def matrix_norm(
     scheme: MultivariateScheme, lattice: Lattice, order: int, smooth: int, effort: Effort
 ) -> MatrixNorm | None:
-    """A norm with ρ_k <= ‖S_Q^t‖∞^(1/L) < λ^-smooth for k = `order` and a level L = rt; None where none is small enough.
+    """A norm with ρ_k <= ‖S_Q^t‖∞^(1/L) < λ^-smooth for k = `order` and a level L = rt; None where none is small.
 
     The reductions of S: that of the lemma, the one of least norm, iterates of the better one; then those of S^r.
     """

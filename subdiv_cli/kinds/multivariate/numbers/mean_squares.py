@@ -97,7 +97,7 @@ class SparseOperator(NamedTuple):
 
 
 def correlation_operator(scheme: MultivariateScheme, lattice: Lattice, start: Iterable[Index]) -> SparseOperator | None:
-    """The operator T on the smallest window that it maps to itself and that holds the start; None beyond the largest."""
+    """The operator T on the smallest window that it maps to itself and that holds the start; None if too large."""
     b = autocorrelation(scheme)
     common = lcm(*(x.denominator for x in b.values()))
     by_coset: dict[Index, list[tuple[Index, int]]] = {}

@@ -50,7 +50,7 @@ def symmetries(scheme: MultivariateScheme) -> tuple[IntMatrix, ...]:
 
 
 def generated(matrices: Iterable[IntMatrix], within: Container[IntMatrix]) -> set[IntMatrix]:
-    """The products of the matrices, as long as they are `within`; the group where these are finitely many and closed."""
+    """The products of the matrices, as long as they are `within`; the group where this is finite and closed."""
     generators: list[IntMatrix] = []
     found: set[IntMatrix] = set()
     for g in matrices:

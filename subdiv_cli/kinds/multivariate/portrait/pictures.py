@@ -1,4 +1,4 @@
-"""Pictures of a mask in several variables for `plot`: φ on a plane, its graph as a net, and control nets. No verdicts."""
+"""Pictures of masks in several variables for `plot`: φ on a plane, its graph as a net, and control nets. No verdicts."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ def heights(numbers: MultivariateNumbers, points: int = MOST_POINTS) -> Heights:
 
 
 def _by_multiples(numbers: MultivariateNumbers) -> MultivariateScheme:
-    """The scheme S^r with a dilation c I, whose points are a rectangular grid; S itself where it has none that is short."""
+    """The scheme S^r with a dilation c I, whose points are a rectangular grid; S itself where no such r is small."""
     if numbers.lattice.scalar_power is None:
         return numbers.scheme
     power, c = numbers.lattice.scalar_power
