@@ -1,6 +1,6 @@
-"""One scheme through its stages: findings, certified and checked, gathered into a result and held to expectations.
+"""The pipeline: one scheme through its stages, findings certified and checked, and the result judged.
 
-It is the same for every kind, which is asked through its `Kind` object.
+It is the same for every kind, which is used through its `Kind` object.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 
 class DisagreementError(Exception):
-    """The independent checker does not accept the certificate: an error in this program, never in the input."""
+    """Raised where the checker does not accept the certificate: an error in this program, never in the input."""
 
 
 class Checked(NamedTuple):
-    """What was found, and the certificate that the checker has verified; None where it would ask too much of it."""
+    """The result, and the certificate that the checker has verified; None where it would be too long for it."""
 
     result: Result
     document: Mapping[str, Any] | None
@@ -39,7 +39,7 @@ class Checked(NamedTuple):
 
 
 def check(scheme: Scheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:
-    """Decide what the stages can decide within the effort, and have every verdict checked independently.
+    """The result of a scheme within the effort, every verdict checked independently.
 
     The caller adds file, name and parameters to the result. Raises DisagreementError where the checker says no.
     """
@@ -49,7 +49,7 @@ def check(scheme: Scheme, expectations: Sequence[Expectation], effort: Effort) -
 
 
 def show(scheme: Scheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, Portrait]:
-    """What `check` finds and, certified and checked alike, what only `show` asks for; and the mask taken apart.
+    """The result of `check` with the findings of `show`, certified and checked alike, and the mask taken apart.
 
     `tolerance` is that of error bounds. Raises DisagreementError where the checker says no.
     """
@@ -61,7 +61,7 @@ def show(scheme: Scheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, 
 
 
 def draw(scheme: Scheme, drawings: Drawings, options: Options, effort: Effort) -> Drawing:
-    """A picture of one of the sorts that the kind of the scheme declares; what it rests on is certified and checked.
+    """The picture of one of the sorts that the kind of the scheme declares; its hypotheses are certified and checked.
 
     Raises NotDrawnError where it cannot be drawn, DisagreementError where the checker says no.
     """
@@ -77,7 +77,7 @@ def draw(scheme: Scheme, drawings: Drawings, options: Options, effort: Effort) -
 
 
 def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort) -> Checked:
-    """What the stages have found, with every verdict checked. Raises DisagreementError."""
+    """The findings of the stages, with every verdict checked. Raises DisagreementError."""
     assert kind.certificate is not None, "a kind that finds something proves it"
     findings = analysis.findings
     written = kind.certificate(analysis)
@@ -101,12 +101,12 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
 
 
 def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgement, ...]:
-    """Every expectation against a result, closed forms compared exactly, however they are written."""
+    """The judgements of expectations by a result, closed forms compared exactly, however they are written."""
     return tuple(Judgement(expectation=e, verdict=judge(compare, e, result)) for e in expectations)
 
 
 def _named(finding: Finding, claims: tuple[int, ...]) -> Finding:
-    """With the numbers of its claims; its proof is in them, and is long."""
+    """The finding with the numbers of its claims, and without its proof, which is in them, and is long."""
     return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
 
 

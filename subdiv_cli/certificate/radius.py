@@ -152,7 +152,7 @@ def spelled(data: Data) -> object:
 
 
 def family_certificate(matrices: Sequence[Sequence[Sequence[Fraction]]], radius: FamilyRadius) -> Json | None:
-    """The proof of the bounds of a joint spectral radius; None where there are none, or where it takes too much work."""
+    """The proof of the bounds of a joint spectral radius; None where there are none, or where it takes too long."""
     if not radius.proof:
         return None
     claims = Claims()

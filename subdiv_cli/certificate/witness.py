@@ -1,4 +1,4 @@
-"""Readers of findings' witnesses, which are plain data, with the types that claims need. Raises TypeError for others."""
+"""Readers of findings' witnesses, which are plain data, with the types that claims need. They raise TypeError."""
 
 from __future__ import annotations
 

@@ -127,7 +127,7 @@ class Claim:
         require_few(entries <= MAX_ENTRIES, "the families have too many entries")
 
     def check_inside(self, document: object) -> tuple[Outcome, Rulebook | None, Subject | None]:
-        """The outcome of another certificate, on numbers as long as this document may still have, and what it is about."""
+        """The outcome of another certificate, on numbers as long as this document may have, and what it is about."""
         checker = _Checker(self._subject.size_left)
         outcome = _outcome(checker, document, self._subject.kinds)
         if checker.subject is not None:

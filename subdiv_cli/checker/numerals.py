@@ -22,7 +22,7 @@ def shown(value: object) -> str:
 
 
 class UnreadableError(Exception):
-    """Raised for a value that is not as specified: what is wrong, and the places on the way out to it, innermost first."""
+    """Raised for a value that is not as specified, with the places on the way out to it, innermost first."""
 
     def __init__(self, why: str, place: str = "") -> None:
         self.why, self.place = why, place
@@ -49,7 +49,7 @@ def demand_few(condition: bool, why: str) -> None:
 
 
 def rational(value: object) -> tuple[int, int]:
-    """The rational that `"p/q"` or `"p"` in lowest terms spells, as (p, q), q > 0. Raises UnreadableError for others."""
+    """The rational that `"p/q"` or `"p"` in lowest terms spells, as (p, q), q > 0. Raises UnreadableError else."""
     if type(value) is str and len(value) <= _SHORT:
         return _short_ratio(value)
     return _ratio(value)

@@ -123,7 +123,7 @@ def sigma_divides(f: Polynomial, p: int) -> bool:
 
 
 def slot_bits(f: Polynomial, level: int) -> int:
-    """The bits for any coefficient of a product of `level` factors with these numerators, in whole bytes, 8 at least."""
+    """The bits for any coefficient of a product of `level` factors with these numerators: whole bytes, at least 8."""
     return max(64, 8 * ((level * sum(map(abs, f.numerators)).bit_length() + 2 + 7) // 8))
 
 

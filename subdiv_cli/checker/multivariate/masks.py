@@ -44,7 +44,7 @@ class SparseMask(NamedTuple):
 
 
 def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]]) -> SparseMask:
-    """The mask with these rows of M and these terms. Raises Rejected unless M is expanding and all have s coordinates."""
+    """The mask with these rows of M and these terms. Raises Rejected where M is not expanding or shapes differ."""
     s = len(rows)
     require(
         2 <= s <= 4 and all(len(row) == s for row in rows), "the dilation is not a square matrix of order 2, 3 or 4"
@@ -77,7 +77,7 @@ def plain(dilation: Iterable[Iterable[int]], terms: Iterable[tuple[Iterable[int]
 
 
 def of_file(document: Mapping[str, Any]) -> PlainMask | None:
-    """The mask of a file: `terms = {"0,1" = 1}`, or `start` and `coefficients` nested as deep as there are variables."""
+    """The mask of a file: `terms = {"0,1" = 1}`, or `start` and `coefficients` nested by the number of variables."""
     table = document.get("mask")
     if type(table) is not dict:
         return None

@@ -81,8 +81,8 @@ def returns_of(c: Claim, tree: Tree, length: int) -> set[int]:
 def leader_of(c: Claim, family: MatrixFamily, leader: dict[str, Any], sign: int, m: Sequence[int]) -> Vector:
     """The vector x with Π x = sign γ x, exactly, γ any zero of m: g(Π) y = 0 and m(z) divides g(sign z).
 
-    y = e_j or as given. The word has been looked at. Where the leader is reflected, Π is J times the word's product, and
-    Π² = ± the product of the mirrored word times that. Raises Rejected where x is not such a vector.
+    y = e_j or as given. The word has been looked at. Where the leader is reflected, Π is J times the word's product,
+    and Π² = ± the product of the mirrored word times that. Raises Rejected where x is not such a vector.
     """
     order, g = family.order, leader["annihilator"]
     require(sign != 0 and leader["scale"] > 0, "the sign of a leader is not 1 or -1, or its scale not positive")

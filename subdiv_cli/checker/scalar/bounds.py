@@ -40,7 +40,10 @@ def error_bound(c: Claim) -> None:
 
 
 def _distance(symbol: Polynomial, p: int) -> Fraction:
-    """The norm E, the largest class sum of |e|, with symbol - z^-(p-1) σ²/p = (1-z^p) z^-p e: running sums of each class."""
+    """The norm E, the largest class sum of |e|, with symbol - z^-(p-1) σ²/p = (1-z^p) z^-p e.
+
+    By running sums of each class.
+    """
     spline = times_sigma(Polynomial(1 - p, (1,), p), p, 2)
     d = add(symbol, times(spline, -1))
     largest = 0

@@ -46,7 +46,11 @@ def sobolev(c: Claim) -> None:
 
 
 def _transfer(q: Polynomial, p: int, order: int) -> Matrix:
-    """The numerators of the matrix G, b_(pi-j) + b_(pi+j) for j > 0 and b_(pi) for j = 0, and what `section` starts with."""
+    """The order×order numerators of G: b_(pi-j) + b_(pi+j) for j > 0, and b_(pi), over p times the denominator of b.
+
+    G is the matrix of f -> (1/p) Σ_j b_(pi-j) f_j on symmetric sequences over -(order-1), …, order-1, which it maps to
+    such.
+    """
     numerators = q.numerators
     b = [sum(map(mul, numerators, numerators[t:])) for t in range(len(numerators))]
 

@@ -1,4 +1,4 @@
-"""Pictures of masks in several variables for `plot`: φ on a plane, its graph as a net, and control nets. No verdicts."""
+"""Pictures of masks in several variables for `plot`: φ on a plane, its graph as a net, control nets. No verdicts."""
 
 from __future__ import annotations
 

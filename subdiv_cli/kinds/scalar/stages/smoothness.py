@@ -1,4 +1,4 @@
-"""Stages on convergence and smoothness (SD201, SD301 to SD303)."""
+"""Stages on convergence and smoothness (SD201, SD301 to SD303). ContradictionError is raised where two disagree."""
 
 from __future__ import annotations
 
