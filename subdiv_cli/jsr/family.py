@@ -55,7 +55,7 @@ class Family:
 
     @cached_property
     def symmetry(self) -> int:
-        """The sign τ = ±1 with M_(p-1-i) = τ J M_i J for all i, J the reversal of coordinates; 0 where there is no τ."""
+        """The sign τ = ±1 with M_(p-1-i) = τ J M_i J for all i, J the reversal of coordinates; 0 if there is none."""
         tables = [m.table() for m in self.matrices]
         turned = [[row[::-1] for row in table[::-1]] for table in tables[::-1]]
         if tables == turned:

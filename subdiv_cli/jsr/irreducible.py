@@ -117,6 +117,7 @@ def _leading_vector(family: Family) -> Array:
 
 
 def zero_radius() -> Radius:
+    """The radius 0 of a family that is nilpotent, with its proof."""
     return Radius(None, None, (1, Fraction(0)), True, {"rule": "zero", "length": 1, "bound": Fraction(0)})
 
 

@@ -42,7 +42,7 @@ _MOST_PIECES = 64
 
 
 def roots_between(coefficients: Sequence[int], low: Fraction, high: Fraction) -> int | None:
-    """The number of different roots of a polynomial, lowest power first, in [low, high]; None where it is hard to tell."""
+    """The number of different roots of a polynomial, lowest power first, in [low, high]; None where it is unclear."""
     if low == high:
         return int(not _shifted(coefficients, low, Fraction(0))[0])
     waiting = [_shifted(coefficients, low, high - low)]

@@ -59,7 +59,7 @@ def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
 
 
 def _product(node: Product, values: Mapping[str, Fraction], work: Work) -> Laurent:
-    """The value of a product: everything that multiplies first, and then what divides; (1+z)^2/(1-z) (1-z) has a value."""
+    """The value of a product: what multiplies comes first, then what divides; (1+z)^2/(1-z) (1-z) has a value."""
     result = laurent.constant(Fraction(1))
     divisors = []
     for factor in node.factors:

@@ -58,7 +58,10 @@ def expectation(key: str, value: object) -> Expectation:
 
 
 def comparison(key: str, text: str, at: int = 0) -> Expectation:
-    """The expectation that `1`, `= 1`, `>= 1.99` or `1.99 .. 2.01` states for a property with a number. Raises Fault."""
+    """The expectation that `1`, `= 1`, `>= 1.99` or `1.99 .. 2.01` states for a property that has a number.
+
+    Raises Fault.
+    """
     if not text.strip():
         raise Fault(faults.BAD_EXPECTATION, f"the expected {key} is empty", _form(key), at)
     body = text.lstrip()

@@ -49,7 +49,7 @@ class Expectation:
     text: str
     """The condition as the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
     lower: bool | int | ClosedForm
-    """A bool for convergent and stable; an int for smoothness, generation, reproduction; a closed form for exponents."""
+    """A bool for convergent and stable, an int for smoothness and degrees, a closed form for exponents."""
     upper: bool | int | ClosedForm | None = None
 
 

@@ -20,11 +20,11 @@ _COUNTED = ("failure", "error", "skipped")
 
 
 class Case(NamedTuple):
-    """A test case: what was asked, and where it was not met how and why."""
+    """A test case: the question, and where it was not met how and why."""
 
     name: str
     outcome: str | None = None
-    """failure, error or skipped."""
+    """The outcome: failure, error or skipped; None where it passed."""
     kind: str = ""
     message: str = ""
 

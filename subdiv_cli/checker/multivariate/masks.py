@@ -105,7 +105,7 @@ def _is_index(value: object) -> bool:
 
 
 def _entries(nested: object, start: Index) -> Iterator[tuple[Index, Fraction]]:
-    """The pairs of an index and a number a_(start + (i, j, …)) = nested[i][j]…
+    """The pairs of an index and a number: a_(start + (i, j, …)) = nested[i][j]… for nested lists.
 
     Raises ValueError where lists side by side are not of one length.
     """

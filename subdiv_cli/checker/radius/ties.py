@@ -45,7 +45,7 @@ def ties_work(c: Claim, family: MatrixFamily, root: RealRoot, tree: Tree) -> int
 def _exponents(c: Claim, tree: Tree, tie: dict[str, Any]) -> list[int]:
     """The exponents e_k with M_i X_u = Σ c_k Λ^(e_k) X_k where v = X/σ^depth.
 
-    depth(u) + 1 - depth(k) = ℓ e_k; with σ for Λ where that is given, and then 1 for ℓ.
+    They satisfy depth(u) + 1 - depth(k) = ℓ e_k; with σ for Λ where that is given, and then 1 for ℓ.
     """
     n, exponents = len(tree.parents), []
     length = 1 if "sigma" in c.witness else c.statement["length"]

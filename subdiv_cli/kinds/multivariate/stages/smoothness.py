@@ -132,6 +132,8 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
     Hypotheses: the coset sums (SD601).
 
     Witness: `by`, the code of the finding that decides.
+
+    Raises ContradictionError where S converges and ρ_k is at least 1.
     """
     sums, found = (facts.find(rule) for rule in (COSET_SUMS, DIFFERENCE_RADIUS))
     norms = next((code for code in _NORMS if code in facts), None)

@@ -42,6 +42,8 @@ def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 
     Witness: `difference_order`, k of the (reduced) mask; `radius_of`, S or S0; `length`, n; `bound`, x, or `root`, Λ
     (polynomial, the lowest power first, low, high).
+
+    Raises ArithmeticError where the bound of α is no double.
     """
     numbers = numbers.reduced
     k, p, radius = numbers.order, numbers.p, numbers.radius

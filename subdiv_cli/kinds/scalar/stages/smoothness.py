@@ -1,4 +1,4 @@
-"""Stages on convergence and smoothness (SD201, SD301 to SD303). ContradictionError is raised where two disagree."""
+"""Stages on convergence and smoothness (SD201, SD301 to SD303)."""
 
 from __future__ import annotations
 
@@ -111,6 +111,8 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     keeps (1/p)S_1 from contracting, or by the eigen-condition (SD202).
 
     Witness: `by`, the code of the condition that decides, with its witness.
+
+    Raises ContradictionError where S converges by one finding and not by another.
     """
     first = [contraction(numbers, 1)] if numbers.order else []
     conditions = (*facts.all(RESIDUE_SUMS), *first, *facts.all(EIGEN_CONDITION))
@@ -149,6 +151,8 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     Where S converges (SD201) φ is continuous, whatever the norms of the reduced mask say.
 
     Witness: `order`, n, and `by`, the code of the finding that proves it; refuted: the obstacle as in SD303.
+
+    Raises ContradictionError where a stable φ is continuous and S does not converge.
     """
     if not numbers.is_normalised:
         return (SMOOTHNESS.skipped(_SMOOTHNESS_QUESTION, NOT_NORMALISED),)
@@ -188,6 +192,8 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
     unstable mask is reduced first (SD403), and the numbers are those of the stable reduced mask.
 
     Witness: `order`, n+1, and either `sum_rule_order`, k, or the product (see obstacles.py).
+
+    Raises ContradictionError where C^(n+1) is proved and refuted.
     """
     if facts.verdict(SMOOTHNESS) is not Verdict.PROVED:
         return (NEXT_SMOOTHNESS.skipped("is φ smoother than proved?", "no smoothness of φ is proved"),)

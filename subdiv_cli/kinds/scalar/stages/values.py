@@ -41,6 +41,8 @@ def integer_values(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 
     Witness: `starts` and `values`, for j = 0, …, n the first index and the values of φ^(j) from there to the last that
     is not 0; `own_starts` and `own_values`, those of the reduced mask; `support`.
+
+    Raises ContradictionError where the values of φ at the integers do not sum to 1.
     """
     if facts.verdict(SMOOTHNESS) is not Verdict.PROVED:
         return (INTEGER_VALUES.skipped(_INTEGER_VALUES_QUESTION, "φ is not proved continuous"),)
