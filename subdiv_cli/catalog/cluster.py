@@ -69,7 +69,7 @@ class _Run:
                 return
 
     def _submit(self, number: int, task: Task) -> Iterator[tuple[int, Done]]:
-        """The result of a task whose file cannot be read here; other tasks are sent with their bytes, and yield nothing."""
+        """The result of a task whose file cannot be read here; other tasks are sent with their bytes, without one."""
         try:
             if task.mask is None and task.data is None:
                 task = task._replace(data=load_path(task.file))

@@ -142,7 +142,7 @@ class _Page(Page):
         return [row for each in PROPERTIES for row in self.rows_of(result, each)]
 
     def rows_of(self, result: Result, row: Property) -> list[list[Cell] | None]:
-        """The row of a property; of an exponent that is only enclosed one for each bound, both with equal places."""
+        """The row of a property; of an exponent that is only enclosed one for each bound, both with the same places."""
         exponent = result.holder or Exponent()
         if row.key != "holder" or exponent.exact is not None:
             return [self.property(result, row)]
@@ -168,7 +168,7 @@ class _Page(Page):
     def line(
         self, title: str, verdict: Verdict | None, value: str | None, found: Finding | None, *also: Finding
     ) -> list[Cell] | None:
-        """The cells of title, verdict, value or reason, and codes of the findings; None where there is nothing to say."""
+        """The cells of title, verdict, value or reason, and codes of the findings; None where there is none of them."""
         if found is None and value is None and verdict in (None, Verdict.SKIPPED):
             return None
         if value is None and found is not None and verdict in (Verdict.SKIPPED, Verdict.UNDECIDED):

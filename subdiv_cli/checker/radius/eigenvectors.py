@@ -19,9 +19,9 @@ def size_of_leader(
     """The operations of a product and its `leading_eigenvector`, with the bits of their numbers.
 
     The argument start is y; g has the numerators of the annihilator, of degree n, and then their common denominator. A
-    step of the product lengthens its numbers by those of the family, one of the eigenvector by those of the product, one
-    modulo m by those of m. Powers of E take as much as multiplying by them; in the end each number is divided by a common
-    divisor.
+    step of the product lengthens its numbers by those of the family, one of the eigenvector by those of the product,
+    one modulo m by those of m. Powers of E take as much as multiplying by them; in the end each number is divided by a
+    common divisor.
     """
     order, n, d, steps = len(start), len(g) - 2, len(m) - 1, max(0, len(g) - len(m))
     product = letters * (family_bits + order.bit_length())
