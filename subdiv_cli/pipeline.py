@@ -111,7 +111,7 @@ def _named(finding: Finding, claims: tuple[int, ...]) -> Finding:
 
 
 def _with_digits(exponent: Exponent | None) -> Exponent | None:
-    """With decimals of an exact irrational one."""
+    """The exponent with decimals, where it is exact and irrational."""
     if exponent is None or exponent.exact is None:
         return exponent
     return exponent._replace(digits=digits(exponent.exact))
@@ -129,7 +129,7 @@ class CheckedRadius(NamedTuple):
 
 
 def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> CheckedRadius:
-    """That of a family of square matrices of one order, checked independently.
+    """The joint spectral radius of a family of square matrices of one order, checked independently.
 
     Raises DisagreementError where the checker says no.
     """
@@ -143,7 +143,7 @@ def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effo
 
 
 def verified(document: Mapping[str, Any]) -> bool:
-    """Whether the checker verifies it; False where it asks more than the checker does. Raises DisagreementError."""
+    """Whether the checker verifies a document; False where it is too much work. Raises DisagreementError."""
     outcome = check_document(document)
     if not outcome.verified and not outcome.exhausted:
         raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")

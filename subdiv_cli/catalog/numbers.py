@@ -203,7 +203,7 @@ def _is_cut(digits: str, exact: ClosedForm) -> bool:
 
 
 def radius_is_proved(finding: Finding, statements: Sequence[Statement], p: int) -> bool:
-    """Whether claims on a joint spectral radius bound it as well as the finding says."""
+    """Whether claims on a joint spectral radius bound it as well as the finding does."""
     value = finding.value or Interval()
     below, above = [], []
     for s in (statements[number] for number in finding.claims):

@@ -33,11 +33,11 @@ class Settings(NamedTuple):
     required: tuple[Expectation, ...] = ()
     """The expectations of every mask besides its own."""
     certificates: bool = False
-    """Whether the texts of the certificates are wanted."""
+    """Whether the texts of the certificates are returned."""
     cache: str | None = None
     """The directory of the cache."""
     sections: bool = False
-    """Whether stencils and pictures are wanted."""
+    """Whether stencils and pictures are returned."""
 
 
 class Task(NamedTuple):

@@ -84,7 +84,7 @@ def _proved(finding: Finding, rule: Rule, statements: Sequence[Mapping[str, Any]
 
 
 def _answers(finding: Finding, answer: Answer) -> bool:
-    """Whether an answer is the verdict and the value of its finding, as far as these tell it."""
+    """Whether an answer is the one that the verdict and the value of its finding determine."""
     if isinstance(answer, Verdict):
         return answer is finding.verdict
     if isinstance(answer, Exponent):
@@ -133,7 +133,7 @@ def _judged(result: Result) -> bool:
 
 
 def _verdict(said: Judgement, result: Result) -> Verdict:
-    """The verdict by enclosures; where these do not tell, as with equal numbers, exactly: only that loads flint."""
+    """The verdict by enclosures; where these do not decide, as with equal numbers, exactly: only that loads flint."""
     try:
         return judge(_sign, said.expectation, result)
     except _UntoldError:

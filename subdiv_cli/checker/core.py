@@ -273,7 +273,7 @@ def _read_mask(value: object, kinds: Mapping[str, Rulebook]) -> tuple[Rulebook, 
 def read_statement(value: object, rulebook: Rulebook) -> Statement:
     """The statement read strictly, so that two statements are the same iff they are equal.
 
-    Raises Rejected for an unknown property, and UnreadableError for values that are not as specified.
+    Raises Rejected for an unknown property, and for values that are not as specified.
     """
     name = value.get("property") if type(value) is dict else None
     if type(name) is not str or name not in rulebook.properties:

@@ -106,7 +106,7 @@ class Run:
         self.results.append(self._slim(result))
 
     def _slim(self, result: Result) -> Result:
-        """The result without witnesses where no format shows them: of thousands of masks they are most of the memory."""
+        """The result without witnesses where no format shows them: of many masks they would be most of the memory."""
         written = {output.format or self.asked.form for output in self.asked.outputs}
         if self.asked.verbose > 1 or written & {"json", "jsonl"} or self.asked.form == "json":
             return result

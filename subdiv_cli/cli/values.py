@@ -19,7 +19,7 @@ MOST_SHARDS = 1_000_000
 
 
 class Quantity(click.ParamType[T]):
-    """A type of values that are parsed from their spelling, or refused with a message of what is `wanted`."""
+    """A type of values that are parsed from their spelling, or refused with a message."""
 
     def __init__(self, name: str, parse: Callable[[str], T | None], wanted: str) -> None:
         self.name, self._parse, self._wanted = name, parse, wanted

@@ -88,7 +88,7 @@ def negated(x: AlgebraicNumber) -> AlgebraicNumber:
 
 
 MOST_CONJUGATES = 12
-"""`squared_modulus` works with polynomials of half the square of this degree."""
+"""The largest degree in `squared_modulus`, which works with polynomials of half the square of it."""
 
 
 def squared_modulus(x: AlgebraicNumber) -> AlgebraicNumber | None:

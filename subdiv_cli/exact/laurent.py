@@ -12,7 +12,7 @@ from subdiv_cli.exact.rationals import to_fmpq, to_fraction
 
 
 class Laurent:
-    """z^low · poly(z) in canonical form: poly(0) ≠ 0, and zero is (0, 0). Never changed."""
+    """The Laurent polynomial z^low · poly(z) in canonical form: poly(0) ≠ 0, and zero is (0, 0). Never changed."""
 
     __slots__ = ("low", "poly")
 
@@ -96,7 +96,7 @@ class Laurent:
         return Laurent(self.low - divisor.low, quotient), Laurent(self.low, remainder)
 
     def components(self, p: int) -> tuple[Laurent, ...]:
-        """The polyphase components a_0, …, a_(p-1): a(z) = Σ_r z^r a_r(z^p)."""
+        """The p polyphase components a_0, …, a_(p-1): a(z) = Σ_r z^r a_r(z^p)."""
         classes: list[list[fmpq]] = [[fmpq(0)] * (-(-len(self.poly) // p) + 1) for _ in range(p)]
         base = self.low // p
         for i, c in enumerate(self.poly):

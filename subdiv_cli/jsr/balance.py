@@ -41,7 +41,7 @@ def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Ef
 
 
 def _reach(start: Start, functional: Array | None, body: Body) -> float:
-    """How far a body reaches in the direction of a leader.
+    """The largest factor by which a body reaches in the direction of a leader.
 
     With f the functional of its product, f(v) = 1, Π^n x / μ^n tends to f(x) v where the eigenvalue is simple: it is
     |f(x)|. Otherwise, what multiple of the leader is in the body.

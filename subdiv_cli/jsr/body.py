@@ -47,15 +47,15 @@ class Body:
     ) -> None:
         self.scaled = matrices / sigma
         self.monotone = monotone
-        """The hull is of all x >= 0 below a convex combination of vertices; matrices and vectors are not negative."""
+        """Whether the hull is of all x >= 0 below a convex combination of vertices; nothing is negative then."""
         self.order = matrices.shape[1]
         self.symmetric = symmetric
         self.complex = np.iscomplexobj(starts[0].vector)
         self.copies = (2 if symmetric else 1) * (2 if self.complex else 1)
         self.parents: list[tuple[int, int] | None] = []
-        """(vertex, letter) of which a vertex is the image; None for a leader; (-1, e) for extra vertex e."""
+        """The (vertex, letter) of which a vertex is the image; None for a leader; (-1, e) for extra vertex e."""
         self.extras: list[tuple[int, ...]] = []
-        """Vertices that make the body a little larger, times 2^EXTRA_BITS."""
+        """The vertices that make the body a little larger, times 2^EXTRA_BITS."""
         self.depths: list[int] = []
         """The number of letters between a vertex and its leader."""
         self._columns: Numbers = np.zeros((self.order, 64), dtype=starts[0].vector.dtype)

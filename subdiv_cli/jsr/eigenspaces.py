@@ -29,11 +29,11 @@ from subdiv_cli.jsr.polytope import ROUGHLY, grow
 from subdiv_cli.model import Effort
 
 _WORK = 1000
-"""Gauges that are computed in the body in whose tree ways are looked for."""
+"""Gauges that are computed in the body whose tree has the ways that are used."""
 _MARGINS = (1 / 10, 1 / 40)
-"""How far inside images that come back are to stay.
+"""The margins by which images that come back are to stay inside.
 
-The smaller margin is for hulls that grow on and on with the larger one.
+The smaller one is for hulls that grow on and on with the larger one.
 """
 _SPENT = 3 / 4
 """The share of the margin that is given up for fewer leaders."""

@@ -1,4 +1,4 @@
-"""How far vectors lie from a balanced polytope: many small linear programmes at once, in floats.
+"""Gauges of vectors in a balanced polytope: many small linear programmes at once, in floats.
 
 The gauge of y in the hull P of all ±v (of all e^(iθ) v, where vectors are complex) is min Σ|c| over Σ c_v v = y. It is
 solved by the primal simplex method with long steps: weights are signed, so a weight that reaches zero may turn its
@@ -126,7 +126,7 @@ class _State:
     def _ratio(
         self, active: Integers, entering: Integers, turn: Numbers, size: Array, signs: Array
     ) -> tuple[Array, Integers, Array]:
-        """How the weights change with that of the newcomer (M×d), which basis column leaves, and the newcomer's weight.
+        """The changes of the weights with that of the newcomer (M×d), the columns that leave, and the new weights (M).
 
         Along weights - t·change the objective has the slope 1 - size, and 2|change_i| more beyond the zero of weight i.
         """

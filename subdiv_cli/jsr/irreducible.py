@@ -93,7 +93,7 @@ def _affordable(family: Family, found: Sequence[Candidate]) -> Sequence[Candidat
 
 
 def bounded(family: Family, limit: tuple[int, Fraction], effort: Effort) -> Radius | None:
-    """A proof of ρ^n <= x for (n, x), by a polytope that is quickly found; None where there is none."""
+    """A proof of ρ^n <= x for (n, x), by a polytope that closes quickly; None where there is none."""
     if not family.size:
         return zero_radius()
     length, bound = limit
@@ -117,7 +117,7 @@ def _leading_vector(family: Family) -> Array:
 
 
 def zero_radius() -> Radius:
-    """The radius 0 of a family that is nilpotent, with its proof."""
+    """The radius 0 of a family of zeros, with its proof."""
     return Radius(None, None, (1, Fraction(0)), True, {"rule": "zero", "length": 1, "bound": Fraction(0)})
 
 
@@ -201,7 +201,7 @@ class _Attempt:
         return None if best is None else self._at_most(best)
 
     def _slackened(self, effort: Effort) -> list[tuple[Fraction, Grown]]:
-        """The polytopes for matrices scaled down, each with its scale.
+        """The polytopes for matrices scaled down, each with the number that takes the place of σ.
 
         By less and less as long as they close, or by more until one does. No one takes more than the effort, and all
         together no more than twice of it.

@@ -25,7 +25,7 @@ MOST_LEADERS = 16
 _LONGEST = 200
 """The most letters of a common power of all words."""
 LONGEST_PRODUCT = 1 << 18
-"""The most bits of the entries of a product that is looked at exactly."""
+"""The most bits of the entries of a product whose eigenvalues are computed exactly."""
 
 Ball = Any
 """An arb or an acb, alike throughout one family: the stubs of their unions do not add up."""
@@ -46,7 +46,7 @@ class Leader(NamedTuple):
 
 
 class Leaders(NamedTuple):
-    """At least one leader; all eigenvalues are real, or none is."""
+    """The leaders of one polytope, at least one; all eigenvalues are real, or none is."""
 
     length: int
     """The common length ℓ of all words."""
@@ -118,7 +118,7 @@ def _leading_eigenvalues(product: fmpq_mat) -> list[AlgebraicNumber]:
 
 
 def _shared(spectra: Sequence[Sequence[AlgebraicNumber]]) -> AlgebraicNumber | None:
-    """The best eigenvalue of those that 256 bits do not tell from the first in modulus; None where there are none."""
+    """The best of those eigenvalues that 256 bits do not separate from the first in modulus; None without any."""
     every = [number for spectrum in spectra for number in spectrum]
     with ctx.workprec(256):
         return max((x for x in every if x.modulus().overlaps(every[0].modulus())), key=_preference, default=None)

@@ -1,4 +1,4 @@
-"""How far images lie outside a body: its gauge, in floats, with the weights that show it."""
+"""Measures of images outside a body: their gauges, in floats, with the weights that show them."""
 
 from __future__ import annotations
 

@@ -192,7 +192,7 @@ def _record(body: Body, pair: tuple[int, int], found: Gauges | Dominations, k: i
 
 
 def measured(grown: Grown) -> Grown:
-    """The same growth with gauges of the images left too, for the bound that the body proves as it is."""
+    """The same polytope with gauges of the images left too, for the bound that it proves as it is."""
     body = grown.body
     with np.errstate(all="ignore"):
         memory = measure_of(body)

@@ -66,7 +66,7 @@ Smaller = Callable[[int, int, Sequence[tuple[int, arb]], int], bool]
 
 
 class Ties:
-    """Exact vertices of one polytope, each computed once when it is asked for."""
+    """The exact vertices of one polytope, each computed once, on first use."""
 
     def __init__(self, family: Family, leaders: Leaders, body: Body, smaller: Smaller) -> None:
         self._family, self._leaders, self._body, self._smaller = family, leaders, body, smaller

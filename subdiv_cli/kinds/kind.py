@@ -274,7 +274,7 @@ class Kind:
     analyse: Analyse | None = None
     """Runs all stages under an effort."""
     certificate: Callable[[Analysis], Certificate | None] | None = None
-    """The proof of an analysis; None where it asks too much of the checker."""
+    """The proof of an analysis; None where it is more work than the checker does."""
     base: Callable[[Mapping[str, Any], Sequence[int] | None], tuple[int, int]] | None = None
     """The pair (m, s) of a canonical mask, or of its factor in these variables: the base of exponents is λ, λ^s = m."""
     sections: Callable[[Any, Result], tuple[Section, ...]] | None = None

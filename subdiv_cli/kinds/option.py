@@ -159,7 +159,7 @@ def _rows(parser: Parser, text: str, depth: int) -> _Rows:
 
 
 def _scaled_rows(rows: _Rows, tail: list[Factor], scale: str) -> Nested:
-    """All coefficients times the factors behind the list, in the lists they stand in."""
+    """The coefficients times the factors behind the list, in the lists they stand in."""
     return tuple(
         _scaled(entry.node, entry.said, tail, scale) if isinstance(entry, _Span) else _scaled_rows(entry, tail, scale)
         for entry in rows

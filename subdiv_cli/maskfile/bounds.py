@@ -1,4 +1,4 @@
-"""How big a mask file and everything in it may be. Each bound is checked before the work it bounds is done."""
+"""Bounds on the size of a mask file and everything in it. Each is checked before the work it bounds is done."""
 
 from __future__ import annotations
 

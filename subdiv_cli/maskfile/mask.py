@@ -51,7 +51,7 @@ def too_precise(coefficients: Iterable[Fraction]) -> Fault | None:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MaskFile:
-    """One mask file; equal to another when it says the same, wherever in the text."""
+    """A mask file as read; two are equal when their contents are, wherever these stand in the text."""
 
     file: str
     """The name on the command line; "-" is standard input."""

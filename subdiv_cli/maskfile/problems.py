@@ -110,7 +110,7 @@ class Source:
 
 
 class Collector:
-    """The problems of one file. `near` names are looked up and positions found only here, when something is wrong."""
+    """The problems of one file. Near names and positions are computed only here, when something is wrong."""
 
     def __init__(self, source: Source) -> None:
         self._source = source
@@ -219,5 +219,5 @@ def unreadable(file: str, error: OSError) -> Problem:
 
 
 def internal_error(error: Exception, help: str | None = None, *, file: str | None = None) -> Problem:
-    """The problem that an exception nobody has foreseen is ours, and not that of the input."""
+    """The problem of an exception that nobody has foreseen, which is a mistake in this program."""
     return faults.INTERNAL_ERROR.problem(f"internal error: {type(error).__name__}: {error}", help, file=file)

@@ -1,4 +1,4 @@
-"""Whether a TOML file is meant as a mask: a search through a directory asks before it reads."""
+"""Recognition of TOML files that are meant as masks, for the search through directories."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ def _meant(name: str, names: Collection[str], logarithms: bool) -> str | None:
 
 
 def _declared(name: str, names: Collection[str]) -> str:
-    """The help that says how a parameter of this name is declared."""
+    """The help on how a parameter of this name is declared."""
     if not names or names == {"z"}:
         return f'declare it in [parameters] of a mask file: {shown(name)} = "1/16"'
     known = ", ".join(sorted(shown(n, 20) for n in names)[:8])

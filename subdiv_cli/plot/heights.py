@@ -15,7 +15,7 @@ _TALL = 2
 
 
 def draw_heights(heights: Heights, *, width: int = 80, height: int = 30, unicode: bool = True) -> list[str]:
-    """The lines of a map at most so many columns wide and about so many rows high, one unit on both axes, and its key."""
+    """The lines of a map at most so many columns wide and about so many rows high, axes in one unit, with a key."""
     columns, rows = max(width - MARGIN - 3, 8), max(height, 4)
     _, box = sampled(heights, 1, 1)
     tall = ratio(box) / _TALL

@@ -20,7 +20,7 @@ _COUNTED = ("failure", "error", "skipped")
 
 
 class Case(NamedTuple):
-    """A test case: the question, and where it was not met how and why."""
+    """A test case: its name, and where it was not passed the outcome and the reason."""
 
     name: str
     outcome: str | None = None

@@ -27,7 +27,7 @@ def exact(value: Fraction | int) -> str:
 
 
 def finite(bound: float | None) -> float | None:
-    """The bound, or None where it says nothing."""
+    """The bound, or None where it is infinite."""
     return bound if bound is not None and math.isfinite(bound) else None
 
 

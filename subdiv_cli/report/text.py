@@ -157,7 +157,7 @@ class _Page(Page):
         ]
 
     def property(self, result: Result, row: Property) -> list[Cell] | None:
-        """The row of a property: proved by one finding, and found sharp by others."""
+        """The row of a property: proved by one finding, and shown to be sharp by others."""
         found = answering(result.findings, row.question, *row.instead)
         verdict = getattr(result, row.key) if row.form == "verdict" else found.verdict if found else None
         also = (answering(result.findings, question) for question in row.more)

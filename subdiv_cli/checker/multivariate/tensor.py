@@ -160,7 +160,7 @@ def not_smooth(c: Claim) -> None:
 
 
 def of_factor(c: Claim) -> None:
-    """What is said of the exponent of φ_j, or of it from below, holds of that of φ: it is positive, and the least."""
+    """The exponent of φ, or its bound from below, is that of φ_j: it is positive, and the least."""
     factors, said = _factors(c), c.statement["statement"]
     factor = _speaker(c, factors)
     require(said["property"] in _HOLDER + _SOBOLEV, "the statement is not on an exponent, or only from above")
@@ -172,7 +172,7 @@ def of_factor(c: Claim) -> None:
 
 
 def at_most_factor(c: Claim) -> None:
-    """α is at most the number that is said of φ_j, as the exponent of φ is never larger than that of φ_j."""
+    """α is at most the number that is claimed of φ_j, as the exponent of φ is never larger than that of φ_j."""
     _speaker(c, _factors(c))
     require(c.statement["statement"]["property"] in _ABOVE, "the statement does not bound a Hölder exponent from above")
 

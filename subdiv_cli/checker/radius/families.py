@@ -55,7 +55,7 @@ def distinct(c: Claim) -> None:
 
 
 def of_distinct(c: Claim) -> None:
-    """What the norms and eigenvalues of products up to sign say is the same for both families."""
+    """The norms and eigenvalues of products up to sign, and so the bounds, are the same for both families."""
     c.count(1)
     part = c.use("distinct", family=c.statement["family"]).statement["part"]
     said = {key: value for key, value in c.statement.items() if key != "property"}

@@ -37,8 +37,8 @@ class SymmetricBody(NamedTuple):
     def contains(self, image: Sequence[int], over: int, error: int, weights: Sequence[int]) -> bool:
         """Whether a vector is in P that differs from image/over by at most error/over in every coordinate.
 
-        The weights are k_1, c_1, k_2, c_2, …: with r = image/over - Σ (c_k/2^w) v_k, up to the errors of all of them, it
-        is in (Σ |c_k|/2^w + factor ‖r‖₁) P. All is multiplied by over 2^w.
+        The weights are k_1, c_1, k_2, c_2, …: with r = image/over - Σ (c_k/2^w) v_k, up to the errors of all of them,
+        it is in (Σ |c_k|/2^w + factor ‖r‖₁) P. All is multiplied by over 2^w.
         """
         numbers, cs, w = weights[::2], weights[1::2], self.weight_bits
         require(len(numbers) == len(cs) == len(set(numbers)), "a weight has no vertex, or a vertex has two")
@@ -93,8 +93,8 @@ class MonotoneBody(NamedTuple):
         """Whether a vector >= 0 is in P that differs from image/over by at most error/over in every coordinate.
 
         The weights are k_1, c_1, k_2, c_2, …: with r_i the positive parts of image/over - Σ (c_k/2^w) v_k, up to the
-        errors of all of them, it is below Σ c_k/2^w + Σ_i r_i/floors[i] times a convex combination. All is multiplied by
-        over 2^w, and each quotient rounded up.
+        errors of all of them, it is below Σ c_k/2^w + Σ_i r_i/floors[i] times a convex combination. All is multiplied
+        by over 2^w, and each quotient rounded up.
         """
         numbers, cs, w = weights[::2], weights[1::2], self.weight_bits
         require(len(numbers) == len(cs) == len(set(numbers)), "a weight has no vertex, or a vertex has two")

@@ -20,7 +20,7 @@ from subdiv_cli.checker.roots import Enclosure, RealRoot, fraction_bits
 
 Element = Sequence[Fraction]
 Smaller = Callable[[dict[str, Any], Sequence[tuple[Fraction, Fraction]], int], bool]
-"""A function that says whether a coordinate of a tie's image is certainly at most that of the combination.
+"""A function that decides whether a coordinate of a tie's image is certainly at most that of the combination.
 
 The weights of the combination are enclosed.
 """

@@ -50,7 +50,7 @@ class BoxSplineClaims:
         return self._claims.prove(rule, statement, None, [self.spline()], self._breadth())
 
     def stable(self, statement: Json) -> int:
-        """The claim on stability; the statement says whether the directions are unimodular."""
+        """The claim on stability; the statement is that the directions are unimodular, or are not."""
         different = self._directions
         work = 24 * len(different[0]) * comb(len(different), len(different[0]))
         return self._claims.prove("box-stable", statement, None, [self.spline()], work)

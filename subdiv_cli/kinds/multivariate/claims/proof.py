@@ -237,7 +237,7 @@ class _Proof:
         return self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])
 
     def _reaching(self, n: int) -> int:
-        """The claim ρ_k >= λ^-n: by the number itself where it is known and tells, else by a product."""
+        """The claim ρ_k >= λ^-n: by the number itself where that is known and large enough, else by a product."""
         found = self.found[rules.DIFFERENCE_RADIUS].witness
         root = cast("Map | None", found.get("root"))
         if root is not None and as_rational(root["low"]) ** self.s * self.m ** (n * as_integer(found["length"])) >= 1:

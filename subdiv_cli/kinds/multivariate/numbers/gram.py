@@ -86,7 +86,7 @@ def _minus(alpha: Index) -> Index:
 
 
 def torsion_zero(g: Mapping[Index, Fraction]) -> tuple[Index, int] | None:
-    """A zero 2πk/n of the symbol, (k, n) with a small n: floats tell which point it may be, then it is computed."""
+    """A zero 2πk/n of the symbol, (k, n) with a small n, which floats suggest and which is then decided; else None."""
     s, values = len(next(iter(g))), [(alpha, float(x)) for alpha, x in g.items()]
     for n in (n for n in range(1, MOST_POINTS) if n**s <= MOST_POINTS):
         turns = [cos(2 * pi * i / n) for i in range(n)]

@@ -27,7 +27,7 @@ Tail = Index
 
 
 class NoValuesError(ValueError):
-    """Values that are not computed, as there are too many or as they are not determined; the message says why."""
+    """Raised for values that are too many or not determined; the message gives the reason."""
 
 
 def at_integers(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fraction]:

@@ -32,7 +32,7 @@ _MOST_MOMENTS = 12
 
 
 def portrait(analysis: Analysis, result: Result) -> Portrait:
-    """The sections of the page, those that have something to say, and its data."""
+    """The sections of the page that are not empty, and its data."""
     page = _Page(analysis, result)
     parts = {
         "Mask": page.mask(),

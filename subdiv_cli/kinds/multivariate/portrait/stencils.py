@@ -22,7 +22,7 @@ from subdiv_cli.model.formulas import point
 MOST_COSETS = 16
 """The most cosets of a mask whose stencils are drawn."""
 _LARGEST_DENOMINATOR = 10**6
-"""Up to here weights are shown as multiples of 1/denominator, which keeps them short."""
+"""The largest denominator that is taken out of the weights, which keeps them short."""
 
 Values = Mapping[Index, Fraction]
 

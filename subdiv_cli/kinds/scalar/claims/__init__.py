@@ -40,11 +40,11 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
     rules.ERROR_BOUND.code: values.error_bound,
     rules.HERMITE_BOUND.code: values.hermite_bound,
 }
-"""The numbers of the claims that say what a decided finding says, by code; none where its witness is missing."""
+"""The functions that make the claims of a decided finding, by code; they make none where a witness is missing."""
 
 
 def certificate(analysis: Analysis) -> Certificate | None:
-    """The proof of the findings on a scalar mask; None where it asks more of the checker than it does."""
+    """The proof of the findings on a scalar mask; None where it is more work than the checker does."""
     scheme, findings = analysis.scheme, analysis.findings
     proof = Proof(scheme.arity, scheme.degree, findings)
     return certificate_of(proof.claims, canonical(scheme), findings, lambda found: CLAIMS[found.code](proof, found))

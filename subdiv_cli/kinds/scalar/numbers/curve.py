@@ -16,7 +16,7 @@ from subdiv_cli.model.blocks import Curve
 POINTS = 512
 """A curve has at most so many points, unless its support has more integers."""
 LONGEST = 64
-"""For longer windows the exact values are not worth their cost in a picture."""
+"""The longest window: for longer ones the exact values are not worth their cost in a picture."""
 
 
 class Signal(NamedTuple):

@@ -1,4 +1,4 @@
-"""How far a control polygon is from the limit: the constants of Dyn 3.3 and 4.7, in the mask's own indexing."""
+"""The distance of a control polygon from the limit: the constants of Dyn 3.3 and 4.7, in the mask's own indexing."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 
 MOST_LEVELS = 12
-"""Norms beyond this level are not tried: they cost more than they save."""
+"""The last level whose norm is tried: norms beyond cost more than they save."""
 MOST_REFINEMENTS = 10**6
-"""Levels of refinement that are counted: beyond them nobody refines."""
+"""The most levels of refinement that are counted: nobody refines beyond them."""
 _ENOUGH = Fraction(9, 8)
 """A level is taken once its norm is below so many times the best estimate of ‖S_ν^∞‖."""
 MOST_BITS = 10**7

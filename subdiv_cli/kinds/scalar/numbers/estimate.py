@@ -64,7 +64,7 @@ def extrapolated_exponent(d: Laurent, p: int, period: int, effort: Effort) -> tu
 
 
 def _gap(x: Sequence[Any]) -> Any:
-    """How far the last values are from each other."""
+    """The largest distance of the last values from each other."""
     return max(x[-_AGREEING:]) - min(x[-_AGREEING:])
 
 

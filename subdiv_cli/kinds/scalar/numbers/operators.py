@@ -1,4 +1,4 @@
-"""What a scalar scheme does: its symbol, its operator on data, its difference schemes and its transition matrices."""
+"""The operators of a scalar scheme: its symbol, its action on data, its difference schemes and transition matrices."""
 
 from __future__ import annotations
 

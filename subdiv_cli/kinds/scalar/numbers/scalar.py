@@ -1,4 +1,4 @@
-"""What has been computed for one scalar scheme: every number once, however many stages ask."""
+"""The numbers of one scalar scheme, each computed once, however many stages use it."""
 
 from __future__ import annotations
 

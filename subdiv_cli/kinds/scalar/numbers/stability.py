@@ -1,4 +1,4 @@
-"""What decides linear independence and stability of integer translates: polyphase gcd and cycles of roots of unity.
+"""The polyphase gcd and cycles of roots of unity, which decide linear independence and stability of translates.
 
 An unstable mask reduced to a stable one with the same smoothness of the refinable function.
 """

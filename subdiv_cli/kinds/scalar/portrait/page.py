@@ -1,4 +1,4 @@
-"""A scalar mask taken apart, for `show`: what the stages found and what they leave unsaid. No verdicts.
+"""A scalar mask taken apart, for `show`: the findings of the stages, and what they leave out. No verdicts.
 
 The symbol is factored over Q with the smoothing factors pulled out first; the zeros of the other factors are printed
 with digits that are certain.
@@ -70,7 +70,7 @@ class Factor(NamedTuple):
 
 
 def portrait(analysis: Analysis, result: Result) -> Portrait:
-    """The sections of the page, those that have something to say, and its data."""
+    """The sections of the page that are not empty, and its data."""
     page = _Page(analysis, result)
     parts = {
         "Mask": page.mask(),
@@ -236,7 +236,7 @@ class _Page:
 
     @cached_property
     def curve(self) -> Curve | None:
-        """φ at the points i/p^m, the smallest m that makes enough of them; None where its values are not known."""
+        """The curve of φ at i/p^m, the smallest m that makes enough points; None where the values are not known."""
         if not self.values:
             return None
         p, level = self.p, 0

@@ -1,4 +1,4 @@
-"""What stages have in common: how operators and products are called, and reading the witnesses of earlier findings."""
+"""Wording that stages share: names of operators and products, and readers of the witnesses of earlier findings."""
 
 from __future__ import annotations
 
