@@ -19,7 +19,10 @@ _LAST_PRECISION = 1 << 20
 
 
 def decide(ask: Callable[[], Answer | None]) -> Answer:
-    """The first answer that is not None, at 64, 128, 256, … bits."""
+    """The first answer of `ask` that is not None, at 64, 128, 256, … bits.
+
+    Raises ArithmeticError where there is none at the last precision.
+    """
     precision = _FIRST_PRECISION
     while precision <= _LAST_PRECISION:
         with ctx.workprec(precision):

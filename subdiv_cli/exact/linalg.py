@@ -30,7 +30,10 @@ def identity(n: int) -> fmpq_mat:
 
 
 def nullspace(a: fmpq_mat) -> tuple[Vector, ...]:
-    """A basis of {x : a x = 0}, a an m×n matrix: vectors of n fractions, one for each free column of the echelon."""
+    """A basis of {x : a x = 0} for an m×n matrix a, a vector of n fractions for each free column.
+
+    It is read off the reduced row echelon form.
+    """
     echelon, rank = a.rref()
     columns = a.ncols()
     pivots = [next(j for j in range(columns) if echelon[i, j]) for i in range(rank)]
@@ -71,7 +74,10 @@ def reduced(rows: fmpq_mat) -> fmpq_mat:
 
 
 def eigenvectors(a: fmpq_mat, eigenvalue: Fraction | int) -> tuple[Vector, ...]:
-    """A basis of the right eigenspace of a rational eigenvalue, empty where it is none; transpose for left ones."""
+    """A basis of the right eigenspace of a rational eigenvalue of an n×n matrix, vectors of n fractions.
+
+    It is empty where the number is no eigenvalue. Transpose the matrix for left eigenvectors.
+    """
     return nullspace(a - identity(a.nrows()) * to_fmpq(eigenvalue))
 
 
@@ -85,9 +91,10 @@ def at_matrix(f: fmpq_poly, a: fmpq_mat) -> fmpq_mat:
 
 
 def minimal_polynomial(a: fmpq_mat) -> fmpq_poly:
-    """The monic f of least degree with f(a) = 0: the characteristic polynomial with no factor more than is needed.
+    """The monic f of least degree with f(a) = 0 for an n×n matrix a.
 
-    `fmpq_mat.minpoly` is not used: where denominators were longer than 64 bits, it was seen to be wrong (FLINT 3.6).
+    It is the characteristic polynomial with no factor more than is needed. `fmpq_mat.minpoly` is not used: where
+    denominators were longer than 64 bits, it was seen to be wrong (FLINT 3.6).
     """
     f = a.charpoly()
     for factor, multiplicity in f.numer().factor()[1]:

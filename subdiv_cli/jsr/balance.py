@@ -75,9 +75,9 @@ def _functional(start: Start, body: Body) -> Array | None:
 
 
 def _balanced(logarithms: Array) -> Array:
-    """Logarithms of t with max_j c_ij t_j / t_i = max_j c_ji t_i / t_j for all i, j ≠ i, from the n×n logarithms of c.
+    """The n logarithms of t with max_j c_ij t_j / t_i = max_j c_ji t_i / t_j for all i, j ≠ i, from those of c.
 
-    By sweeps (Schneider & Schneider 1991): no other t makes the largest of all smaller.
+    By sweeps over the n×n matrix (Schneider & Schneider 1991): no other t makes the largest of all smaller.
     """
     n = len(logarithms)
     t = np.zeros(n)

@@ -4,6 +4,7 @@ The vertices are exact: words applied to the leaders, over powers of σ. Every i
 to a leader, a tie (see ties.py), or inside: it differs from a combination with rational weights by so short a vector
 that it lies in the hull, which balls decide. So the scaled matrices map the hull into itself: JSR <= σ, all products of
 L matrices are bounded by a constant times σ^L, and the leaders' products attain σ (Guglielmi, Wirth & Zennaro 2005).
+
 The inequality is that of the checker's rules `closing` and `complex-closing` (certificate/RADIUS.md) with a little room
 left for roundings, and in the complex case for real norms of complex vectors, which are at most twice as large.
 """
@@ -314,5 +315,5 @@ def _norm(entries: Sequence[Ball]) -> arb:
 
 
 def _largest(balls: Sequence[arb]) -> arb:
-    """A ball above all of them."""
+    """A ball above all of these balls."""
     return arb(max(x.upper() for x in balls))

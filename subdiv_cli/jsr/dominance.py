@@ -35,7 +35,7 @@ class Dominations:
 
 
 def domination(columns: Array, target: Array) -> Covered:
-    """The gauge of a vector in the hull of the columns, with numbers of columns and their weights.
+    """The gauge of a vector of N entries in the hull of the n columns (N×n), with numbers of columns and weights.
 
     It is infinite where the columns do not cover the vector.
     """

@@ -114,6 +114,7 @@ class _Eigenspace:
         return [Start(self._group[0].candidate.word, self.frame @ corner) for corner in self.corners.T]
 
     def hull(self) -> Array:
+        """The corners and all that turns make of them, as columns."""
         return self._turned(self.corners)
 
     def _turned(self, points: Array) -> Array:
@@ -141,7 +142,7 @@ class _Eigenspace:
         return self._turned(added)
 
     def _without(self, corners: Array, by: float) -> Array:
-        """The corners that are left when as many are dropped as make the hull of all larger by at most `by`."""
+        """The corners, as columns, without those that the hull of all does without, larger by at most `by`."""
         hull, kept = self._turned(corners), list(range(corners.shape[1]))
         for k in range(corners.shape[1]):
             fewer = self._turned(corners[:, [i for i in kept if i != k]])

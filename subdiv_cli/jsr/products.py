@@ -71,10 +71,11 @@ def radius_bound(product: Product) -> Fraction:
 
 
 def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> Product | None:
-    """The product with the largest |λ|^(1/ℓ) among short words; None where all are nilpotent or the effort is nil.
+    """The product with the largest |λ|^(1/ℓ) among short words in p N×N matrices; None without any.
 
-    The words are primitive and one of each rotation class. ‖Π^16‖^(1/16) >= ρ(Π) ranks them, so that few
-    characteristic polynomials are needed. Ties go to the shortest word, then to the first.
+    All are nilpotent then, or the effort is nil. The words are primitive and one of each rotation class.
+    ‖Π^16‖^(1/16) >= ρ(Π) ranks them, so that few characteristic polynomials are needed. Ties go to the shortest word,
+    then to the first.
     """
     integers, denominator = _over_common_denominator(matrices)
     order, bits = matrices[0].nrows(), max(int(x).bit_length() for m in integers for x in m.entries())

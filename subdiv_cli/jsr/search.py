@@ -49,7 +49,7 @@ def candidates(family: Family, longest: int, front: int = _FRONT) -> tuple[float
 
 
 def _front(products: Array, best: float, length: int, most: int) -> Integers:
-    """The numbers of the products that may begin a better one, those with the largest norms."""
+    """The numbers of the M products (M×N×N) that may begin a better one, at most `most`, the largest norms first."""
     norms = np.linalg.norm(products, ord=2, axis=(1, 2)) ** (1 / length)
     order = np.argsort(-norms, kind="stable")
     return np.asarray(order[norms[order] > best * (1 + _TIE)][:most])

@@ -85,7 +85,7 @@ def _stacked(matrices: Sequence[fmpq_mat]) -> fmpq_mat:
 
 
 def _elements(matrices: Sequence[fmpq_mat]) -> Iterator[tuple[fmpq_mat, fmpz_poly]]:
-    """Random elements of the algebra, each with an irreducible factor of its characteristic polynomial.
+    """Random N×N elements of the algebra, each with an irreducible factor of its characteristic polynomial.
 
     Small factors first: their kernels are small, and the smaller a kernel the likelier it lies in a subspace.
     """
@@ -117,7 +117,7 @@ def _at_matrix(f: fmpz_poly, a: fmpz_mod_mat) -> fmpz_mod_mat:
 
 
 def kernel(a: fmpz_mod_mat) -> tuple[fmpz_mod_mat, int]:
-    """The kernel's vector with a 1 in the first free place and 0 in the others, as a row; and the dimension."""
+    """A vector of the kernel, as a 1×N matrix, with a 1 in the first free place and 0 in the others; and the dimension."""
     echelon, rank = a.rref()
     n = a.ncols()
     pivots = [next(j for j in range(n) if echelon[i, j]) for i in range(rank)]

@@ -32,7 +32,7 @@ def reversing(family: Family) -> fmpq_mat | None:
 
 
 def _intertwining(matrices: Sequence[fmpq_mat]) -> fmpq_mat | None:
-    """A matrix P ≠ 0 with P M_i = ± M_(p-1-i) P, None if the search fails.
+    """An N×N matrix P ≠ 0 with P M_i = ± M_(p-1-i) P, None if the search fails.
 
     In an irreducible family it is the only one up to factors.
     """
@@ -69,9 +69,9 @@ def _eigenvectors(letters: Sequence[fmpz_mod_mat]) -> tuple[fmpz_mod_mat, fmpz_m
 
 
 def _spun(letters: Sequence[fmpz_mod_mat], v: fmpz_mod_mat, w: fmpz_mod_mat, sign: int) -> fmpz_mod_mat | None:
-    """The matrix P with P v = w and P M_i = sign M_(p-1-i) P on all that words make of v; None if that does not span.
+    """The N×N matrix P with P v = w and P M_i = sign M_(p-1-i) P on all that words make of v, some entry 1.
 
-    Some entry of P is 1.
+    None if that does not span.
     """
     n, modulus, transposed = letters[0].nrows(), fmpz_mod_ctx(v.modulus()), [m.transpose() for m in letters]
     images, mirrored, k = [v], [w], 0

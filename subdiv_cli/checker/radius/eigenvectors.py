@@ -114,7 +114,10 @@ def _reduced(powers: list[list[int]], denominator: int, m: Sequence[int]) -> Vec
 
 
 def slope_bits(x: Vector, high: Fraction) -> int:
-    """The bits of an upper bound of Σ_k k |x_k| high^(k-1): so many more than a coordinate Λ must be known to."""
+    """The bits of an upper bound of Σ_k k |x_k| high^(k-1).
+
+    Λ must be known to so many bits more than a coordinate.
+    """
     per_power = max(0, high.numerator.bit_length() - high.denominator.bit_length() + 1)
     largest = [max(map(abs, v)).bit_length() + k.bit_length() + k * per_power for k, v in enumerate(x.powers) if k]
     return max(0, max(largest, default=0) + len(largest).bit_length() - x.denominator.bit_length() + 1)

@@ -145,7 +145,7 @@ def _apply(a: Matrix, y: list[Fraction] | tuple[Fraction, ...]) -> list[Fraction
 
 
 def _product(c: Claim, more_bits: int, fourth_power: bool) -> tuple[Matrix, int]:
-    """The product of the witness's word, of as many letters as the statement's length."""
+    """The N×N product of the witness's word, of as many letters as the statement's length, and its denominator."""
     family, letters = c.family(), c.witness["word"]
     require(len(letters) == c.statement["length"], "the word is of another length")
     require(max(letters) < len(family.matrices), "a letter is not there")
