@@ -117,7 +117,7 @@ def _at_matrix(f: fmpz_poly, a: fmpz_mod_mat) -> fmpz_mod_mat:
 
 
 def kernel(a: fmpz_mod_mat) -> tuple[fmpz_mod_mat, int]:
-    """A vector of the kernel, as a 1×N matrix, with a 1 in the first free place and 0 in the others; and the dimension."""
+    """A vector of the kernel, as a row with a 1 in the first free place and 0 in the others; and the dimension."""
     echelon, rank = a.rref()
     n = a.ncols()
     pivots = [next(j for j in range(n) if echelon[i, j]) for i in range(rank)]
