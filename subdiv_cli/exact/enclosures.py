@@ -1,4 +1,7 @@
-"""Enclosures of real numbers: balls made into outward doubles, and decisions at rising precision."""
+"""Enclosures of real numbers: balls made into outward doubles, and decisions at rising precision.
+
+A comparison of balls is True only where it is certain, so after it comes another comparison, never an `else`.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,8 @@ _LAST_PRECISION = 1 << 20
 def decide(ask: Callable[[], Answer | None]) -> Answer:
     """The first answer of `ask` that is not None, at 64, 128, 256, … bits.
 
-    Raises ArithmeticError where there is none at the last precision.
+    For questions that are known to have an answer at some precision, because equality was excluded exactly before.
+    Raises ArithmeticError after 2^20 bits: a sign that it was not.
     """
     precision = _FIRST_PRECISION
     while precision <= _LAST_PRECISION:

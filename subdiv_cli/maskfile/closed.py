@@ -4,11 +4,6 @@ A logarithm of a root of a polynomial is one `RootLog`; it is divided, and its r
 is meant is decided without floats and without floating algebra, by Vincent, Collins & Akritas: the roots of f in (0, 1)
 are at most as many as (1+t)^n f(1/(1+t)) has changes of sign (Descartes), and where that is 0 or 1 exactly as many;
 otherwise the interval is halved.
-
-A logarithm of a root of a polynomial is one `RootLog`; it is divided, and its root multiplied, by numbers. Which root
-is meant is found without floats and without floating algebra, by Vincent, Collins & Akritas: the roots of f in (0, 1)
-are at most as many as (1+t)^n f(1/(1+t)) has changes of sign (Descartes), and where that is 0 or 1 exactly as many;
-otherwise the interval is halved.
 """
 
 from __future__ import annotations

@@ -1,10 +1,9 @@
 """The one grammar of properties: `[expect]` in files, `holder>=1.5` and `C1` on the command line.
 
-Examples: convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01",
-"-log2(root(x^2-x-1, 1.61, 1.62))"
+Examples:
 
-convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01",
-"-log2(root(x^2-x-1, 1.61, 1.62))"
+    convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01",
+    "-log2(root(x^2-x-1, 1.61, 1.62))"
 """
 
 from __future__ import annotations

@@ -2,8 +2,6 @@
 
 `file: SD201 convergence proved: statement`, `file:3:19: error[SD003] message`. After the findings the expectations:
 `file: expected smoothness = 3: refuted, found C^2, not C^3`.
-
-After the findings the expectations: `file: expected smoothness = 3: refuted, found C^2, not C^3`.
 """
 
 from __future__ import annotations

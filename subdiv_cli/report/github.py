@@ -1,8 +1,6 @@
 """The report as workflow commands, which GitHub shows as annotations of files.
 
 `::error file=…,line=…,title=…::message`. What passed is not annotated; the last line counts the masks.
-
-What passed is not annotated; the last line counts the masks.
 """
 
 from __future__ import annotations

@@ -3,8 +3,6 @@
 V_k is the smallest space of sequences that holds all differences ∇^μ δ, |μ| = k, and is mapped into itself by the
 transition operators (T_ε v)(α) = Σ_β a(ε+Mα-β) v(β) (Jia 1998; Han & Jia 1998).
 
-transition operators (T_ε v)(α) = Σ_β a(ε+Mα-β) v(β) (Jia 1998; Han & Jia 1998).
-
 Written for what the joint spectral radius ρ_k of the T_ε on V_k decides:
 
 * Every finite v that annihilates π_(k-1) is a finite combination of shifts of the ∇^μ δ, |μ| = k: as Laurent
