@@ -89,7 +89,7 @@ def norms(quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Iterato
 
 
 def contractions(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> tuple[Contraction, ...] | None:
-    """The contractions for s directions of determinant ±1, with a level each; None without such directions."""
+    """The contractions for the first s directions of determinant ±1, with a level each; None unless all contract."""
     if lattice.scalar_power is None or lattice.scalar_power[0] != 1:
         return None
     c = lattice.scalar_power[1]
