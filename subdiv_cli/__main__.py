@@ -1,4 +1,4 @@
-"""`python -m subdiv_cli` is `subdiv`: the process around the command line."""
+"""The process around the command line: `python -m subdiv_cli` is `subdiv`."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ import sys
 
 
 def run() -> None:
-    """Runs the command line and ends the process at once.
+    """Run the command line and end the process at once.
 
     In a pre-commit hook start and end cost more than the work. Imports make many objects that live on, so the garbage
-    collector is told to look less often; and when all is written there is nothing to tear down.
+    collector is set to look less often; and when all is written there is nothing to tear down.
     """
     gc.set_threshold(50_000)
     for name in ("stdout", "stderr"):

@@ -1,6 +1,6 @@
-"""One scheme through its stages: findings, certified and checked, gathered into a result and held to expectations.
+"""The pipeline: one scheme through its stages, findings certified and checked, and the result judged.
 
-It is the same for every kind, which is asked through its `Kind` object.
+It is the same for every kind, which is used through its `Kind` object.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ if TYPE_CHECKING:
 
 
 class DisagreementError(Exception):
-    """The independent checker does not accept the certificate: an error in this program, never in the input."""
+    """Raised where the checker does not accept the certificate: an error in this program, never in the input."""
 
 
 class Checked(NamedTuple):
-    """What was found, and the certificate that the checker has verified; None where it would ask too much of it."""
+    """The result, and the certificate that the checker has verified; None where it would be too long for it."""
 
     result: Result
     document: Mapping[str, Any] | None
@@ -40,7 +40,7 @@ class Checked(NamedTuple):
 
 
 def check(scheme: Scheme, expectations: Sequence[Expectation], effort: Effort) -> Checked:
-    """Decide what the stages can decide within the effort, and have every verdict checked independently.
+    """The result of a scheme within the effort, every verdict checked independently.
 
     The caller adds file, name and parameters to the result. Raises DisagreementError where the checker says no.
     """
@@ -50,7 +50,7 @@ def check(scheme: Scheme, expectations: Sequence[Expectation], effort: Effort) -
 
 
 def show(scheme: Scheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, Portrait]:
-    """What `check` finds and, certified and checked alike, what only `show` asks for; and the mask taken apart.
+    """The result of `check` with the findings of `show`, certified and checked alike, and the mask taken apart.
 
     `tolerance` is that of error bounds. Raises DisagreementError where the checker says no.
     """
@@ -62,7 +62,7 @@ def show(scheme: Scheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, 
 
 
 def draw(scheme: Scheme, drawings: Drawings, options: Options, effort: Effort) -> Drawing:
-    """A picture of one of the sorts that the kind of the scheme declares; what it rests on is certified and checked.
+    """The picture of one of the sorts that the kind of the scheme declares; its hypotheses are certified and checked.
 
     Raises NotDrawnError where it cannot be drawn, DisagreementError where the checker says no.
     """
@@ -120,7 +120,7 @@ def _verified(proofs: Proofs) -> Certificate | None:
 
 
 def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgement, ...]:
-    """Every expectation against a result, closed forms compared exactly, however they are written."""
+    """The judgements of expectations by a result, closed forms compared exactly, however they are written."""
     return tuple(Judgement(expectation=e, verdict=judge(compare, e, result)) for e in expectations)
 
 
@@ -135,7 +135,7 @@ def _claimed(finding: Finding, claims: tuple[int, ...], made: Sequence[int]) -> 
 
 
 def _with_digits(exponent: Exponent | None) -> Exponent | None:
-    """With decimals of an exact irrational one."""
+    """The exponent with decimals, where it is exact and irrational."""
     if exponent is None or exponent.exact is None:
         return exponent
     return exponent._replace(digits=digits(exponent.exact))
@@ -153,7 +153,7 @@ class CheckedRadius(NamedTuple):
 
 
 def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> CheckedRadius:
-    """That of a family of square matrices of one order, checked independently.
+    """The joint spectral radius of a family of square matrices of one order, checked independently.
 
     Raises DisagreementError where the checker says no.
     """

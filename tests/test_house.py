@@ -190,3 +190,39 @@ def test_a_mask_that_needs_no_polytope_loads_no_numpy(mask):
 
 def test_a_mask_that_needs_a_polytope_loads_numpy():
     assert "numpy" in loaded_by("check", "--mask", "[-1, 0, 6, 10, 6, 0, -1]/10", "--format", "concise")
+
+
+def documented(node, name="module", public=True):
+    """(name, node, whether it is public) of a module, its classes and its functions, wherever they stand."""
+    yield name, node, public
+    for each in node.body:
+        if isinstance(each, ast.FunctionDef | ast.ClassDef):
+            seen = public and not isinstance(node, ast.FunctionDef) and not each.name.startswith("_")
+            yield from documented(each, each.name if name == "module" else f"{name}.{each.name}", seen)
+
+
+def raised(function):
+    """The names of the exception classes that stand behind a `raise` in a function."""
+    calls = (node.exc for node in ast.walk(function) if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call))
+    return {call.func.id for call in calls if isinstance(call.func, ast.Name) and call.func.id[0].isupper()}
+
+
+def complaints(node, public):
+    """What is wrong with the docstring of a module, a class or a function."""
+    text = ast.get_docstring(node) or ""
+    summary, _, rest = text.partition("\n")
+    if text and (summary[-1] not in ".?:" or re.match(r"\s*([a-z]{2}|[…,;])", rest)):
+        yield "its first line is no whole sentence"
+    classes = raised(node) if public and isinstance(node, ast.FunctionDef) else ()
+    if classes and not any(word in text for word in ("Raise", *classes)):
+        yield f"it does not say that it raises {' or '.join(sorted(classes))}"
+
+
+def test_docstrings_begin_with_a_sentence_and_name_what_is_raised():
+    offences = [
+        f"{file.relative_to(ROOT)}:{getattr(node, 'lineno', 1)}: {name}: {complaint}"
+        for file in FILES
+        for name, node, public in documented(TREES[file])
+        for complaint in complaints(node, public)
+    ]
+    assert not offences, "\n".join(offences)

@@ -1,4 +1,4 @@
-"""Many files: discovery, the run over all of them, and where the shipped masks are."""
+"""The catalog: discovery of many files, the run over all of them, and the place of the shipped masks."""
 
 from subdiv_cli.catalog.shipped import masks_directory
 
@@ -6,4 +6,4 @@ __all__ = ["ClusterError", "masks_directory"]
 
 
 class ClusterError(Exception):
-    """The Dask cluster cannot be used; the text says why."""
+    """Raised where the Dask cluster cannot be used; the text says why."""

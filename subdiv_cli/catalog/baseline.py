@@ -26,7 +26,7 @@ class Baseline:
         self._seen: set[str] = set()
 
     def judge(self, result: Result) -> Result:
-        """The result with its regressions, which decide its status; as it is where the baseline knows no such mask."""
+        """The result with its regressions, which decide its status; unchanged where the baseline has no such mask."""
         file = _same(result.file)
         self._seen.add(file)
         old = self._old.get(file)
@@ -72,7 +72,7 @@ def _number(name: str, old: int | None, new: int | None) -> Iterator[str]:
 
 
 def _enclosure(name: str, old: Mapping[str, Any] | None, new: Exponent | None) -> Iterator[str]:
-    """Two certified enclosures of one number have it in common."""
+    """A regression where two certified enclosures, which must have the exponent in common, do not meet."""
     if old is None:
         return
     if new is None:

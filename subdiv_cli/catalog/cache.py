@@ -25,11 +25,11 @@ from subdiv_cli.catalog.record import UnreadableRecordError, decode, encode
 from subdiv_cli.model import Expectation, Result
 
 MOST_BYTES = 128 << 20
-"""Of an entry, unpacked: a file that swells to more is none of ours."""
+"""The most bytes of an entry, unpacked: a file that swells to more is none of ours."""
 _SUFFIX = ".entry"
 _TAG = "CACHEDIR.TAG"
 _TAG_TEXT = "Signature: 8a477f597d28d172789f06886806bc55\n# Results of subdiv; `subdiv clean` removes them.\n"
-"""By this line backup programs know a cache."""
+"""The line by which backup programs know a cache."""
 
 
 class Entry(NamedTuple):
@@ -40,7 +40,7 @@ class Entry(NamedTuple):
 
 
 def directory(told: str | None = None) -> str | None:
-    """Where results are kept: where it is told, else among the user's caches; nowhere for a user without a home."""
+    """The directory of results: the one that is given, else among the user's caches; None for a user without a home."""
     if told is not None:
         return told
     with suppress(RuntimeError):
@@ -49,7 +49,7 @@ def directory(told: str | None = None) -> str | None:
 
 
 def _of_user() -> Path:
-    """XDG_CACHE_HOME, or what is usual on the system. Raises RuntimeError without a home."""
+    """The directory XDG_CACHE_HOME, or what is usual on the system. Raises RuntimeError without a home."""
     if told := os.environ.get("XDG_CACHE_HOME"):
         return Path(told) / "subdiv"
     if sys.platform == "win32" and (told := os.environ.get("LOCALAPPDATA")):
@@ -125,7 +125,7 @@ class Cache:
         write_whole(file, _head(name, packed) + b"\n" + packed, durable=False)
 
     def clean(self) -> tuple[int, int]:
-        """Remove every entry, and the directory if nothing else is in it: how many there were, and their bytes.
+        """Remove every entry, and the directory if nothing else is in it; the number of entries and of their bytes.
 
         Nothing that is not an entry is touched, whatever directory was named. Raises OSError.
         """
@@ -142,14 +142,14 @@ class Cache:
         return count, size
 
     def _entries(self) -> Iterator[Path]:
-        """Finished ones, and those a killed run left behind half written."""
+        """The files of finished entries, and of those that a killed run left behind half written."""
         for directory in sorted(self.directory.glob("[0-9a-f][0-9a-f]")):
             yield from sorted(directory.glob(f"*{_SUFFIX}"))
             yield from sorted(directory.glob(f".*{_SUFFIX}.*.part"))
 
 
 def _head(name: str, packed: bytes) -> bytes:
-    """The first line: what this is, the entry's own name, so that a copy under another is none, and a digest.
+    """The first line of an entry: a mark, the entry's own name, so that a copy under another is none, and a digest.
 
     The digest is of the packed bytes: a flipped bit of a deflate stream may well unpack to the same text.
     """

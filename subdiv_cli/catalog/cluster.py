@@ -15,19 +15,19 @@ from subdiv_cli.kinds.reading import load_path
 from subdiv_cli.maskfile import MaskFileError
 
 AHEAD = 4
-"""Tasks under way for each thread of the cluster: enough that none waits for the network."""
+"""The tasks under way for each thread of the cluster: enough that none waits for the network."""
 TIMEOUT = 10
-"""Seconds to find the scheduler."""
+"""The seconds in which the scheduler must answer."""
 
 
 class Cluster:
-    """A scheduler somewhere, its workers with the same version of this package."""
+    """A Dask scheduler, its workers with the same version of this package."""
 
     def __init__(self, address: str, tasks: Numbered, settings: Settings) -> None:
         self.address, self.tasks, self.settings = address, tasks, settings
 
     def stream(self, order: Order) -> Iterator[tuple[int, Done]]:
-        """Numbered results as they are done. Raises ClusterError."""
+        """The numbered results as they are done. Raises ClusterError."""
         try:
             distributed: Any = import_module("distributed")
         except ImportError:
@@ -45,16 +45,16 @@ class Cluster:
 
 
 class _Run:
-    """Tasks under way on the cluster, and those it has lost once."""
+    """The tasks under way on the cluster, and those it has lost once."""
 
     def __init__(self, client: Any, settings: Settings, futures: Any) -> None:
         self.client, self.settings, self.futures = client, settings, futures
         self.running: dict[str, tuple[int, Task]] = {}
         self.suspects: list[tuple[int, Task]] = []
-        """A scheduler blames all tasks that were on a worker which died: each is tried again, by itself."""
+        """The tasks that were on a worker which died, all blamed by the scheduler: each is tried again, by itself."""
 
     def stream(self, tasks: Numbered, order: Order, width: int) -> Iterator[tuple[int, Done]]:
-        """At most `width` at a time; then the suspects, which are told apart by what they do alone."""
+        """The results, at most `width` tasks at a time; then those of the suspects, which are run one by one."""
         taken = 0
         while True:
             while taken < len(tasks) and len(self.running) < width and order.admits(tasks[taken][0]):
@@ -69,7 +69,7 @@ class _Run:
                 return
 
     def _submit(self, number: int, task: Task) -> Iterator[tuple[int, Done]]:
-        """The file is here and need not be there: its bytes travel. One that cannot be read is done."""
+        """The result of a task whose file cannot be read here; other tasks are sent with their bytes, without one."""
         try:
             if task.mask is None and task.data is None:
                 task = task._replace(data=load_path(task.file))
@@ -81,7 +81,7 @@ class _Run:
         self.futures.add(future)
 
     def _collect(self, *, last: bool) -> Iterator[tuple[int, Done]]:
-        """The next that ends, however it does."""
+        """The result of the next task that ends, however it does."""
         future = next(self.futures)
         number, task = self.running.pop(future.key)
         if future.status == "finished":

@@ -1,4 +1,4 @@
-"""Which files are meant: arguments of the command line -> mask files to read, in a stable order and once each."""
+"""Discovery: from arguments of the command line to mask files, in a stable order and once each."""
 
 from __future__ import annotations
 
@@ -19,20 +19,21 @@ _ANYTHING = re.compile(r"\*\*/?$")
 
 
 class Discovery(NamedTuple):
-    """What the arguments come to."""
+    """The files that the arguments name."""
 
     entries: tuple[str | Problem, ...]
-    """A path for `maskfile.read_path` ("-" is standard input), or why there is none; in the order of the arguments."""
+    """The paths for `maskfile.read_path` ("-" is standard input), or problems, in the order of the arguments."""
     skipped: int = 0
-    """`*.toml` files met in directories that are no masks."""
+    """The number of `*.toml` files met in directories that are no masks."""
 
 
 def discover(paths: Iterable[str | Path]) -> Discovery:
-    """Looks every argument up.
+    """The files and problems of all arguments.
 
     A directory is searched recursively for `*.toml` that are meant as masks (`is_mask`), sorted by path; hidden files
     and directories are left out, links are followed once. A pattern (`masks/**/*.toml`) names the files and
     directories that match. A file named explicitly is always an entry: whether it is a mask, the reader says (SD016).
+
     Problems: SD002 for what is missing or unreadable, SD014 for a directory without masks and a pattern that nothing
     matches. Never raises for what is on disk.
     """
@@ -57,11 +58,11 @@ def discover(paths: Iterable[str | Path]) -> Discovery:
 _NAMELESS = faults.UNREADABLE_FILE.problem(
     "the name of a file is empty", "is it a variable that is not set? the directory here is .", file='""'
 )
-"""Not the directory here, which `Path("")` is: nobody has asked for it."""
+"""The problem of an empty name, which does not mean the directory here, as `Path("")` does."""
 
 
 class _Found:
-    """What is found so far."""
+    """The entries so far, with the identities of their files."""
 
     def __init__(self) -> None:
         self.entries: list[str | Problem] = []
@@ -69,13 +70,13 @@ class _Found:
         self._seen: set[object] = set()
 
     def add(self, path: str, identity: object) -> None:
-        """Takes a file, unless it is there under another name."""
+        """Add a file, unless it is there under another name."""
         if identity not in self._seen:
             self._seen.add(identity)
             self.entries.append(path)
 
     def match(self, pattern: str) -> None:
-        """Takes what a pattern names, files and directories, by name; or the problem that it names nothing."""
+        """Add what a pattern names, files and directories, by name; or the problem that it names nothing."""
         from glob import glob
 
         matches = sorted(glob(pattern, recursive=True))  # noqa: PTH207 (patterns may be absolute)
@@ -90,7 +91,7 @@ class _Found:
             self.entries.append(faults.NO_MASKS.problem("no file matches this", help, file=pattern))
 
     def search(self, directory: str) -> None:
-        """Takes the masks below a directory, or the problem that there are none."""
+        """Add the masks below a directory, or the problem that there are none."""
         masks = others = 0
         for found in _search(Path(directory), set()):
             if isinstance(found, Problem):
@@ -109,7 +110,7 @@ class _Found:
 
 
 def _identity(path: str) -> object:
-    """Equal for two names of one file. Raises OSError."""
+    """A key that is equal for two names of one file. Raises OSError."""
     if path == "-":
         return path
     status = Path(path).stat()
@@ -117,7 +118,7 @@ def _identity(path: str) -> object:
 
 
 def _search(directory: Path, visited: set[object]) -> Iterator[Path | Problem]:
-    """Every visible `*.toml` below, files of a directory before its subdirectories, by name; no directory twice."""
+    """The visible `*.toml` below, files of a directory before its subdirectories, by name; no directory twice."""
     try:
         same = _identity(str(directory))
         if same in visited:
@@ -140,7 +141,7 @@ def _search(directory: Path, visited: set[object]) -> Iterator[Path | Problem]:
 
 
 def _looks_like_mask(path: Path) -> bool:
-    """An unreadable file does: the reader then says why it cannot be read."""
+    """Whether a file looks like a mask; an unreadable one does: the reader then says why it cannot be read."""
     try:
         if not path.is_file() and path.exists():  # a pipe or a device would block
             return False

@@ -1,4 +1,4 @@
-"""Files written whole or not at all, and the names of certificates."""
+"""Writing of files, whole or not at all, and the names of certificates."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ class CertificateDirectory:
     """A directory that takes one certificate for each mask of a run, named after the mask's file."""
 
     def __init__(self, directory: str) -> None:
-        """Makes the directory. Raises OSError."""
+        """Make the directory. Raises OSError."""
         self._directory = Path(directory)
         self._directory.mkdir(parents=True, exist_ok=True)
         self._taken: set[str] = set()
 
     def write(self, mask_file: str, text: str) -> str:
-        """Writes a certificate and returns its file; masks of one name are told apart by a number. Raises OSError."""
+        """The name of the file to which a certificate is written; masks of one name get numbers. Raises OSError."""
         stem = {"-": "stdin", "--mask": "mask"}.get(mask_file) or Path(mask_file).stem
         name, number = stem, 1
         while name in self._taken:

@@ -1,4 +1,4 @@
-"""Whether the numbers of a result are those that a verified certificate states.
+"""The test whether the numbers of a result are those that a verified certificate states.
 
 Exponents are -log_λ(x)/L with λ^s = m, s times those to the base m, (m, s) = (|det M|, s) or, in one variable, (p, 1);
 statements on factors are to the base of the block of M that is theirs. In one variable they are compared in closed
@@ -22,7 +22,7 @@ from subdiv_cli.model.order import enclosure
 
 Statement = Mapping[str, Any]
 Base = tuple[int, int]
-"""(m, s): exponents are to the base λ with λ^s = m."""
+"""The pair (m, s): exponents are to the base λ with λ^s = m."""
 
 _LOWER = {"holder-lower", "sobolev-lower"}
 _UPPER = {"holder-upper"}
@@ -35,7 +35,7 @@ class Stated(NamedTuple):
     m: int
     s: int
     only_above: bool = False
-    """It is of a factor and bounds that of φ only from above."""
+    """Whether it is about a factor and bounds the exponent of φ only from above."""
 
 
 def numbers_are_proved(
@@ -44,7 +44,7 @@ def numbers_are_proved(
     rules: Mapping[str, Rule],
     base: Callable[[Sequence[int] | None], Base],
 ) -> bool:
-    """Whether claims of the certificate say each exponent and radius of the result.
+    """Whether claims of the certificate state each exponent and radius of the result.
 
     `base` gives (m, s) of the mask, or of its factor in these variables.
     """
@@ -72,7 +72,7 @@ def numbers_are_proved(
 
 
 def _stated(statement: Statement, base: Callable[[Sequence[int] | None], Base]) -> Stated:
-    """Statements of factors are to the base of the block of M that is theirs."""
+    """The statement with its base: that of a factor is the base of the block of M that is its own."""
     if "variables" not in statement:
         return Stated(statement, *base(None))
     of_block = base(statement["variables"])
@@ -80,7 +80,7 @@ def _stated(statement: Statement, base: Callable[[Sequence[int] | None], Base]) 
 
 
 def of_finding(finding: Finding) -> Exponent:
-    """What a finding shows of an exponent. Raises ValueError where the exact text is not that of its number."""
+    """The exponent that a finding shows. Raises ValueError where the exact text is not that of its number."""
     value, closed = finding.value or Interval(), finding.closed
     if value.exact is None:
         closed = None
@@ -106,7 +106,7 @@ def _is_proved(exponent: Exponent | None, stated: Sequence[Stated]) -> bool:
 
 
 def _exact(each: Stated) -> ClosedForm | None:
-    """What a statement says exactly, to the base m; a value is to no base."""
+    """The number that a statement has exactly, to the base m; a value is to no base."""
     statement = each.statement
     return Fraction(statement["value"]) if "value" in statement else of_statement(statement, each.m)
 
@@ -120,7 +120,7 @@ def _agree(exact: ClosedForm, number: ClosedForm, each: Stated) -> bool:
 
 
 def _bounds(stated: Iterable[Stated], names: set[str]) -> list[tuple[Fraction, Fraction]]:
-    """Enclosures of the bounds that statements of these kinds give."""
+    """The enclosures of the bounds that statements of these kinds give."""
     found = []
     for each in stated:
         statement = each.statement
@@ -137,13 +137,13 @@ def _bounds(stated: Iterable[Stated], names: set[str]) -> list[tuple[Fraction, F
 
 
 def _times(ends: tuple[Fraction, Fraction], each: Stated) -> tuple[Fraction, Fraction]:
-    """To the base λ; values are not to a base."""
+    """The enclosure to the base λ; values are not to a base."""
     factor = 1 if "value" in each.statement else each.s
     return factor * ends[0], factor * ends[1]
 
 
 def of_statement(s: Statement, p: int) -> ClosedForm | None:
-    """The exponent that a statement says exactly; a `RootLog` without its text."""
+    """The exponent that a statement has exactly, a `RootLog` without its text; None where it has none."""
     if s["property"] == "holder":
         return logarithm(p, 1 / Fraction(s["norm"]), s["level"])
     if s["property"] not in ("holder-root", "sobolev"):
@@ -203,7 +203,7 @@ def _is_cut(digits: str, exact: ClosedForm) -> bool:
 
 
 def radius_is_proved(finding: Finding, statements: Sequence[Statement], p: int) -> bool:
-    """Whether claims on a joint spectral radius bound it as well as the finding says."""
+    """Whether claims on a joint spectral radius bound it as well as the finding does."""
     value = finding.value or Interval()
     below, above = [], []
     for s in (statements[number] for number in finding.claims):

@@ -1,4 +1,4 @@
-"""Tasks in several processes. A process that dies costs the mask it was at work on, and another takes its place.
+"""A pool of processes for tasks. A process that dies costs the mask it was at work on, and another takes its place.
 
 `concurrent.futures` gives up the whole pool when one process is killed and does not say at which task; here each
 process has a pipe of its own and one task at a time.
@@ -23,14 +23,16 @@ from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.model import Result, Verdict
 
 MOST_TASKS = 1000
-"""After so many a process is replaced, so that what leaks does not add up."""
+"""The tasks after which a process is replaced, so that what leaks does not add up."""
 PATIENCE = (4.0, 10.0)
-"""A mask over its budget ends by itself, at the next step. One that has not after the budget times the first number
-plus the second, in seconds, is in a step that nothing interrupts, and its process is ended."""
+"""A factor and seconds: a process that is not done after the budget times the one plus the other is ended.
+
+A mask over its budget ends by itself, at the next step; such a one is in a step that nothing interrupts.
+"""
 
 
 class Worker:
-    """A process, the pipe to it, and what it is doing."""
+    """A process, the pipe to it, and its task."""
 
     def __init__(self, settings: Settings, others: Sequence[Worker]) -> None:
         context = _context()
@@ -48,13 +50,13 @@ class Worker:
         self.tasks = 0
 
     def begin(self, numbered: tuple[int, Task]) -> None:
-        """Hand a task over. Raises OSError where the process is gone."""
+        """Send a task. Raises OSError where the process is gone."""
         self.task, self.since = numbered, time.monotonic()
         self.tasks += 1
         self.connection.send(numbered[1])
 
     def end(self) -> None:
-        """The process has nothing more to do, or is not to do it."""
+        """End the process, which has nothing more to do, or is not to do it."""
         self.connection.close()
         if self.process.is_alive():
             self.process.kill()
@@ -62,13 +64,13 @@ class Worker:
 
 
 def _context() -> Any:
-    """Forking is quick and safe where nothing else runs in this process."""
+    """The way to start processes: forking is quick, and safe where nothing else runs in this process."""
     forks = sys.platform == "linux" and threading.active_count() == 1
     return get_context("fork" if forks else "spawn")
 
 
 def _work(connection: Connection, inherited: Sequence[Connection], settings: Settings) -> None:
-    """In the process: tasks until the pipe is closed. Ctrl-C is the parent's affair."""
+    """Perform tasks in the process until the pipe is closed. Ctrl-C is the parent's affair."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     for other in inherited:  # a pipe that a sibling holds open would never end
         other.close()
@@ -79,7 +81,7 @@ def _work(connection: Connection, inherited: Sequence[Connection], settings: Set
 
 
 class Pool:
-    """So many workers, and the tasks that nobody has taken yet."""
+    """A number of workers, and the tasks that none of them has yet."""
 
     def __init__(self, tasks: Numbered, settings: Settings, jobs: int) -> None:
         self.tasks, self.settings = tasks, settings
@@ -89,7 +91,7 @@ class Pool:
         self.done = 0
 
     def stream(self, order: Order) -> Iterator[tuple[int, Done]]:
-        """Numbered results as they are done."""
+        """The numbered results as they are done."""
         try:
             while self.done < len(self.tasks):
                 self._hand_out(order)
@@ -101,7 +103,7 @@ class Pool:
                 worker.end()
 
     def _hand_out(self, order: Order) -> None:
-        """A task for everybody who has none, and as many workers as are wanted."""
+        """Send a task to every worker without one, and start as many workers as are wanted."""
         while len(self.workers) < self.jobs and self.taken < len(self.tasks):
             self.workers.append(Worker(self.settings, self.workers))
             self._next(self.workers[-1], order)
@@ -116,7 +118,7 @@ class Pool:
                 worker.begin(numbered)
 
     def _collect(self) -> Iterator[tuple[int, Done]]:
-        """What has come in, or ended, by now; waits for the first."""
+        """The results that have come in by now, and those of tasks whose process ended; waits for the first."""
         busy = {worker.connection: worker for worker in self.workers if worker.task is not None}
         for ready in wait(list(busy), timeout=self._timeout()):
             worker = busy[ready]
@@ -142,7 +144,7 @@ class Pool:
         return None if self.settings.seconds is None else 0.2
 
     def _overdue(self) -> Iterator[tuple[int, Done]]:
-        """Those that the budget did not end."""
+        """The results of the tasks that the budget did not end, whose processes are ended."""
         if self.settings.seconds is None:
             return
         longest = self.settings.seconds * PATIENCE[0] + PATIENCE[1]
@@ -176,5 +178,5 @@ def lost(file: str, why: str) -> Result:
 
 
 def _stopped(task: Task) -> Result:
-    """Undecided: the budget ended it before anything could be said."""
+    """The undecided result of a mask that the budget ended before anything was decided."""
     return Result(file=task.file, status="undecided", stopped="budget", convergent=Verdict.UNDECIDED)

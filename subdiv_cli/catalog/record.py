@@ -1,4 +1,4 @@
-"""Results as JSON and back, without loss: what the cache keeps. The JSON report is for readers and forgets types.
+"""Results as JSON and back, without loss, for the cache. The JSON report is for readers and forgets types.
 
 Every class of `model` is known by its name, so a field that is added there is recorded too. Numbers of any length are
 spelled in hexadecimal, which Python bounds nowhere.
@@ -20,7 +20,7 @@ _LONG = 1 << 63
 
 
 class UnreadableRecordError(ValueError):
-    """This is no record of ours."""
+    """Raised for data that is no record of ours."""
 
 
 def encode(value: object) -> Any:
@@ -47,7 +47,7 @@ def encode(value: object) -> Any:
 
 
 def decode(data: Any) -> Any:
-    """The value again. Raises UnreadableRecordError for what `encode` does not write."""
+    """The value of a record. Raises UnreadableRecordError for what `encode` does not write."""
     try:
         return _decode(data)
     except (KeyError, TypeError, ValueError, AttributeError, ZeroDivisionError, RecursionError) as error:

@@ -36,7 +36,7 @@ _NEEDED = (
 
 
 class ReportError(Exception):
-    """A file is no report; `problem` says why."""
+    """Raised for a file that is no report; `problem` says why."""
 
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem.message)
@@ -54,7 +54,7 @@ class Report(NamedTuple):
 
 
 def read_report(file: str) -> Report:
-    """Read a JSON report. Raises ReportError: SD002 for a file that cannot be read, SD020 for one that is no report."""
+    """The report in a JSON file. Raises ReportError: SD002 for a file that cannot be read, SD020 for no report."""
     try:
         data = json.loads(Path(file).read_bytes())
     except OSError as error:
@@ -84,7 +84,7 @@ def _no_report(file: str, why: str) -> ReportError:
 
 
 def join(reports: Sequence[Report]) -> tuple[list[Mapping[str, Any]], tuple[int, int] | None]:
-    """All results, and the part they are if they are no whole run.
+    """All results, and the part of a run that they are, None for a whole run.
 
     The parts of one run are put back into its order; other reports follow one another. A mask that stands in several
     with the same result is there once. Raises ValueError where parts are missing or come twice, or two results of
@@ -117,7 +117,7 @@ def _parts(reports: Sequence[Report]) -> list[Mapping[str, Any]]:
 
 
 def results_of(data: Sequence[Mapping[str, Any]]) -> list[Result]:
-    """The results, as far as a report has them: for other formats. Raises KeyError, TypeError or ValueError."""
+    """The results, as far as a report has them, for other formats. Raises KeyError, TypeError or ValueError."""
     return [_result(result) for result in data]
 
 
@@ -159,7 +159,7 @@ def _problem(data: Mapping[str, Any], file: str) -> Problem:
 
 
 def _regressions(data: Mapping[str, Any]) -> tuple[Problem, ...] | None:
-    """What was worse than in a baseline; a report has the messages alone. None where there was no baseline."""
+    """The regressions from a baseline, of which a report has the messages alone. None where there was no baseline."""
     messages = data.get("regressions")
     if messages is None:
         return None
@@ -178,7 +178,7 @@ def _exponent(data: Mapping[str, Any] | None) -> Exponent | None:
 
 
 def _closed(text: str | None) -> ClosedForm | None:
-    """A closed form of the reports' grammar; another stays an enclosure."""
+    """The closed form of a text in the reports' grammar; None for another, which stays an enclosure."""
     if text is None:
         return None
     try:
@@ -197,7 +197,7 @@ def _judgement(data: Mapping[str, Any]) -> Judgement:
 
 
 def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule]) -> Finding:
-    """A finding; which questions it answers its rule says, and what it answers stands in the result."""
+    """A finding; its rule has the questions that it answers, and the answers stand in the result."""
     value, rule = data.get("value"), rules.get(data["code"])
     return Finding(
         code=data["code"], name=data["name"], verdict=Verdict(data["verdict"]), statement=data["statement"],
@@ -209,7 +209,7 @@ def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule]) -> Finding:
 
 
 def _data(value: Any) -> Any:
-    """Lists as tuples, as witnesses have them; fractions stay the strings that they are printed as."""
+    """Plain data with tuples for lists, as in witnesses; fractions stay the strings that they are printed as."""
     if isinstance(value, list):
         return tuple(map(_data, value))
     return {key: _data(item) for key, item in value.items()} if isinstance(value, dict) else value

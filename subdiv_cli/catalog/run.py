@@ -1,4 +1,4 @@
-"""Many masks: every target gives its results, a bad one its problems, and the rest goes on."""
+"""The run over many masks: every target gives its results, a bad one its problems, and the rest goes on."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from subdiv_cli.maskfile import MaskFile, MaskFileError
 from subdiv_cli.model import DEFAULT_EFFORT, Expectation, Problem, Result
 
 FEWEST = 4
-"""Fewer masks than this for each process are not worth starting it."""
+"""The fewest masks for each process that make it worth starting it."""
 
 
 def _ignore(_: object) -> None:
-    """Nobody listens."""
+    """A callback that does nothing."""
 
 
 def check_all(
@@ -40,7 +40,7 @@ def check_all(
     on_total: Callable[[int], None] = _ignore,
     on_done: Callable[[Done], None] = _ignore,
 ) -> Iterator[Result]:
-    """One result for each mask of the targets, in their order; the masks of a directory in the order of their paths.
+    """The results of all targets, in the order of the targets, each as soon as those before it are done.
 
     `work` and `seconds` are the effort for each question and the time for each mask; `required` is what every mask is
     held to beside its own expectations. `certificates` is a directory for the proofs, made where it is missing;
@@ -84,7 +84,7 @@ def _run(
     cluster: str | None,
     on_done: Callable[[Done], None],
 ) -> Iterator[Done]:
-    """Here, in other processes or on a cluster; always in the order of the entries."""
+    """The results, computed here, in other processes or on a cluster; always in the order of the entries."""
     made = [(number, _task(entry)) for number, entry in enumerate(entries)]
     tasks = [(number, task) for number, task in made if isinstance(task, Task)]
 
@@ -96,7 +96,7 @@ def _run(
 
 
 def _task(entry: str | Problem | MaskFile) -> Task | Done:
-    """What is to be done about an entry, or what there is to say of it; standard input is read here."""
+    """The task of an entry, or its result if there is nothing to do; standard input is read here."""
     if isinstance(entry, Problem):
         return Done(invalid(entry.file or "", (entry,)))
     if isinstance(entry, MaskFile):

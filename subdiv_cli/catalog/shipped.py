@@ -1,4 +1,4 @@
-"""Where the masks that ship with subdiv are."""
+"""The place of the masks that ship with subdiv."""
 
 from __future__ import annotations
 

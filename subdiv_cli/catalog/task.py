@@ -1,4 +1,4 @@
-"""One mask, from its file to its result: what a run repeats, here or in another process.
+"""The task of one mask, from its file to its result, which a run repeats, here or in another process.
 
 Nothing is raised for bad input: its result is `invalid` and holds the problems.
 """
@@ -24,20 +24,20 @@ if TYPE_CHECKING:
 
 
 class Settings(NamedTuple):
-    """What is the same for all masks of a run."""
+    """The settings that are the same for all masks of a run."""
 
     overrides: Mapping[str, Fraction] = {}
     work: int = DEFAULT_EFFORT
     seconds: float | None = None
     debug: bool = False
     required: tuple[Expectation, ...] = ()
-    """What every mask is held to besides its own expectations."""
+    """The expectations of every mask besides its own."""
     certificates: bool = False
-    """Whether the texts of the certificates are wanted."""
+    """Whether the texts of the certificates are returned."""
     cache: str | None = None
     """The directory of the cache."""
     sections: bool = False
-    """Whether stencils and pictures are wanted."""
+    """Whether stencils and pictures are returned."""
 
 
 class Task(NamedTuple):
@@ -49,18 +49,18 @@ class Task(NamedTuple):
 
 
 class Done(NamedTuple):
-    """What came of a task."""
+    """The result of a task, with its certificate and its time."""
 
     result: Result
     certificate: str | None = None
     seconds: float = 0.0
     cached: bool = False
     trouble: str | None = None
-    """Why the cache could not be written."""
+    """The reason why the cache could not be written."""
 
 
 def perform(task: Task, settings: Settings) -> Done:
-    """Check one mask. Raises nothing, but where `debug` is set what an internal error is."""
+    """The result of one mask. Raises nothing, but where `debug` is set what an internal error is."""
     start = time.perf_counter()
     try:
         done = _perform(task, settings)
@@ -99,13 +99,13 @@ def _perform(task: Task, settings: Settings) -> Done:
 
 
 def _sections(scheme: Scheme, result: Result) -> tuple[Section, ...]:
-    """Those of its kind, if it has some."""
+    """The sections that the kind of the scheme makes, if it makes some."""
     make = kind_of(scheme).sections
     return () if make is None else make(scheme, result)
 
 
 def _kept(data: bytes | None, scheme: Any, expectations: tuple[Expectation, ...], settings: Settings) -> Done:
-    """From the cache if it has this, and then into it."""
+    """The result from the cache if it is there; else it is computed, and written to the cache."""
     if settings.cache is None or data is None:
         return _computed(scheme, expectations, settings)
     from subdiv_cli.catalog.trust import every_verdict_has_a_claim, trusted
@@ -134,12 +134,12 @@ def _computed(scheme: Any, expectations: tuple[Expectation, ...], settings: Sett
 
 
 def _placed(judged: Judgement, mask: MaskFile) -> Judgement:
-    """With the line where it is stated, if somebody will have to look there."""
+    """The judgement with the line where it is stated, unless it is proved."""
     if judged.verdict is Verdict.PROVED or judged.expectation not in mask.expectations:
         return judged
     return judged._replace(line=mask.line_of("expect", judged.expectation.key))
 
 
 def invalid(file: str, problems: tuple[Problem, ...]) -> Result:
-    """The result of what could not be checked."""
+    """The result of a mask that could not be checked, with the problems."""
     return Result(file=file, status="invalid", problems=problems)

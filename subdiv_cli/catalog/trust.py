@@ -1,9 +1,9 @@
-"""Whether a result from the cache may be believed: the checker says so anew, of this mask, for every verdict.
+"""Trust in results from the cache: the checker verifies anew, for this mask, every verdict.
 
 A stale, foreign or altered entry must not lie. Its certificate is verified on every hit and is about the mask that the
-file has now; each proved or refuted finding names claims of it that are of the right kind and say the same; and what
-the result says in short, its exponents and its judgements of expectations must follow from its findings and from the
-statements proved. The wording alone rests on the digest of the entry.
+file has now; each proved or refuted finding names claims of it that are of the right kind and state the same; and the
+short answers of the result, its exponents and its judgements of expectations must follow from its findings and from
+the statements proved. The wording alone rests on the digest of the entry.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ def _trusted(
 
 
 def _proved(finding: Finding, rule: Rule, statements: Sequence[Mapping[str, Any]]) -> bool:
-    """Whether a finding answers what its rule answers, and the claims that a decided one names say the same."""
+    """Whether a finding answers what its rule answers, and a decided one names claims that state the same."""
     if tuple(question for question, _ in finding.answers) != rule.answers:
         return False
     if not all(_answers(finding, answer) for _, answer in finding.answers):
@@ -84,7 +84,7 @@ def _proved(finding: Finding, rule: Rule, statements: Sequence[Mapping[str, Any]
 
 
 def _answers(finding: Finding, answer: Answer) -> bool:
-    """Whether an answer is the verdict and the value of its finding, as far as these tell it."""
+    """Whether an answer is the one that the verdict and the value of its finding determine."""
     if isinstance(answer, Verdict):
         return answer is finding.verdict
     if isinstance(answer, Exponent):
@@ -103,7 +103,7 @@ def _is_gathered(result: Result) -> bool:
 
 
 def _plain(exponent: Exponent | None) -> Exponent | None:
-    """Without the decimals, which are checked by themselves."""
+    """The exponent without the decimals, which are checked by themselves."""
     return None if exponent is None else exponent._replace(digits=None)
 
 
@@ -127,13 +127,13 @@ def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator
 
 
 def _judged(result: Result) -> bool:
-    """Whether every expectation is judged as the result says, and the status follows."""
+    """Whether every expectation has the verdict that follows from the result, and the status follows."""
     verdicts = all(_verdict(judged, result) is judged.verdict for judged in result.expectations)
     return verdicts and result.status == status(result.convergent, result.expectations)
 
 
 def _verdict(said: Judgement, result: Result) -> Verdict:
-    """By enclosures; where these do not tell, as with equal numbers, exactly: only that loads flint."""
+    """The verdict by enclosures; where these do not decide, as with equal numbers, exactly: only that loads flint."""
     try:
         return judge(_sign, said.expectation, result)
     except _UntoldError:

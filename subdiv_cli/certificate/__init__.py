@@ -1,4 +1,4 @@
-"""Findings' witnesses -> a certificate that an independent checker accepts: what every kind's claims have in common.
+"""Certificates from the witnesses of findings, for an independent checker: what every kind's claims have in common.
 
 FORMAT.md specifies the document, RADIUS.md the claims on joint spectral radii; each kind's folder the rules of its own.
 Nothing is computed here that a stage has not found: witnesses are spelled as claims, which say what each costs.

@@ -32,6 +32,7 @@ class Claims:
         self._numbers: dict[str, int] = {}
 
     def add(self, rule: str, statement: Json, witness: Json, uses: Sequence[int] = (), work: int = 1) -> int:
+        """The number of the claim; the same claim has the same number."""
         claim = {"rule": rule, "statement": statement, "witness": witness, "uses": list(uses), "work": work}
         key = json.dumps(claim, sort_keys=True)
         if key not in self._numbers:
@@ -42,11 +43,11 @@ class Claims:
     def prove(
         self, rule: str, statement: Json, witness: Json | None = None, uses: Sequence[int] = (), work: int = 1
     ) -> int:
-        """As `add`; a statement without its property is of the one that has the name of the rule."""
+        """The number of the claim, as in `add`; a statement without a property has that of the rule's name."""
         return self.add(rule, {"property": rule, **statement}, witness or {}, uses, work)
 
     def statement(self, number: int) -> Json:
-        """What a claim states."""
+        """The statement of the claim with this number."""
         statement: Json = self.made[number]["statement"]
         return statement
 
@@ -186,6 +187,7 @@ def proofs(
 
 
 def polynomial(start: int, coefficients: Sequence[Fraction | int]) -> Json:
+    """A polynomial as statements have it: its start and its coefficients."""
     return {"start": start, "coefficients": [rational(c) for c in coefficients]}
 
 

@@ -18,13 +18,13 @@ Map = Mapping[str, Data]
 
 
 class Radii:
-    """Claims on families: each introduces the families that it needs."""
+    """The claims on families of matrices: each introduces the families that it needs."""
 
     def __init__(self, claims: Claims, families: list[None], letters: int, uses: list[int]) -> None:
         self._claims, self._families, self._p, self._uses = claims, families, letters, uses
 
     def claim(self, data: Map, family: int, order: int) -> int:
-        """The number of the claim on a family of matrices of this order that a proof is turned into."""
+        """The number of the claim that a proof on a family of matrices of this order is turned into."""
         rule = str(data["rule"])
         if rule == "blocks":
             return self._of_blocks(data, family, order)
@@ -113,7 +113,7 @@ class Radii:
 
 
 def _weights(ties: Iterable[Data]) -> Iterator[Data]:
-    """Of all ties, those that are polynomials."""
+    """The weights of all ties that are polynomials."""
     for tie in ties:
         for share in as_tuple(cast(Map, tie)["weights"]):
             if isinstance(weight := cast(Map, share)["weight"], tuple):
@@ -121,7 +121,7 @@ def _weights(ties: Iterable[Data]) -> Iterator[Data]:
 
 
 def _leader(leader: Map) -> Json:
-    """Integers of a complex eigenvalue's polynomial may be long: they are strings."""
+    """A leader as witnesses have it: integers of a complex eigenvalue's polynomial may be long, so they are strings."""
     said = {key: spelled(value) for key, value in leader.items()}
     if "factor" in leader:
         said["factor"] = [rational(x) for x in as_rationals(leader["factor"])]
@@ -133,7 +133,7 @@ def _root(data: Map) -> Map:
 
 
 def root_fields(root: Map) -> Json:
-    """A root as statements have it."""
+    """The fields of a root in a statement."""
     polynomial = [rational(c) for c in as_rationals(root["polynomial"])]
     return {
         "polynomial": polynomial,
@@ -152,7 +152,7 @@ def spelled(data: Data) -> object:
 
 
 def family_certificate(matrices: Sequence[Sequence[Sequence[Fraction]]], radius: FamilyRadius) -> Json | None:
-    """The proof of the bounds of a joint spectral radius; None where there are none, or where it asks too much."""
+    """The proof of the bounds of a joint spectral radius; None where there are none, or where it takes too long."""
     if not radius.proof:
         return None
     claims = Claims()

@@ -24,7 +24,7 @@ __all__ = ["KINDS", "Outcome", "check_document", "check_file", "check_text"]
 
 
 class _Kinds(dict[str, Any]):
-    """Rulebooks by the names of their kinds; one that is given by its module's name is loaded when it is asked for."""
+    """The rulebooks by the names of their kinds; one that is given by its module's name is loaded on first use."""
 
     def __getitem__(self, name: str) -> Rulebook:
         if type(super().__getitem__(name)) is str:
@@ -38,7 +38,7 @@ KINDS: MutableMapping[str, Rulebook] = _Kinds(
     matrices="subdiv_cli.checker.radius.rules",
     multivariate="subdiv_cli.checker.multivariate.rules",
 )
-"""All kinds of documents. A new kind adds a line; no certificate names a module."""
+"""The rulebooks of all kinds of documents. A new kind adds a line; no certificate names a module."""
 
 
 def check_text(text: str, work: int = MAX_WORK) -> Outcome:
@@ -50,7 +50,7 @@ def check_text(text: str, work: int = MAX_WORK) -> Outcome:
 
 
 def check_document(document: object) -> Outcome:
-    """Check a certificate that is already parsed, as `json.loads` gives it."""
+    """The outcome for a certificate that is already parsed, as `json.loads` gives it."""
     return core.check_document(document, KINDS)
 
 

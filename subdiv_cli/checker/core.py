@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 FORMAT, VERSION = "subdiv-certificate", 1
 MAX_FAMILIES = 1000
 MAX_ENTRIES = 4_000_000
-"""Of the matrices of all families."""
+"""The most entries of the matrices of all families."""
 MAX_CLAIMS = 10_000
 MAX_WORK = 250_000_000
 """Over all claims, unless the caller sets another bound: some 30 s where every operation is done."""
@@ -28,41 +28,42 @@ Statement = dict[str, Any]
 
 
 class Outcome(NamedTuple):
-    """What the checker has to say of a certificate."""
+    """The outcome of a check: whether the certificate is verified, and the line to print."""
 
     verified: bool
     spell: Callable[[], str]
-    """The line, spelled only when it is wanted."""
+    """A function that spells the line, which is called only when the line is wanted."""
     statements: tuple[dict[str, object], ...] = ()
     """The statements of the goal as the document has them; none unless verified."""
     claim: int | None = None
     """The number of the claim that fails, where it is one that does."""
     exhausted: bool = False
-    """Not verified only because it asks too much."""
+    """Whether it is not verified only because it needs more work than the checker does."""
 
     @property
     def line(self) -> str:
-        """`VERIFIED` and the goal in words, or `NOT VERIFIED` and why."""
+        """The line to print: `VERIFIED` and the goal in words, or `NOT VERIFIED` and why."""
         return self.spell()
 
 
 def not_verified(place: str, why: object, claim: int | None = None) -> Outcome:
+    """The outcome that a certificate is not verified, with the place and the reason."""
     line = f"NOT VERIFIED {place}: {why}"
     return Outcome(False, lambda: line, claim=claim, exhausted=isinstance(why, Exhausted))
 
 
 class Proved(NamedTuple):
-    """A claim that holds, and what later ones need of it, such as the quotient of a sum-rules claim."""
+    """A claim that holds, with a result that later claims need, such as the quotient of a sum-rules claim."""
 
     statement: Statement
     result: Any
 
 
 class Step(NamedTuple):
-    """What claims of a rule look like, and the function that checks one: it returns `Proved.result` or rejects."""
+    """A rule: the form of its claims, and the function that checks one: it returns `Proved.result` or rejects."""
 
     properties: Sequence[str]
-    """What it proves statements of."""
+    """The properties of the statements that it proves."""
     fixed: Mapping[str, object]
     """Fields of the statement whose value the rule fixes."""
     witnesses: Sequence[Fields]
@@ -71,34 +72,34 @@ class Step(NamedTuple):
 
 
 class Subject:
-    """What a document's claims are about, and what is left of the bound on the sizes of their numbers."""
+    """The mask or family that a document's claims are about, and what is left of the bound on the sizes of numbers."""
 
     def __init__(self, letters: int, about: Any, families: Sequence[MatrixFamily] = ()) -> None:
         self.letters = letters
-        """The arity of the mask, m = |det M| of its dilation, or how many matrices the family has."""
+        """The arity of the mask, m = |det M| of its dilation, or the number of matrices of the family."""
         self.about = about
-        """As the rules of the kind know it."""
+        """The mask or family in the form that the rules of the kind use."""
         self.families = list(families)
         """Those of the document, and those that claims introduce."""
         self.work = MAX_WORK
         """The bound on the work of all claims."""
         self.size_left = SIZE * MAX_WORK
         self.kinds: Mapping[str, Rulebook] = {}
-        """Of certificates inside of the document."""
+        """The rulebooks for certificates inside of the document."""
 
 
 class Rulebook(NamedTuple):
-    """A kind of documents: what they are about, and the rules of their claims."""
+    """The rulebook of a kind of documents: what they are about, and the rules of their claims."""
 
     fields: Fields
-    """Of the document's mask, besides its kind."""
+    """The fields of the document's mask, besides its kind."""
     subject: Callable[[dict[str, Any]], Subject]
     properties: Mapping[str, Fields]
     rules: Mapping[str, Step]
     words: Callable[[Statement, Subject], str]
-    """A statement, its property under the key `property`, as a phrase."""
+    """A function that spells a statement, its property under the key `property`, as a phrase."""
     plain: PlainReaders
-    """Of mask files with literal numbers."""
+    """The readers of mask files with literal numbers."""
 
 
 class Claim:
@@ -120,7 +121,7 @@ class Claim:
         return self._subject.families[number]
 
     def introduce(self, number: int, family: MatrixFamily) -> None:
-        """A new family, numbered as the statement says."""
+        """Add a new family, numbered as the statement says."""
         families = self._subject.families
         require(number == len(families), f"the next family is number {len(families)}")
         families.append(family)
@@ -137,19 +138,25 @@ class Claim:
         return outcome, checker.rulebook, checker.subject
 
     def count(self, operations: int, bits: int = 0) -> None:
-        """Called before the work is done: operations as the rule counts them, on numbers of so many bits."""
+        """Count operations as the rule counts them, on numbers of so many bits, before they are done.
+
+        Raises Rejected where the claim states less work, and Exhausted where the numbers are too long.
+        """
         if operations > self._work:
             raise Rejected(f"it takes more work than stated: {min(operations, 10**18)}")
         self.spend(operations, bits)
 
     def spend(self, operations: int, bits: int) -> None:
-        """More of the operations that are counted, or some of them, on numbers of so many bits."""
+        """Count more work of the operations that are counted, or of some of them, on numbers of so many bits.
+
+        Raises Exhausted where the numbers are too long for so much work.
+        """
         self._subject.size_left -= (1 + operations) * (1 + bits // 512) ** 2
         if self._subject.size_left < 0:
             raise Exhausted("the numbers are too long for so much work")
 
     def use(self, *properties: str, **fields: object) -> Proved:
-        """The next claim that is used: it must state one of these properties with these fields."""
+        """The next claim that is used. Raises Rejected unless it states one of these properties with these fields."""
         if not self._uses:
             raise Rejected(f"it does not use a claim on {' or '.join(properties)}")
         proved = self._uses.pop(0)
@@ -161,6 +168,7 @@ class Claim:
         return proved
 
     def use_nothing_else(self) -> None:
+        """Raise Rejected where the claim lists more claims than its rule has used."""
         require(not self._uses, "it uses claims that it does not need")
 
 
@@ -188,7 +196,7 @@ def _outcome(checker: _Checker, document: object, kinds: Mapping[str, Rulebook])
 
 
 class _Checker:
-    """One run, and where it stands."""
+    """One run of the checker on a document, and the place that it has reached."""
 
     def __init__(self, most: int, size: int) -> None:
         self.most, self.size = most, size
@@ -228,7 +236,7 @@ class _Checker:
         return Outcome(True, spell, tuple(map(dict, parts["goal"])))
 
     def statement(self, value: object, rulebook: Rulebook) -> Statement:
-        """Read strictly, and each spelling once: claims and goal have the same statements."""
+        """The statement read strictly, each spelling once: claims and goal have the same statements."""
         try:
             spelling = marshal.dumps(value, 2)  # type: ignore[arg-type]  # exact types only; version 2 has no references
         except ValueError:
@@ -266,7 +274,10 @@ def _read_mask(value: object, kinds: Mapping[str, Rulebook]) -> tuple[Rulebook, 
 
 
 def read_statement(value: object, rulebook: Rulebook) -> Statement:
-    """Read strictly, so that two statements are the same iff they are equal."""
+    """The statement read strictly, so that two statements are the same iff they are equal.
+
+    Raises Rejected for an unknown property, and for values that are not as specified.
+    """
     name = value.get("property") if type(value) is dict else None
     if type(name) is not str or name not in rulebook.properties:
         raise Rejected(f"unknown property {shown(name)}")
@@ -274,6 +285,6 @@ def read_statement(value: object, rulebook: Rulebook) -> Statement:
 
 
 def _read_witness(value: object, known: Sequence[Fields]) -> dict[str, Any]:
-    """By the known witness with the same keys, otherwise by the first one, which says what is wrong."""
+    """The witness, read by the known one with the same keys, otherwise by the first, which says what is wrong."""
     keys = value.keys() if type(value) is dict else ()
     return read_object(value, next((fields for fields in known if fields.keys() == keys), known[0]), "the witness")

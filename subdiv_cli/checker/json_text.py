@@ -1,4 +1,4 @@
-"""JSON text, as strictly as it can be read: no floats, no constants, no long integers, no key twice."""
+"""The reader of JSON text, as strict as can be: no floats, no constants, no long integers, no key twice."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from subdiv_cli.checker.reading import MAX_BYTES, Rejected, require, require_few
 
 
 def parse(text: str) -> object:
-    """JSON without floats, constants, long integers and duplicate keys."""
+    """The value of a JSON text. Raises Rejected for floats, constants, long integers and duplicate keys."""
     require_few(len(text) <= MAX_BYTES, "the file is too large")
     try:
         return json.loads(

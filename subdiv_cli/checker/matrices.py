@@ -15,22 +15,24 @@ Matrix = list[list[int]]
 
 
 class MatrixFamily(NamedTuple):
-    """Square matrices of one order, as numerators over one common denominator > 0."""
+    """A family of square matrices of one order, as numerators over one common denominator > 0."""
 
     matrices: list[Matrix]
     denominator: int
 
     @property
     def order(self) -> int:
+        """The order N of the matrices."""
         return len(self.matrices[0])
 
     @property
     def bits(self) -> int:
+        """The bits of the longest numerator and of the denominator together."""
         largest = max(max(map(abs, row)) for matrix in self.matrices for row in matrix)
         return largest.bit_length() + self.denominator.bit_length()
 
     def product(self, word: Sequence[int]) -> tuple[Matrix, int]:
-        """M_(w_ℓ) … M_(w_1) as numerators and their common denominator, in lowest terms."""
+        """The product M_(w_ℓ) … M_(w_1) as N×N numerators and their common denominator, in lowest terms."""
         total, denominator = self.matrices[word[0]], self.denominator ** len(word)
         for letter in word[1:]:
             total = multiply(self.matrices[letter], total)
@@ -44,18 +46,21 @@ class MatrixFamily(NamedTuple):
 
 
 def family(matrices: list[Matrix], denominator: int) -> MatrixFamily:
-    """In lowest terms."""
+    """The family of these matrices over this denominator, in lowest terms."""
     common = gcd(denominator, *(gcd(*row) for matrix in matrices for row in matrix))
     return MatrixFamily([[[x // common for x in row] for row in matrix] for matrix in matrices], denominator // common)
 
 
 def section(f: Polynomial, p: int, offset: int, order: int) -> Matrix:
-    """The numerators f_(offset+i-pj), 0 <= i, j < order."""
+    """The matrix of the numerators f_(offset+i-pj), 0 <= i, j < order."""
     return [[f.at(offset + i - p * j) for j in range(order)] for i in range(order)]
 
 
 def symmetric_section(b: Sequence[int], p: int, order: int) -> Matrix:
-    """v -> Σ_j b_(i-pj) v_j on symmetric v, b_(-i) = b_i: b_(i-pj) + b_(i+pj), b_i for j = 0, for 0 <= i, j < order."""
+    """The matrix of v -> Σ_j b_(i-pj) v_j on symmetric sequences v, b_(-i) = b_i.
+
+    Its entries are b_(i-pj) + b_(i+pj), b_i for j = 0, for 0 <= i, j < order.
+    """
 
     def at(i: int) -> int:
         return b[abs(i)] if abs(i) < len(b) else 0
@@ -64,16 +69,18 @@ def symmetric_section(b: Sequence[int], p: int, order: int) -> Matrix:
 
 
 def multiply(a: Matrix, b: Matrix) -> Matrix:
+    """The product of two integer matrices."""
     columns = list(zip(*b, strict=True))
     return [[sum(map(mul, row, column)) for column in columns] for row in a]
 
 
 def apply(a: Matrix, v: Sequence[int]) -> list[int]:
+    """The product of an integer matrix and a vector."""
     return [sum(map(mul, row, v)) for row in a]
 
 
 def inverse(a: Matrix) -> tuple[Matrix, int] | None:
-    """(b, d) with a^-1 = b/d, d ≠ 0; None for a singular matrix.
+    """The pair (b, d) with a^-1 = b/d, d ≠ 0; None for a singular matrix.
 
     Gauss and Jordan without fractions (Bareiss): after step k all entries are minors of order k + 1, up to sign, so the
     divisions are exact. The inverse is built in the columns that are done with.
@@ -98,7 +105,7 @@ def inverse(a: Matrix) -> tuple[Matrix, int] | None:
 
 
 def inverse_norm(a: Matrix) -> Fraction | None:
-    """‖a^-1‖₁, the largest absolute column sum; None for a singular matrix."""
+    """The norm ‖a^-1‖₁, the largest absolute column sum; None for a singular matrix."""
     if (found := inverse(a)) is None:
         return None
     b, d = found
@@ -106,14 +113,17 @@ def inverse_norm(a: Matrix) -> Fraction | None:
 
 
 def characteristic_polynomial(a: Matrix) -> list[int]:
-    """det(z - A), lowest power first. The rules of one mask ask for the same matrices, or for their mirror images."""
+    """The n + 1 coefficients of det(z - A), A an n×n matrix, lowest power first.
+
+    Remembered, since the rules of one mask use the same matrices, or their mirror images.
+    """
     rows = tuple(map(tuple, a))
     return list(_characteristic_polynomial(min(rows, tuple(row[::-1] for row in reversed(rows)))))
 
 
 @lru_cache(8)
 def _characteristic_polynomial(a: tuple[tuple[int, ...], ...]) -> list[int]:
-    """That of a block triangular matrix is the product of those of its diagonal blocks."""
+    """The characteristic polynomial: for a block triangular matrix the product of those of its diagonal blocks."""
     f = [1]
     for block in _blocks(a):
         for part in _parts_by_symmetry([[a[i][j] for j in block] for i in block]):
@@ -133,9 +143,10 @@ def _blocks(a: Sequence[Sequence[int]]) -> list[list[int]]:
 
 
 def _parts_by_symmetry(a: Matrix) -> list[Matrix]:
-    """A matrix that is its own mirror image maps the symmetric vectors to such ones, and the antisymmetric ones too.
+    """The matrices on symmetric and on antisymmetric vectors, for a matrix that is its own mirror image; else itself.
 
-    On the bases e_j + e_(n-1-j), with e_j alone in the middle, and e_j - e_(n-1-j) they are of half the order.
+    Such a matrix maps the symmetric vectors to such ones, and the antisymmetric ones too. On the bases
+    e_j + e_(n-1-j), with e_j alone in the middle, and e_j - e_(n-1-j) they are of half the order.
     """
     n = len(a)
     if any(row[::-1] != mirrored for row, mirrored in zip(a, reversed(a), strict=True)):
@@ -154,7 +165,7 @@ def _product(f: list[int], g: list[int]) -> list[int]:
 
 
 def _berkowitz(a: Matrix) -> list[int]:
-    """Highest power first, without divisions (Samuelson & Berkowitz).
+    """The characteristic polynomial, highest power first, without divisions (Samuelson & Berkowitz).
 
     With A_r = [[A_(r-1), s], [t, x]] the one of A_r is that of A_(r-1) times z - x - Σ_(i>=0) t A_(r-1)^i s z^(-i-1),
     its polynomial part.

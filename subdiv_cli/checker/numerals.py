@@ -9,45 +9,47 @@ from math import gcd
 from typing import Self
 
 MAX_DIGITS = 20_000
-"""Decimal digits of a number, and of the common denominator of a polynomial."""
+"""The most decimal digits of a number, and of the common denominator of a polynomial."""
 _SHORT = 40
-"""Characters of a number that is kept once it is read."""
+"""The most characters of a number that is kept once it is read."""
 _RATIONAL = re.compile(r"-?([0-9]+)(?:/([0-9]+))?")
 _DIGITS = re.compile(r"0|-?[1-9][0-9]*")
 
 
 def shown(value: object) -> str:
-    """Untrusted text in a message: short and ASCII."""
+    """Untrusted text in the form that messages show it: short and ASCII."""
     return ascii(value[:40] if isinstance(value, str) else type(value).__name__)
 
 
 class UnreadableError(Exception):
-    """A value that is not as specified; the places on the way out to it, innermost first, and what is wrong there."""
+    """Raised for a value that is not as specified, with the places on the way out to it, innermost first."""
 
     def __init__(self, why: str, place: str = "") -> None:
         self.why, self.place = why, place
 
     def within(self, place: str) -> Self:
+        """The same error with one more place on the way out."""
         return type(self)(self.why, self.place + place)
 
 
 class OversizedError(UnreadableError):
-    """A value as specified, of which there is more than is read."""
+    """Raised for a value as specified that is longer than what is read."""
 
 
 def demand(condition: bool, why: str) -> None:
+    """Raise UnreadableError, with this reason, unless the condition holds."""
     if not condition:
         raise UnreadableError(why)
 
 
 def demand_few(condition: bool, why: str) -> None:
-    """Of something that there may be only so much of."""
+    """Raise OversizedError, with this reason, unless the condition holds: there may be only so much of something."""
     if not condition:
         raise OversizedError(why)
 
 
 def rational(value: object) -> tuple[int, int]:
-    """`"p/q"` or `"p"` in lowest terms as (p, q), q > 0."""
+    """The rational that `"p/q"` or `"p"` in lowest terms spells, as (p, q), q > 0. Raises UnreadableError else."""
     if type(value) is str and len(value) <= _SHORT:
         return _short_ratio(value)
     return _ratio(value)
@@ -69,12 +71,12 @@ def _ratio(value: object) -> tuple[int, int]:
 
 
 _short_ratio = lru_cache(4096)(_ratio)
-"""Short numbers come again and again."""
+"""The ratio of a short number, remembered, since short numbers come again and again."""
 _short_fraction = lru_cache(4096)(lambda text: Fraction(*_ratio(text)))
 
 
 def _decimal(digits: str) -> int:
-    """In pieces, because Python refuses to read long integers at once."""
+    """The integer with these digits, read in pieces, because Python refuses to read long integers at once."""
     value = 0
     for i in range(0, len(digits), 600):
         piece = digits[i : i + 600]
@@ -83,13 +85,14 @@ def _decimal(digits: str) -> int:
 
 
 def fraction(value: object) -> Fraction:
+    """The fraction that `"p/q"` or `"p"` in lowest terms spells. Raises UnreadableError for others."""
     if type(value) is str and len(value) <= _SHORT:
         return _short_fraction(value)
     return Fraction(*_ratio(value))
 
 
 def long_integer(most: int, value: object) -> int:
-    """`"n"`, an integer without leading zeros."""
+    """The integer that `"n"` spells without leading zeros. Raises UnreadableError for others."""
     if type(value) is not str:
         raise UnreadableError("is not a string of digits")
     demand_few(len(value) <= most + 1, "has too many digits")

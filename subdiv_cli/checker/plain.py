@@ -24,12 +24,12 @@ class PlainMask(NamedTuple):
 
 
 class PlainReaders(NamedTuple):
-    """How masks of a kind are read."""
+    """The two readers by which masks of a kind are read."""
 
     of_file: Callable[[Mapping[str, Any]], PlainMask | None]
-    """From a parsed mask file; None, or a ValueError, where its numbers are not literal."""
+    """Reads a parsed mask file; returns None, or raises ValueError, where its numbers are not literal."""
     of_certificate: Callable[[Mapping[str, Any]], PlainMask | None]
-    """From what stands under `mask` in a verified certificate."""
+    """Reads the part of a verified certificate under `mask`."""
 
 
 def plain_mask(text: str) -> PlainMask | None:
@@ -48,7 +48,7 @@ def plain_mask(text: str) -> PlainMask | None:
 
 
 def mask_of(about: Mapping[str, Any]) -> PlainMask | None:
-    """The mask of a certificate, from what stands there under `mask`; None for a family of matrices."""
+    """The mask of a certificate, from the part under `mask`; None for a family of matrices."""
     return KINDS[about["kind"]].plain.of_certificate(about)
 
 
@@ -58,7 +58,7 @@ def certified_mask(text: str) -> PlainMask | None:
 
 
 def literal(x: object) -> Fraction:
-    """ValueError for what is no literal number."""
+    """The value of a literal number. Raises ValueError for anything else."""
     if type(x) is int or (type(x) is str and _LITERAL.fullmatch(x)):
         return Fraction(x)
     raise ValueError("no literal number")

@@ -1,4 +1,4 @@
-"""Laurent polynomials with integer coefficients over a common denominator, and what of their zeros is decided exactly.
+"""Laurent polynomials with integer coefficients over a common denominator, and exact decisions on their zeros.
 
 Plain coefficient lists are integers, lowest power first.
 """
@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 
 class Polynomial(NamedTuple):
-    """Σ_k numerators[k] z^(start+k) / denominator in lowest terms, both ends non-zero; () for zero."""
+    """The polynomial Σ_k numerators[k] z^(start+k) / denominator in lowest terms, both ends non-zero; () for zero."""
 
     start: int
     numerators: tuple[int, ...]
@@ -27,6 +27,7 @@ class Polynomial(NamedTuple):
 
     @property
     def bits(self) -> int:
+        """The bits of the longest numerator and of the denominator together."""
         return max(map(abs, self.numerators), default=0).bit_length() + self.denominator.bit_length()
 
     def at(self, exponent: int) -> int:
@@ -40,7 +41,7 @@ class Polynomial(NamedTuple):
 
 
 def polynomial(start: int, numerators: Sequence[int], denominator: int) -> Polynomial:
-    """In the normal form: two polynomials are equal iff they are the same tuple."""
+    """The polynomial in its normal form: two polynomials are equal iff they are the same tuple."""
     first, end = 0, len(numerators)
     while end and not numerators[end - 1]:
         end -= 1
@@ -54,7 +55,7 @@ def polynomial(start: int, numerators: Sequence[int], denominator: int) -> Polyn
 
 
 def over_common_denominator(start: int, pairs: Sequence[tuple[int, int]], most_bits: int) -> Polynomial | None:
-    """From coefficients (p, q) = p/q; None where the common denominator is longer than most_bits."""
+    """The polynomial with the coefficients p/q of these pairs; None for a common denominator above most_bits."""
     common = 1
     for _, q in pairs:
         common = lcm(common, q)
@@ -64,6 +65,7 @@ def over_common_denominator(start: int, pairs: Sequence[tuple[int, int]], most_b
 
 
 def multiply(f: Polynomial, g: Polynomial) -> Polynomial:
+    """The product f(z) g(z)."""
     product = [0] * (f.length + g.length)
     for i, x in enumerate(f.numerators):
         for j, y in enumerate(g.numerators, i):
@@ -72,6 +74,7 @@ def multiply(f: Polynomial, g: Polynomial) -> Polynomial:
 
 
 def add(f: Polynomial, g: Polynomial) -> Polynomial:
+    """The sum f(z) + g(z)."""
     if not f.numerators or not g.numerators:
         return f if f.numerators else g
     start = min(f.start, g.start)
@@ -81,12 +84,12 @@ def add(f: Polynomial, g: Polynomial) -> Polynomial:
 
 
 def times(f: Polynomial, numerator: int, denominator: int = 1, shift: int = 0) -> Polynomial:
-    """f(z) z^shift · numerator/denominator."""
+    """The polynomial f(z) z^shift · numerator/denominator."""
     return polynomial(f.start + shift, [numerator * c for c in f.numerators], f.denominator * denominator)
 
 
 def times_sigma(f: Polynomial, p: int, power: int) -> Polynomial:
-    """f(z) (1 + z + … + z^(p-1))^power."""
+    """The polynomial f(z) (1 + z + … + z^(p-1))^power."""
     numerators = list(f.numerators)
     for _ in range(power):
         numerators = [sum(numerators[max(0, i - p + 1) : i + 1]) for i in range(len(numerators) + p - 1)]
@@ -94,7 +97,7 @@ def times_sigma(f: Polynomial, p: int, power: int) -> Polynomial:
 
 
 def spread(f: Polynomial, p: int) -> Polynomial:
-    """f(z^p)."""
+    """The polynomial f(z^p)."""
     numerators = [0] * (p * f.length)
     numerators[::p] = f.numerators
     return polynomial(p * f.start, numerators, f.denominator)
@@ -106,23 +109,26 @@ def classes(f: Polynomial, p: int) -> list[tuple[int, ...]]:
 
 
 def components(f: Polynomial, p: int) -> list[Polynomial]:
-    """f_0, …, f_(p-1) with f(z) = Σ_r z^r f_r(z^p)."""
+    """The polyphase components f_0, …, f_(p-1) with f(z) = Σ_r z^r f_r(z^p)."""
     first = [f.start + (r - f.start) % p for r in range(p)]
     return [polynomial((first[r] - r) // p, numerators, f.denominator) for r, numerators in enumerate(classes(f, p))]
 
 
 def sigma_divides(f: Polynomial, p: int) -> bool:
-    """Modulo z^p - 1 the multiples of 1 + z + … + z^(p-1) are its constant multiples: equal residue sums."""
+    """Whether σ = 1 + z + … + z^(p-1) divides f: whether its residue sums are equal.
+
+    Modulo z^p - 1 the multiples of σ are its constant multiples.
+    """
     return len({sum(numerators) for numerators in classes(f, p)}) == 1
 
 
 def slot_bits(f: Polynomial, level: int) -> int:
-    """Room for any coefficient of a product of `level` factors with these numerators, in whole bytes, 8 at least."""
+    """The bits for any coefficient of a product of `level` factors with these numerators: whole bytes, at least 8."""
     return max(64, 8 * ((level * sum(map(abs, f.numerators)).bit_length() + 2 + 7) // 8))
 
 
 def iterated_norm(f: Polynomial, p: int, level: int) -> int:
-    """max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(j<L) f(z^(p^j)), f by its numerators only."""
+    """The norm max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(j<L) f(z^(p^j)), f by its numerators only."""
     magnitudes = iterated_magnitudes(f, p, level)
     rows = [magnitudes[i : i + p**level] for i in range(0, len(magnitudes), p**level)]
     return max(map(sum, zip_longest(*rows, fillvalue=0)))
@@ -164,7 +170,7 @@ def remainder(f: Sequence[int], g: Sequence[int]) -> list[int]:
 
 
 def greatest_common_divisor(f: Sequence[int], g: Sequence[int]) -> list[int]:
-    """Up to a constant factor."""
+    """The greatest common divisor of two polynomials, up to a constant factor."""
     a, b = list(f), list(g)
     while b:
         a, b = b, remainder(a, b)
@@ -189,7 +195,7 @@ def vanishes_on_circle(g: Polynomial) -> bool:
 
 
 def on_circle(h: Sequence[int]) -> list[int]:
-    """H with z^-e h(z) = H(z + 1/z), for h of degree 2e that is its own reverse; lowest power first."""
+    """The polynomial H with z^-e h(z) = H(z + 1/z), for h of degree 2e that is its own reverse; lowest power first."""
     e = len(h) // 2
     total, before, now = [h[e]], [2], [0, 1]
     for c in h[e + 1 :]:
@@ -216,7 +222,7 @@ def count_zeros(f: Sequence[int], left: Fraction | int, right: Fraction | int) -
 
 
 def value(f: Sequence[int], x: Fraction | int) -> int:
-    """f(x) v^n, n the length of f less one, v > 0 the denominator of x: it has the sign of f(x)."""
+    """The integer f(x) v^n, n the length of f less one, v > 0 the denominator of x: it has the sign of f(x)."""
     u, v = x.numerator, x.denominator
     total, power = 0, 1
     for c in reversed(f):
@@ -244,7 +250,7 @@ def _sign_changes(chain: Sequence[Sequence[int]], x: Fraction | int) -> int:
 
 
 def totients(last: int) -> list[int]:
-    """Euler's φ(0), …, φ(last); φ(0) is set to 0."""
+    """The values φ(0), …, φ(last) of Euler's function; φ(0) is set to 0."""
     phi = list(range(last + 1))
     for q in range(2, last + 1):
         if phi[q] == q:
@@ -254,14 +260,15 @@ def totients(last: int) -> list[int]:
 
 
 def is_cycle(a: Polynomial, n: int, p: int) -> bool:
-    """For n > 1 coprime to p: whether Φ_n(z^p)/Φ_n(z) = Π_(d|p, d>1) Φ_(nd)(z) divides a ≠ 0."""
+    """Whether Φ_n(z^p)/Φ_n(z) = Π_(d|p, d>1) Φ_(nd)(z) divides a ≠ 0, for n > 1 coprime to p."""
     return all(cyclotomic_divides(n * d, a) for d in range(2, p + 1) if p % d == 0)
 
 
 def cyclotomic_divides(m: int, a: Polynomial) -> bool:
-    """Φ_m divides a iff z^m - 1 divides a(z) Π_(q|m prime) (z^(m/q) - 1): the factors vanish at the m-th roots of unity
+    """Whether Φ_m divides a: iff z^m - 1 divides a(z) Π_(q|m prime) (z^(m/q) - 1).
 
-    that are not primitive, and only there. An identity of integer polynomials, so it is tried at z = 2 first.
+    The factors vanish at the m-th roots of unity that are not primitive, and only there. An identity of integer
+    polynomials, so it is tried at z = 2 first.
     """
     steps = [m // q for q in prime_factors(m)]
     value = sum(c << i for i, c in enumerate(a.numerators))

@@ -1,4 +1,4 @@
-"""Strict reading: JSON values to integers, rationals, polynomials. Whatever is not exactly as specified is rejected."""
+"""The strict reading of JSON values as integers, rationals, polynomials. Whatever is not as specified is rejected."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ from subdiv_cli.checker.numerals import (
 from subdiv_cli.checker.polynomials import Polynomial, over_common_denominator
 
 Reader = Callable[[Any], Any]
-"""It returns what a JSON value means, or raises an UnreadableError."""
+"""A function that returns what a JSON value means, or raises an UnreadableError."""
 Fields = Mapping[str, str | Reader]
-"""The keys of an object, all of them obligatory, and what each value is: the name of a reader below, or a reader."""
+"""The keys of an object, all of them obligatory, and the readers of their values, given by name or as functions."""
 
 MAX_BYTES = 64 << 20
 MAX_LENGTH = 4_000
@@ -34,22 +34,22 @@ MAX_LENGTH = 4_000
 MAX_INTEGER = 4_000_000
 """An index or an exponent."""
 MAX_NATURAL = 10_000
-"""An order, a level, a letter, the number of a mask or of a claim."""
+"""The largest order, level, letter, number of a mask or of a claim."""
 MAX_ORDER = 120
-"""Of a matrix."""
+"""The largest order of a matrix."""
 MAX_LETTERS = 64
-"""Of a family."""
+"""The most matrices of a family."""
 MAX_FAMILY = 1 << 30
 """Bits of all entries of a family over their common denominator, at least."""
 MAX_INDEX = 1_000_000
 """A coordinate of an index in Z^s."""
 MAX_DIMENSION = 4
 MAX_VERTICES = 20_000
-"""Of a polytope, without reflections."""
+"""The most vertices of a polytope, without reflections."""
 MAX_ENTRY = 10**12
-"""A member of a flat list: its numbers are numerators of weights, vertices and letters."""
+"""The largest member of a flat list: its numbers are numerators of weights, vertices and letters."""
 MAX_DEGREE = 200
-"""Of the polynomial of a root."""
+"""The largest degree of the polynomial of a root."""
 
 _RANGES = {
     "natural": (0, MAX_NATURAL),
@@ -64,26 +64,27 @@ _RANGES = {
 
 
 class Rejected(Exception):  # noqa: N818 (an answer, not an error)
-    """Why a certificate does not verify."""
+    """Raised where a certificate does not verify; the message says why."""
 
 
 class Exhausted(Rejected):
-    """It asks more than the checker does: true or not, it is not looked at to the end."""
+    """Raised where a certificate needs more work than the checker does: true or not, it is not read to the end."""
 
 
 def require(condition: bool, why: str) -> None:
+    """Raise Rejected, with this reason, unless the condition holds."""
     if not condition:
         raise Rejected(why)
 
 
 def require_few(condition: bool, why: str) -> None:
-    """Of something that there may be only so much of."""
+    """Raise Exhausted, with this reason, unless the condition holds: there may be only so much of something."""
     if not condition:
         raise Exhausted(why)
 
 
 def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
-    """The values of an object that has exactly these keys."""
+    """The values of an object that has exactly these keys. Raises Rejected for any other value."""
     try:
         return _object_of(value, fields)
     except UnreadableError as error:
@@ -91,7 +92,7 @@ def read_object(value: object, fields: Fields, what: str) -> dict[str, Any]:
 
 
 def read(kind: str, value: object, what: str) -> Any:
-    """A value of one of the kinds below."""
+    """The value read by one of the readers below. Raises Rejected where it is not as specified."""
     try:
         return reader(kind)(value)
     except UnreadableError as error:
@@ -120,18 +121,18 @@ def _object_of(value: object, fields: Fields) -> dict[str, Any]:
 
 
 def record(fields: Fields) -> Reader:
-    """Of an object that has exactly these keys."""
+    """A reader of an object that has exactly these keys."""
     return partial(_object_of, fields=fields)
 
 
 def several(kind: str | Reader, most: int = MAX_LENGTH) -> Reader:
-    """Of a list of no more than so many members."""
+    """A reader of a list of no more than so many members."""
     return partial(_members, reader(kind), most)
 
 
 @cache
 def reader(kind: str | Reader) -> Reader:
-    """By name; one that ends in [] is a list."""
+    """The reader of this name; one that ends in [] reads a list."""
     if not isinstance(kind, str):
         return kind
     if kind in _RANGES:
@@ -211,7 +212,7 @@ def _root(value: object) -> tuple[int, ...]:
 
 
 def _index(value: object) -> tuple[int, ...]:
-    """Of Z^s; which s, the rule knows."""
+    """An index of Z^s; the rule knows which s."""
     return _members(partial(_integer, -MAX_INDEX, MAX_INDEX), MAX_DIMENSION, value, "a coordinate of ")
 
 
@@ -222,7 +223,7 @@ def _term(value: object) -> tuple[tuple[int, ...], Fraction]:
 
 
 def _terms(value: object) -> tuple[tuple[tuple[int, ...], Fraction], ...]:
-    """Pairs of an index and its coefficient, not zero, in lexicographic order: in one way only."""
+    """The pairs of an index and its coefficient, not zero, in lexicographic order: in one way only."""
     terms = _members(_term, MAX_LENGTH, value, "a term of ")
     demand(len(terms) > 0, "is empty")
     demand(all(coefficient for _, coefficient in terms), "has a coefficient that is zero")
@@ -235,7 +236,7 @@ def _terms(value: object) -> tuple[tuple[tuple[int, ...], Fraction], ...]:
 
 
 def _flat(value: object) -> list[int]:
-    """Integers in a row whose meaning their rule knows."""
+    """A list of integers whose meaning their rule knows."""
     members: list[int] = _list(value, 2 * MAX_VERTICES)
     demand(set(map(type, members)) <= {int}, "has a member that is not an integer")
     demand(not members or -MAX_ENTRY <= min(members) <= max(members) <= MAX_ENTRY, "has a member that is too large")

@@ -12,7 +12,7 @@ from subdiv_cli.checker.reading import require
 
 
 class RealRoot(NamedTuple):
-    """Λ, the only real root of the polynomial in [low, high], 0 < low."""
+    """A positive number Λ, the only real root of the polynomial in [low, high], 0 < low."""
 
     polynomial: tuple[int, ...]
     low: Fraction
@@ -20,16 +20,17 @@ class RealRoot(NamedTuple):
 
     @property
     def rational(self) -> Fraction | None:
-        """Λ, where the polynomial is of degree 1."""
+        """The number Λ where the polynomial is of degree 1, else None."""
         return Fraction(-self.polynomial[0], self.polynomial[1]) if len(self.polynomial) == 2 else None
 
 
 def root_of(s: Statement) -> RealRoot:
+    """The root in a statement, not checked."""
     return RealRoot(s["polynomial"], s["low"], s["high"])
 
 
 def isolated_root(c: Claim) -> RealRoot:
-    """The root that the claim's statement names, after a look that there is exactly one.
+    """The root that the claim's statement names. Raises Rejected unless there is exactly one.
 
     Beyond degree 1 the polynomial changes its sign, and by Sturm it has one distinct real root between.
     """
@@ -48,11 +49,12 @@ def isolated_root(c: Claim) -> RealRoot:
 
 
 def fraction_bits(x: Fraction) -> int:
+    """The bits of numerator and denominator together."""
     return x.numerator.bit_length() + x.denominator.bit_length()
 
 
 class Enclosure(NamedTuple):
-    """Λ in [low, low + width]/scale, all integers, low > 0."""
+    """An interval [low, low + width]/scale around Λ, all integers, low > 0."""
 
     low: int
     width: int
@@ -60,7 +62,7 @@ class Enclosure(NamedTuple):
 
 
 def enclose(c: Claim, root: RealRoot, bits: int) -> Enclosure:
-    """Λ up to 2^-bits, or exactly where its polynomial is of degree 1."""
+    """The interval around Λ of width 2^-bits, or Λ exactly where its polynomial is of degree 1."""
     if (exact := root.rational) is not None:
         return Enclosure(exact.numerator, 0, exact.denominator)
     m, d, scale = root.polynomial, len(root.polynomial) - 1, 1 << bits
@@ -86,7 +88,7 @@ def enclose(c: Claim, root: RealRoot, bits: int) -> Enclosure:
 
 
 class _Bracket(NamedTuple):
-    """Integers a < b and the values there, left <= 0 < right."""
+    """A bracket of integers a < b and the values there, left <= 0 < right."""
 
     a: int
     b: int
@@ -94,7 +96,7 @@ class _Bracket(NamedTuple):
     right: int
 
     def probed(self, at: Callable[[int], int], x: int) -> _Bracket:
-        """The half of it where the sign changes; x may lie outside."""
+        """The part of the bracket, cut at x, where the sign changes; x may lie outside."""
         if not self.a < x < self.b:
             return self
         y = at(x)
@@ -102,10 +104,10 @@ class _Bracket(NamedTuple):
 
 
 def _bracket(at: Callable[[int], int], a: int, b: int) -> int:
-    """x in [a, b) with at(x) <= 0 < at(x + 1), from at(a) < 0 < at(b).
+    """The integer x in [a, b) with at(x) <= 0 < at(x + 1), from at(a) < 0 < at(b).
 
     The bracket shrinks to a part of it around the zero of the chord, to smaller and smaller parts as long as that
-    works, and to a half where it does not. How x is found matters to the time alone: signs are exact.
+    works, and to a half where it does not. How x is reached matters to the time alone: signs are exact.
     """
     found, parts = _Bracket(a, b, at(a), at(b)), 4
     while (width := found.b - found.a) > 1:
@@ -118,7 +120,7 @@ def _bracket(at: Callable[[int], int], a: int, b: int) -> int:
 
 
 def root_below(x: int, n: int) -> int:
-    """⌊x^(1/n)⌋ for x >= 0, n >= 1, by Newton's method.
+    """The integer ⌊x^(1/n)⌋ for x >= 0, n >= 1, by Newton's method.
 
     It starts above the root, from the root of the leading half of the digits, and falls until it falls no more: for y
     above the root the next y is not below it (Bernoulli).
@@ -134,7 +136,7 @@ def root_below(x: int, n: int) -> int:
 
 
 class Scale(NamedTuple):
-    """1/σ = Λ^(-1/ℓ) in [value, value + error]/2^bits."""
+    """An enclosure of 1/σ = Λ^(-1/ℓ) in [value, value + error]/2^bits."""
 
     bits: int
     value: int
@@ -142,7 +144,7 @@ class Scale(NamedTuple):
 
 
 def inverse_scale(c: Claim, at: Enclosure, length: int, bits: int) -> Scale:
-    """From 2^(bits length)/Λ: its root from below, and how far the root from above is, tried by powers."""
+    """The enclosure of 1/σ, from 2^(bits length)/Λ: its root from below, and by powers how far the one above is."""
     shifted = at.scale << (bits * length)
     c.spend(64 + 2 * length.bit_length(), shifted.bit_length())
     value, above, error = root_below(shifted // (at.low + at.width), length), -(-shifted // at.low), 1

@@ -1,4 +1,4 @@
-"""`subdiv check`: masks in, a report out, an exit code that says what was proved."""
+"""The command `subdiv check`: masks in, a report out, an exit code that says what was proved."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def command(ctx: click.Context, /, **given: Any) -> ExitCode:
 
 
 def _settings(asked: Asked) -> dict[str, Any]:
-    """What the catalog is told of the run."""
+    """The arguments of the run for the catalog."""
     from subdiv_cli.catalog.cache import directory
 
     told: dict[str, Any] = {
@@ -105,7 +105,7 @@ def _look(asked: Asked) -> Look:
 
 
 def _close(run: Run, look: Look) -> ExitCode:
-    """Report and exit code."""
+    """The exit code, after the report is written."""
     asked = run.asked
     missing = run.missing()
     look = look._replace(missing=missing, interrupted=run.interrupted)

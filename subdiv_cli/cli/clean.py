@@ -1,4 +1,4 @@
-"""`subdiv clean`: the cache is emptied."""
+"""The command `subdiv clean`, which empties the cache."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def command(cache_dir: str | None) -> ExitCode:
 
 
 def _settled() -> str | None:
-    """The cache-dir of the nearest pyproject.toml."""
+    """The cache-dir of the nearest pyproject.toml, None without one."""
     found = find(())
     told = None if found is None else found[2].get("cache-dir")
     return None if found is None or not isinstance(told, str) else str(found[0].parent / told)

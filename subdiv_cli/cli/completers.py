@@ -1,4 +1,4 @@
-"""What is completed: finding codes, parameters of the named files, properties. Of files the shell knows more."""
+"""Completions of the shell: finding codes, parameters of the named files, properties. Files the shell knows itself."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def complete_code(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """Finding codes, with their names."""
+    """The completions with finding codes, with their names."""
     from click.shell_completion import CompletionItem
 
     from subdiv_cli.explain import codes, title
@@ -24,7 +24,7 @@ def complete_code(ctx: click.Context, param: click.Parameter, incomplete: str) -
 
 
 def complete_property(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """`C0`, `C1`, … and the properties of [expect]."""
+    """The completions `C0`, `C1`, … and the properties of [expect]."""
     from click.shell_completion import CompletionItem
 
     from subdiv_cli.maskfile.properties import KEYS, TRUTHS
@@ -34,7 +34,7 @@ def complete_property(ctx: click.Context, param: click.Parameter, incomplete: st
 
 
 def complete_parameter(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-    """`w=` for each parameter of the mask files named so far, with its default."""
+    """The completions `w=` for each parameter of the mask files named so far, with its default."""
     from click.shell_completion import CompletionItem
 
     from subdiv_cli.kinds.reading import read_path

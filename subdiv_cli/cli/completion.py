@@ -1,4 +1,4 @@
-"""`subdiv completion`: the script by which a shell completes commands, options, files, codes and parameters."""
+"""The command `subdiv completion`: the script by which a shell completes commands, options, files and codes."""
 
 from __future__ import annotations
 

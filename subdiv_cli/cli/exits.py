@@ -1,4 +1,4 @@
-"""Exit codes: what a script learns from a run without reading it."""
+"""The exit codes, by which a script learns the result of a run without reading it."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ if TYPE_CHECKING:
 
 
 class ExitCode(IntEnum):
-    """2 beats 1 beats 3, and 130 beats all."""
+    """An exit code: 2 beats 1 beats 3, and 130 beats all."""
 
     PASSED = 0
-    """Every expectation proved; done."""
+    """Every expectation is proved; or the command is done."""
     FAILED = 1
-    """An expectation refuted; the answer is no."""
+    """An expectation is refuted; or the answer is no."""
     ERROR = 2
-    """Not checked: usage, an unreadable or invalid mask, an internal error."""
+    """The mask is not checked: usage, an unreadable or invalid mask, an internal error."""
     UNDECIDED = 3
-    """Nothing refuted, something undecided."""
+    """Nothing is refuted, something undecided."""
     INTERRUPTED = 130
-    """Ctrl-C."""
+    """The run is ended by Ctrl-C."""
 
 
 def exit_code(statuses: Iterable[Status], *, allow_undecided: bool = False, interrupted: bool = False) -> ExitCode:

@@ -1,4 +1,4 @@
-"""`subdiv explain`: the page of a finding code."""
+"""The command `subdiv explain`: the page of a finding code."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Exit codes:
 """
 
 _LEAST = 20
-"""Columns that a summary needs to say something."""
+"""The columns that a summary needs to be of use."""
 
 
 @click.command("explain", epilog=_EPILOG)
@@ -48,7 +48,7 @@ def command(code: str | None) -> None:
 
 
 def _list() -> str:
-    """A line for each code: its name and the beginning of its page."""
+    """The text with a line for each code: its name and the beginning of its page."""
     from subdiv_cli.explain import codes, page, title
     from subdiv_cli.report.letters import letters, width
     from subdiv_cli.report.page import wrap
@@ -79,7 +79,7 @@ def _print(text: str) -> None:
 
 
 def _fitting(text: str) -> str:
-    """A page in the letters and the width of stdout: paragraphs that are wider are wrapped, examples are not."""
+    """The page in the letters and the width of stdout: paragraphs that are wider are wrapped, examples are not."""
     from subdiv_cli.report.letters import letters, width
     from subdiv_cli.report.page import wrap
 
@@ -95,7 +95,7 @@ def _fitting(text: str) -> str:
 
 
 def _rendered(text: str) -> str:
-    """A page as a terminal shows it best."""
+    """The page as a terminal shows it best."""
     from io import StringIO
 
     from rich.console import Console

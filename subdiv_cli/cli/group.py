@@ -1,6 +1,6 @@
 """The command group: it knows its commands by name and imports one when it is called, so that `--help` is quick.
 
-It also sees to it that an exit code means what `exits` says: click's own is 1 for an uncaught exception.
+It also makes sure that an exit code means what `exits` says: click's own is 1 for an uncaught exception.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ COMMANDS = {
     "clean": ("subdiv_cli.cli.clean", "Remove the results kept of earlier runs."),
     "completion": ("subdiv_cli.cli.completion", "Print the completion script of a shell."),
 }
-"""Command -> the module that has it as `command`, and what it does in a line."""
+"""The module that has each command as `command`, and its summary in a line."""
 
 
 class LazyGroup(click.Group):
@@ -40,7 +40,7 @@ class LazyGroup(click.Group):
         return list(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import and return a command; None for an unknown one, which click then reports."""
+        """The command of this name, imported; None for an unknown one, which click then reports."""
         if cmd_name not in COMMANDS:
             return None
         command: click.Command = import_module(COMMANDS[cmd_name][0]).command
@@ -49,7 +49,10 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """As click does it, with near names for an unknown command (click looks only at commands it has imported)."""
+        """The command of a line, as click resolves it, with near names for an unknown one.
+
+        Click itself looks only at commands it has imported.
+        """
         name = args[0]
         if name not in COMMANDS and not name.startswith("-") and not ctx.resilient_parsing:
             ctx.fail(_no_command(name))
@@ -85,7 +88,7 @@ class LazyGroup(click.Group):
 
 
 def _no_command(name: str) -> str:
-    """What to say of a word that is no command: a file was forgotten a command for, or the command is misspelt."""
+    """The message for a word that is no command: its command was forgotten, or the command is misspelt."""
     from pathlib import Path
 
     if name.endswith(".toml") or Path(name).exists():
@@ -100,7 +103,7 @@ def _no_command(name: str) -> str:
 
 
 def _unwritten(error: Exception) -> bool:
-    """Whether stdout was full while click wrote to it, `--help` for instance; that is then said."""
+    """Whether stdout was full while click wrote to it, `--help` for instance; that is then reported."""
     if not isinstance(error, OSError) or error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
         return False
     from subdiv_cli.cli.streams import UnwritableError, abandon
@@ -111,7 +114,7 @@ def _unwritten(error: Exception) -> bool:
 
 
 def _report(error: Exception, *, debug: bool) -> None:
-    """Say that this is our mistake, not the reader's."""
+    """Report that this is our mistake, not the reader's."""
     from subdiv_cli.cli.streams import emit, look_of
     from subdiv_cli.maskfile.problems import internal_error
     from subdiv_cli.report.problems import render

@@ -1,4 +1,4 @@
-"""`subdiv jsr`: the joint spectral radius of a family of rational matrices, enclosed with proof."""
+"""The command `subdiv jsr`: the joint spectral radius of a family of rational matrices, enclosed with proof."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`subdiv list`: the catalog that ships with the package, each mask with what is proved of it."""
+"""The command `subdiv list`: the catalog that ships with the package, each mask with what is proved of it."""
 
 from __future__ import annotations
 

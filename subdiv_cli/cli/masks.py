@@ -1,4 +1,4 @@
-"""Which masks `check` is to look at: files, lists of files, `--mask`, and the values of `-p`."""
+"""The masks that `check` looks at: files, lists of files, `--mask`, and the values of `-p`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from subdiv_cli.maskfile import MaskFile
 
 MOST_BYTES = 64 << 20
-"""Of a list of files."""
+"""The most bytes of a list of files."""
 
 
 def usage(asked: Asked) -> None:
@@ -34,7 +34,7 @@ def usage(asked: Asked) -> None:
 
 
 def overrides(parameters: Sequence[str]) -> dict[str, Fraction]:
-    """The values of -p by name. Ends the command, all faults told, where one cannot be read."""
+    """The values of -p by name. Ends the command, all faults printed, where one cannot be read."""
     if not parameters:
         return {}
     from subdiv_cli.maskfile import MaskFileError
@@ -55,7 +55,7 @@ def overrides(parameters: Sequence[str]) -> dict[str, Fraction]:
 
 
 def required(properties: Sequence[str]) -> tuple[Expectation, ...]:
-    """The properties of --require. Ends the command, all faults told, where one cannot be read."""
+    """The properties of --require. Ends the command, all faults printed, where one cannot be read."""
     if not properties:
         return ()
     from dataclasses import replace
@@ -81,7 +81,10 @@ def _end(problems: Sequence[Problem]) -> None:
 
 
 def targets(asked: Asked, names: Collection[str]) -> list[str | MaskFile] | Result:
-    """What to check; an invalid Result where --mask cannot be read. `names` are those of -p, which a mask may use."""
+    """The files and masks to check; an invalid Result where --mask cannot be read.
+
+    `names` are those of -p, which a mask may use.
+    """
     if asked.mask is None:
         listed = () if asked.files_from is None else _listed(asked.files_from)
         return [*asked.targets, *listed]

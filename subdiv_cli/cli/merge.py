@@ -1,4 +1,4 @@
-"""`subdiv merge`: the JSON reports of the parts of a run, or of several runs, as one."""
+"""The command `subdiv merge`: the JSON reports of the parts of a run, or of several runs, as one."""
 
 from __future__ import annotations
 

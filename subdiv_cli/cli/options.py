@@ -17,7 +17,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 class Asked(NamedTuple):
-    """What the command line asks for, under the names of its options."""
+    """The options of the command line, under their names."""
 
     targets: tuple[str, ...]
     parameters: tuple[str, ...]
@@ -46,7 +46,7 @@ class Asked(NamedTuple):
 
     @property
     def verbosity(self) -> int:
-        """-1 for -q, else how often -v is given."""
+        """The verbosity: -1 for -q, else how often -v is given."""
         return -1 if self.quiet else self.verbose
 
 
@@ -62,7 +62,7 @@ class SectionedCommand(click.Command):
     """A command whose help has its options in sections."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write each section."""
+        """Write the options of each section."""
         sections: dict[str, list[tuple[str, str]]] = {}
         for parameter in self.get_params(ctx):
             if isinstance(parameter, click.Option) and (record := parameter.get_help_record(ctx)) is not None:
@@ -73,14 +73,14 @@ class SectionedCommand(click.Command):
 
 
 def option(section: str, *names: str, **attributes: Any) -> Callable[[F], F]:
-    """An option in a section; with `variable` as an environment variable, shown in the help."""
+    """A decorator for an option in a section; with `variable` as an environment variable, shown in the help."""
     variable = attributes.pop("variable", None)
     more = {} if variable is None else {"envvar": f"SUBDIV_{variable}", "show_envvar": True}
     return click.option(*names, cls=Option, section=section, **attributes, **more)
 
 
 def all_of(*decorators: Callable[[F], F]) -> Callable[[F], F]:
-    """Several options as one decorator, in the order in which the help shows them."""
+    """A decorator for several options, in the order in which the help shows them."""
 
     def decorate(f: F) -> F:
         for decorator in reversed(decorators):
@@ -91,7 +91,7 @@ def all_of(*decorators: Callable[[F], F]) -> Callable[[F], F]:
 
 
 def parameter(help: str) -> Callable[[F], F]:
-    """-p NAME=VALUE."""
+    """A decorator for the option -p NAME=VALUE."""
     return option(
         "Masks", "-p", "--parameter", "parameters", multiple=True, metavar="NAME=VALUE",
         shell_complete=complete_parameter, help=help,
@@ -99,7 +99,7 @@ def parameter(help: str) -> Callable[[F], F]:
 
 
 def effort(help: str, **more: Any) -> Callable[[F], F]:
-    """--effort N."""
+    """A decorator for the option --effort N."""
     return option(
         "Run", "--effort", type=WHOLE, default=DEFAULT_EFFORT, show_default=True, metavar="N", help=help, **more
     )
@@ -137,11 +137,11 @@ named = all_of(
     ),
     option("Masks", "--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
 )  # fmt: skip
-"""How masks are named beside files; `belongs_to_mask` says what does not go together."""
+"""The options that name masks beside files; `belongs_to_mask` refuses those that do not go together."""
 
 
 def belongs_to_mask(mask: str | None, start: tuple[int, ...] | None, arity: int | None) -> None:
-    """Raise a usage error for options that say something of a mask that is not there."""
+    """Raise a usage error for options about a mask that is not there."""
     if mask is None and (start is not None or arity is not None):
         name = "--start" if start is not None else "--arity"
         raise click.UsageError(f"{name} belongs to --mask; a file says it itself, under [mask]")

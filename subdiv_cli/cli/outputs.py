@@ -1,4 +1,4 @@
-"""`-o FILE` and `-o FORMAT:FILE`: where a report is to go, and its way there."""
+"""The option -o, as `-o FILE` or `-o FORMAT:FILE`: the files of a report, and the way there."""
 
 from __future__ import annotations
 
@@ -20,25 +20,25 @@ _FOREIGN = {
     ".yaml", ".yml", ".toml", ".xml", ".html", ".htm", ".md", ".markdown", ".rst", ".tex", ".csv", ".tsv", ".jsonl",
     ".ndjson", ".sarif", ".pdf", ".png", ".svg",
 }  # fmt: skip
-"""Suffixes that promise a format; a report in another one under such a name would be a surprise."""
+"""The suffixes that promise a format; a report in another one under such a name would be a surprise."""
 _PREFIX = re.compile(r"([A-Za-z][\w.+-]+):", re.ASCII)
-"""A word before a colon is meant as a format; a single letter is a drive."""
+"""A word before a colon, which is meant as a format; a single letter is a drive."""
 
 
 class Output(NamedTuple):
-    """A file a report is to be written to; `format` None is the one of --format."""
+    """A file for a report; a `format` of None is that of --format."""
 
     file: str
     format: str | None = None
 
 
 class OutputType(click.ParamType[Output]):
-    """`FILE` or `FORMAT:FILE`, a format being one of those in the registry; else guessed by the file's suffix."""
+    """The type of `FILE` or `FORMAT:FILE`, a format being one in the registry; else guessed by the file's suffix."""
 
     name = "[format:]file"
 
     def convert(self, value: str | Output, param: click.Parameter | None, ctx: click.Context | None) -> Output:
-        """Parse; fail where the file cannot be written, before any work is done."""
+        """The output that the text names; fails where the file cannot be written, before any work is done."""
         if isinstance(value, Output):
             return value
         prefix = _PREFIX.match(value)
@@ -55,7 +55,7 @@ class OutputType(click.ParamType[Output]):
         return output
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-        """A file, by the shell."""
+        """The completion of a file, which the shell does."""
         return click.Path().shell_complete(ctx, param, incomplete)
 
     def _by_suffix(self, file: str, param: click.Parameter | None, ctx: click.Context | None) -> str | None:
@@ -70,12 +70,12 @@ def _formats() -> str:
 
 
 def put_report(render: Callable[[str, Look], str], form: str, look: Look) -> bool:
-    """A report, rendered in a format for a look, on stdout; whether it could be written."""
+    """Whether a report, rendered in a format for a look, could be written to stdout."""
     return put(render(form, look), encoding=None if form in FOR_PEOPLE else "utf-8")
 
 
 def put_reports(render: Callable[[str, Look], str], form: str, look: Look, outputs: Sequence[Output]) -> bool:
-    """The report in every file that is asked for, on paper of its own; whether all could be written."""
+    """Whether the report could be written to every file of -o, in a look of its own."""
     paper = Look()
     look = look._replace(width=paper.width, unicode=paper.unicode, colour=paper.colour, problems=paper.problems)
     written = [put_file(output.file, render(output.format or form, look)) for output in outputs]

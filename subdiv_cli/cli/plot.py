@@ -1,4 +1,4 @@
-"""`subdiv plot`: the refinable function and its derivatives, or curves of a control polygon; surfaces and nets."""
+"""The command `subdiv plot`: the refinable function and its derivatives, curves of a polygon, surfaces and nets."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ _MOST_POINTS = 10_000
 _MOST_LEVELS = 8
 _OBJ = ".obj"
 _UNPROVED = {"smoothness": "φ is not proved continuous", "convergence": "S is not proved to converge"}
-"""Question -> why nothing is drawn where it is not decided."""
+"""The reason why nothing is drawn, by the question that is not decided."""
 
 
 @click.command("plot", epilog=_EPILOG, short_help="Draw the refinable function, its derivatives, and curves.")
@@ -141,7 +141,7 @@ def _writable(output: str | None) -> None:
 
 
 def _drawings(family: Sequence[single.One], given: set[str], suffix: str) -> list[Drawings]:
-    """What is drawn of each mask, all of one sort. Raises a usage error for options that do not go with it."""
+    """The sorts of pictures for each mask, all of one name. Raises a usage error for options that do not go with it."""
     from subdiv_cli.kinds import kind_of
 
     found: list[Drawings] = []
@@ -160,7 +160,7 @@ def _drawings(family: Sequence[single.One], given: set[str], suffix: str) -> lis
 
 
 def _nowhere(one: single.One, sorts: Sequence[Drawings], suffix: str) -> str:
-    """Why no sort of pictures fits: the file, or what is not given."""
+    """The reason why no sort of pictures fits: the file, or an option that is missing."""
     needed = sorted(option for sort in sorts if suffix in sort.suffixes for option in sort.needs)
     if needed:
         return f"of a mask of kind {one.mask.kind} something is drawn only with --{needed[0]}"
@@ -203,7 +203,7 @@ def _drawn(
 
 
 def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
-    """Why there is nothing to draw, on stderr."""
+    """The exit code of a drawing without blocks; the reason is written to stderr."""
     from subdiv_cli.model import Verdict
     from subdiv_cli.model.findings import answering
     from subdiv_cli.report.numbers import exact
@@ -220,7 +220,7 @@ def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
 
 
 def _terminal(drawn: Sequence[Drawn]) -> ExitCode:
-    """The panels drawn with letters."""
+    """The exit code after the panels are drawn with letters."""
     from subdiv_cli.plot.panels import panels, rows
     from subdiv_cli.report.letters import letters
 

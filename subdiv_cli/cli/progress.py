@@ -1,4 +1,4 @@
-"""How far a long run is: a line on stderr, on a terminal only; and afterwards which masks took longest."""
+"""The progress of a long run: a line on stderr, on a terminal only; and afterwards the masks that took longest."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
     from subdiv_cli.catalog.task import Done
 
 SLOWEST = 5
-"""So many of the slowest masks are named under -v."""
+"""The number of the slowest masks that are named under -v."""
 PAUSE = 0.1
-"""Seconds between two writings."""
+"""The seconds between two writings."""
 
 
 class Progress:
-    """Hears of every mask that is done."""
+    """The progress of a run, which is called for every mask that is done."""
 
     def __init__(self, stream: TextIO | None = None) -> None:
         self.stream = sys.stderr if stream is None else stream
@@ -32,11 +32,11 @@ class Progress:
         self._last = 0.0
 
     def begin(self, total: int) -> None:
-        """So many masks there are."""
+        """Set the number of masks."""
         self.total = total
 
     def step(self, done: Done) -> None:
-        """One more is done."""
+        """Count one more mask that is done."""
         self.done += 1
         self.missed += done.result.status != "passed"
         self.cached += done.cached
@@ -46,7 +46,7 @@ class Progress:
             self._write(self.line())
 
     def line(self) -> str:
-        """`37/120 masks, 2 not passed, slowest six_point.toml 1.2 s`."""
+        """The line of the progress: `37/120 masks, 2 not passed, slowest six_point.toml 1.2 s`."""
         text = f"{self.done}/{self.total} masks"
         if self.missed:
             text += f", {self.missed} not passed"
@@ -67,7 +67,7 @@ class Progress:
             self._written = 0
 
     def tell(self) -> None:
-        """Under -v: how many came from the cache, and which took longest."""
+        """Write, under -v, how many masks came from the cache, and which took longest."""
         if self.done < 2:
             return
         unicode = speaks_mathematics(self.stream)

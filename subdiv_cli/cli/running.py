@@ -1,4 +1,4 @@
-"""The run of `check`: the catalog is asked, results come in, each is held to the gate and kept for the report."""
+"""The run of `check`: results come from the catalog, each is held to the gate and kept for the report."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Run:
-    """One run: its results so far, and how it ended."""
+    """A run: its results so far, and how it ended."""
 
     def __init__(self, asked: Asked, look: Look) -> None:
         self.asked, self.look = asked, look
@@ -40,7 +40,7 @@ class Run:
         self._progress = Progress()
 
     def go(self, targets: list[str | MaskFile] | Result, told: Mapping[str, Any]) -> None:
-        """Check them all; afterwards the results are there, and what was streamed is written."""
+        """Check all targets; afterwards the results are there, and what is streamed is written."""
         stream = self._checked(targets, told)
         try:
             for result in stream:
@@ -61,7 +61,10 @@ class Run:
         return () if self.baseline is None or partial else self.baseline.missing()
 
     def _take_rest(self, stream: Generator[Result, None, None]) -> None:
-        """What is done and waited for its turn when Ctrl-C came; nothing if the stream knew of it and has ended."""
+        """Take the results that were done and waiting for their turn when Ctrl-C came.
+
+        There are none if the stream knew of it and has ended.
+        """
         with suppress(KeyboardInterrupt, StopIteration):
             self._take(stream.throw(KeyboardInterrupt()))
             for result in stream:
@@ -97,7 +100,7 @@ class Run:
         self._trouble = self._trouble or done.trouble
 
     def _take(self, result: Result) -> None:
-        """Hold it to the baseline, write it where lines are streamed, and keep what the report will need."""
+        """Hold a result to the baseline, write it where lines are streamed, and keep what the report will need."""
         if self.baseline is not None:
             result = self.baseline.judge(result)
         if self.asked.form == "jsonl":
@@ -108,7 +111,7 @@ class Run:
         self.results.append(self._slim(result))
 
     def _slim(self, result: Result) -> Result:
-        """Without the witnesses where no format shows them: of ten thousand masks they are most of the memory."""
+        """The result without witnesses where no format shows them: of many masks they would be most of the memory."""
         written = {output.format or self.asked.form for output in self.asked.outputs}
         if self.asked.verbose > 1 or written & {"json", "jsonl"} or self.asked.form == "json":
             return result
@@ -146,7 +149,7 @@ def _baseline(file: str | None) -> Baseline | None:
 
 
 def tell_missing(missing: Sequence[str]) -> None:
-    """Which masks of the baseline were not checked."""
+    """Write which masks of the baseline were not checked."""
     if missing:
         shown = ", ".join(missing[:10]) + (f" and {len(missing) - 10} more" if len(missing) > 10 else "")
         count = f"{len(missing)} mask{'' if len(missing) == 1 else 's'}"

@@ -1,4 +1,4 @@
-"""`[tool.subdiv]` in pyproject.toml: defaults for `check`, beneath environment variables and the command line.
+"""The table `[tool.subdiv]` in pyproject.toml: defaults for `check`, beneath environment and command line.
 
 The nearest pyproject.toml that has the table counts, and it alone: from the directory that all named targets have in
 common upwards.
@@ -18,7 +18,7 @@ from subdiv_cli.model import Problem
 
 MOST_BYTES = 4 << 20
 _PATHS = ("baseline", "cache-dir")
-"""Relative to the directory of the file."""
+"""The keys whose values are relative to the directory of the file."""
 
 
 class Key(NamedTuple):
@@ -46,7 +46,7 @@ KEYS = {
 
 
 class SettingsError(Exception):
-    """The table cannot be used; `problem` says why."""
+    """Raised for a table that cannot be used; `problem` says why."""
 
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem.message)
@@ -54,7 +54,7 @@ class SettingsError(Exception):
 
 
 def with_settings(ctx: click.Context, given: Mapping[str, Any]) -> dict[str, Any]:
-    """The parameters of a command, those that neither the command line nor the environment gives from the table.
+    """The parameters of a command, those from the table that neither command line nor environment gives.
 
     Raises SettingsError.
     """

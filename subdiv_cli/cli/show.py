@@ -1,4 +1,4 @@
-"""`subdiv show`: one mask taken apart."""
+"""The command `subdiv show`: one mask taken apart."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def command(
 
 
 def _check_options(one: single.One) -> None:
-    """Raises a usage error for an option that means nothing for the kind of mask."""
+    """Raise a usage error for an option that means nothing for the kind of mask."""
     from subdiv_cli.kinds import kind_of
 
     portraits, context = kind_of(one.scheme).portraits, click.get_current_context()
@@ -121,7 +121,7 @@ def _page(one: single.One, form: str, tolerance: Fraction, effort: int, certific
 
 
 def _labelled(one: single.One, checked: Checked, certificate: str | None) -> Result:
-    """The result with what the file says; its certificate is written where one is asked for."""
+    """The result with the name of the file; its certificate is written to the file of --certificate."""
     result = one.label(checked.result)
     if certificate is None or (text := checked.certificate_text()) is None:
         return result

@@ -1,4 +1,4 @@
-"""Commands about one mask: how it is named on the command line, and how it is read."""
+"""Commands about one mask: how the command line names it, and how it is read."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class One(NamedTuple):
         return f"{name}, {given}" if given and (alike > 1 or not family) else name
 
     def label(self, result: Result) -> Result:
-        """The result with what the file says about it."""
+        """The result with the names and parameters of the file."""
         from dataclasses import replace
 
         mask = self.mask
@@ -50,7 +50,7 @@ class One(NamedTuple):
 
 
 options = all_of(named, effort("Work one question may cost."))
-"""How one mask is named, and what its analysis may cost."""
+"""The options that name one mask, and bound the work on it."""
 
 
 BELONGS = {
@@ -62,22 +62,22 @@ BELONGS = {
     "samples": "--samples belongs to curves, those of masks in one variable",
     "style": "--as belongs to surfaces, those of masks in several variables, in -o FILE.svg, .png or .pdf",
 }
-"""Option that not every kind of mask has -> what it is for."""
+"""The purpose of each option that not every kind of mask has."""
 
 
 def refuse_others(given: Collection[str], taken: Collection[str]) -> None:
-    """Raises a usage error for a given option that is not among those that are taken."""
+    """Raise a usage error for a given option that is not among those that are taken."""
     for option, what in BELONGS.items():
         if option in given and option not in taken:
             raise click.UsageError(what)
 
 
 class Named(NamedTuple):
-    """What the command line says about the masks that are meant."""
+    """The masks that the command line names."""
 
     command: str
     capability: str
-    """What their kinds are to declare, a field of `Kind`."""
+    """The capability that their kinds must declare, a field of `Kind`."""
     files: tuple[str, ...]
     mask: str | None
     start: tuple[int, ...] | None
@@ -93,7 +93,7 @@ class Named(NamedTuple):
 
 
 def read(meant: Named) -> One:
-    """The one mask that is meant. Where it cannot be read, says why on stderr and exits with 2."""
+    """The one mask that is named. Where it cannot be read, writes why to stderr and exits with 2."""
     family = read_family(meant)
     if len(family) > 1:
         raise click.UsageError(f"-p gives a parameter several values: `subdiv {meant.command}` takes one mask")
@@ -101,7 +101,7 @@ def read(meant: Named) -> One:
 
 
 def read_family(meant: Named) -> list[One]:
-    """Every mask that is meant, at every combination of the values of its parameters. Exits with 2 as `read` does."""
+    """The masks that are named, at every combination of their parameters' values. Exits with 2 as `read` does."""
     meant.usage()
     from subdiv_cli.kinds.option import from_option
     from subdiv_cli.kinds.reading import read_path
@@ -131,5 +131,5 @@ def _variants(mask: MaskFile, values: Mapping[str, Sequence[Fraction]], *, alone
 
 
 def complain(problems: Sequence[Problem]) -> NoReturn:
-    """Problems on stderr, and the end of the command."""
+    """Write problems to stderr, and end the command with 2."""
     raise click.exceptions.Exit(streams.complain(problems))

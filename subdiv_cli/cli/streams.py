@@ -1,4 +1,4 @@
-"""Where output goes: the terminal or pipe there is, and files that are whole or not there at all.
+"""Streams for output: the terminal or pipe there is, and files that are whole or not there at all.
 
 Reports go to stdout and to files, errors to stderr.
 """
@@ -19,29 +19,29 @@ from subdiv_cli.report.look import UNWRAPPED, Look
 
 _NEEDED = "φαρνεΣ½‖∞≥≤−²·—…ö✓✗─"
 WIDEST = 120
-"""A report is not wider than this on a terminal, however wide that is."""
+"""The most columns of a report on a terminal, however wide that is."""
 
 
 class UnwritableError(click.ClickException):
-    """The result could not be written to stdout: the disk is full, the device is gone."""
+    """Raised where the result could not be written to stdout: the disk is full, the device is gone."""
 
     def __init__(self, error: OSError) -> None:
         super().__init__(f"the report cannot be written: {error.strerror or error}")
 
     def show(self, file: IO[str] | None = None) -> None:
-        """One line on stderr."""
+        """Write one line to stderr."""
         emit(f"error: {self.message}\n", sys.stderr)
 
 
 def look_of(stream: TextIO, **settings: int | bool) -> Look:
-    """How a report is to look on this stream; settings are passed on to Look."""
+    """The look of a report on this stream; settings are passed on to Look."""
     width = columns(stream)
     chosen = {"width": width, "unicode": speaks_mathematics(stream), "colour": has_colour(stream), **settings}
     return Look(**chosen)  # type: ignore[arg-type]
 
 
 def columns(stream: TextIO) -> int:
-    """COLUMNS if it is set, else the terminal's width up to a pleasant one, else that of a file."""
+    """The width: COLUMNS if it is set, else the terminal's width up to a pleasant one, else that of a file."""
     with suppress(ValueError):
         if (told := int(os.environ.get("COLUMNS", ""))) > 0:
             return told
@@ -61,7 +61,7 @@ def speaks_mathematics(stream: TextIO) -> bool:
 
 
 def has_colour(stream: TextIO) -> bool:
-    """NO_COLOR wins, then FORCE_COLOR, then whether it is a terminal that can."""
+    """Whether colour is used: NO_COLOR wins, then FORCE_COLOR, then whether it is a terminal that can."""
     if os.environ.get("NO_COLOR"):
         return False
     if os.environ.get("FORCE_COLOR"):
@@ -70,7 +70,7 @@ def has_colour(stream: TextIO) -> bool:
 
 
 def emit(text: str, stream: TextIO, *, encoding: str | None = None) -> None:
-    """Write all of it; a letter that cannot be encoded as its escape. A reader that went away is no error.
+    """Write a text; a letter that cannot be encoded as its escape. A reader that went away is no error.
 
     Raises UnwritableError where a result cannot be written; what stderr does not take is lost, there is nowhere else.
     """
@@ -98,7 +98,7 @@ def abandon(stream: TextIO) -> None:
 
 
 def why_not(file: str) -> str | None:
-    """Why a file cannot be written, as far as can be told before the work is done."""
+    """The reason why a file cannot be written, as far as can be seen before the work is done; None without one."""
     from pathlib import Path
 
     path = Path(os.path.realpath(file))
@@ -112,7 +112,7 @@ def why_not(file: str) -> str | None:
 
 
 def put(text: str, *, encoding: str | None = None) -> bool:
-    """A result on stdout; whether it could be written, and on stderr why it could not."""
+    """Whether a result could be written to stdout; if not, the reason is written to stderr."""
     try:
         emit(text, sys.stdout, encoding=encoding)
     except UnwritableError as error:
@@ -122,7 +122,7 @@ def put(text: str, *, encoding: str | None = None) -> bool:
 
 
 def put_file(file: str, content: str | bytes) -> bool:
-    """A result in a file, whole or not at all; whether it could be written, and on stderr why it could not."""
+    """Whether a result could be written to a file, whole or not at all; if not, the reason is written to stderr."""
     from subdiv_cli.catalog.files import write_whole
 
     try:
@@ -134,7 +134,7 @@ def put_file(file: str, content: str | bytes) -> bool:
 
 
 def complain(problems: Iterable[Problem]) -> ExitCode:
-    """Problems on stderr; wrapped only on a terminal, so that a message can be grepped elsewhere."""
+    """The exit code 2, after problems are written to stderr; wrapped only on a terminal, for grep elsewhere."""
     from subdiv_cli.report.problems import render
 
     settings = {} if sys.stderr.isatty() else {"width": UNWRAPPED}

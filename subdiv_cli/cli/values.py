@@ -19,13 +19,13 @@ MOST_SHARDS = 1_000_000
 
 
 class Quantity(click.ParamType[T]):
-    """A value that is parsed from its spelling, or refused by saying what is `wanted`."""
+    """A type of values that are parsed from their spelling, or refused with a message."""
 
     def __init__(self, name: str, parse: Callable[[str], T | None], wanted: str) -> None:
         self.name, self._parse, self._wanted = name, parse, wanted
 
     def convert(self, value: str | T, param: click.Parameter | None, ctx: click.Context | None) -> T:
-        """Parse; a number out of a file of settings is parsed as it would be spelled."""
+        """The parsed value; a number out of a file of settings is parsed as it would be spelled."""
         if not isinstance(value, str | int | float):
             return value
         if (found := self._parse(str(value))) is None:
@@ -34,19 +34,19 @@ class Quantity(click.ParamType[T]):
 
 
 def _whole(text: str) -> int | None:
-    """A positive whole number."""
+    """The positive whole number that a text spells, else None."""
     number = int(text) if re.fullmatch(r"\s*\+?[0-9]{1,18}\s*", text) else 0
     return number if number > 0 else None
 
 
 def _index(text: str) -> tuple[int, ...] | None:
-    """An index of a mask: an integer, or one for each variable, -1,-1."""
+    """The index of a mask that a text spells: an integer, or one for each variable, -1,-1; else None."""
     spelled = re.fullmatch(r"\s*[+-]?[0-9]{1,9}\s*(,\s*[+-]?[0-9]{1,9}\s*){0,3}", text)
     return tuple(map(int, text.split(","))) if spelled else None
 
 
 def _seconds(text: str) -> float | None:
-    """A positive, finite number of seconds."""
+    """The positive, finite number of seconds that a text spells, else None."""
     with suppress(ValueError):
         if (number := float(text)) > 0 and math.isfinite(number):
             return number
@@ -54,14 +54,14 @@ def _seconds(text: str) -> float | None:
 
 
 def _tolerance(text: str) -> Fraction | None:
-    """A positive number, exactly as it is spelled: 1e-3, 0.001, 1/1000."""
+    """The positive number that a text spells, exactly: 1e-3, 0.001, 1/1000; else None."""
     spelled = re.fullmatch(r"[0-9]{1,50}(/[0-9]{1,50}|(\.[0-9]{1,50})?([eE][+-]?[0-9]{1,3})?)", text)
     number = Fraction(text) if spelled and not re.search(r"/0+$", text) else Fraction(0)
     return number if number > 0 else None
 
 
 def _jobs(text: str) -> int | None:
-    """A positive whole number, or `auto`: the cores that this process may use."""
+    """The positive whole number that a text spells; `auto` is the cores that this process may use; else None."""
     if text == "auto":
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     number = _whole(text)
@@ -69,7 +69,7 @@ def _jobs(text: str) -> int | None:
 
 
 def _shard(text: str) -> tuple[int, int] | None:
-    """`i/n` with 1 <= i <= n."""
+    """The pair (i, n) that `i/n` spells, 1 <= i <= n; else None."""
     index, _, count = text.partition("/")
     i, n = _whole(index) or 0, _whole(count) or 0
     return (i, n) if 1 <= i <= n <= MOST_SHARDS else None

@@ -1,4 +1,4 @@
-"""`subdiv verify`: certificates in, a line for each; the checker decides and nothing else of subdiv."""
+"""The command `subdiv verify`: certificates in, a line for each; the checker decides and nothing else of subdiv."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ class _Asked(NamedTuple):
 
 
 def _asked(file: str, parameters: Sequence[str]) -> _Asked:
-    """A plain file is read by the checker's own reader; parameters and symbols are expanded by subdiv's first."""
+    """The mask of a file: a plain one by the checker's own reader; else parameters and symbols are expanded first."""
     from subdiv_cli.checker.plain import mask_of, plain_mask
     from subdiv_cli.kinds import kind_of
     from subdiv_cli.kinds.reading import read_path

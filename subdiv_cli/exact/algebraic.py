@@ -23,13 +23,13 @@ class AlgebraicNumber(NamedTuple):
 
     @property
     def rational(self) -> Fraction | None:
-        """The number itself where it is rational."""
+        """The number as a fraction where it is rational, else None."""
         f = self.minimal_polynomial
         return to_fraction(fmpq(-f[0], f[1])) if f.degree() == 1 else None
 
     @property
     def is_real(self) -> bool:
-        """FLINT isolates real roots with an imaginary part that is exactly zero."""
+        """Whether the number is real: FLINT isolates real roots with an imaginary part that is exactly zero."""
         return self.region.imag.is_zero()
 
     def enclosure(self) -> acb:
@@ -82,19 +82,19 @@ class AlgebraicNumber(NamedTuple):
 
 
 def negated(x: AlgebraicNumber) -> AlgebraicNumber:
-    """-x."""
+    """The algebraic number -x, with its own minimal polynomial."""
     f = fmpz_poly([c if i % 2 == 0 else -c for i, c in enumerate(x.minimal_polynomial)])
     return AlgebraicNumber(f if f[f.degree()] > 0 else -f, -x.region)
 
 
 MOST_CONJUGATES = 12
-"""`squared_modulus` works with polynomials of half the square of this degree."""
+"""The largest degree in `squared_modulus`, which works with polynomials of half the square of it."""
 
 
 def squared_modulus(x: AlgebraicNumber) -> AlgebraicNumber | None:
-    """|x|² of a number that is not real: its minimal polynomial divides that of the products of two conjugates.
+    """The number |x|² for an x that is not real; None where x has more than MOST_CONJUGATES conjugates.
 
-    None where x has more than MOST_CONJUGATES conjugates.
+    Its minimal polynomial divides the polynomial of all products of two conjugates of x.
     """
     f = x.minimal_polynomial
     if f.degree() > MOST_CONJUGATES:
@@ -110,9 +110,9 @@ def squared_modulus(x: AlgebraicNumber) -> AlgebraicNumber | None:
 
 
 def _products_of_pairs(f: fmpq_poly) -> fmpq_poly:
-    """The polynomial of all products x_i x_j, i < j, of the roots of f, by Newton's identities: with the power sums
+    """The monic polynomial whose roots are all products x_i x_j, i < j, of roots of f.
 
-    p_k of the x_i, those of the products are (p_k² - p_(2k)) / 2.
+    By Newton's identities: with the power sums p_k of the x_i, those of the products are (p_k² - p_(2k)) / 2.
     """
     n = f.degree()
     count = n * (n - 1) // 2
@@ -128,7 +128,7 @@ def _products_of_pairs(f: fmpq_poly) -> fmpq_poly:
 
 
 def _power_sums(e: Sequence[fmpq], count: int) -> list[fmpq]:
-    """p_0, …, p_count of the roots with the elementary symmetric functions e_0, …, e_n."""
+    """The power sums p_0, …, p_count of n numbers with the elementary symmetric functions e_0, …, e_n."""
     n = len(e) - 1
     sums = [fmpq(n)]
     for k in range(1, count + 1):
@@ -138,9 +138,9 @@ def _power_sums(e: Sequence[fmpq], count: int) -> list[fmpq]:
 
 
 def isolating_interval(x: AlgebraicNumber, digits: int) -> tuple[Fraction, Fraction]:
-    """Decimals of so many significant digits, or more, around a real irrational x that isolate it among the real roots
+    """Two decimals around a real irrational x that isolate it among the real roots of its minimal polynomial.
 
-    of its minimal polynomial. Both bounds have the sign of x.
+    They have so many significant digits or more, and both have the sign of x.
     """
 
     def ask() -> tuple[Fraction, Fraction] | None:
@@ -165,18 +165,18 @@ def isolating_interval(x: AlgebraicNumber, digits: int) -> tuple[Fraction, Fract
 
 
 _DIGITS = 30
-"""Of the interval of an irrational `Root`."""
+"""Significant digits of the interval of an irrational `Root`."""
 
 
 def isolated(x: AlgebraicNumber) -> Root:
-    """A real algebraic number as plain data."""
+    """A real algebraic number as plain data: its minimal polynomial and rational bounds, equal where it is rational."""
     exact = x.rational
     low, high = (exact, exact) if exact is not None else isolating_interval(x, _DIGITS)
     return Root(tuple(int(c) for c in x.minimal_polynomial), low, high)
 
 
 def number_of(root: Root) -> AlgebraicNumber:
-    """The algebraic number that plain data describe; the polynomial must be irreducible."""
+    """The algebraic number of a `Root` whose polynomial is irreducible."""
     ends = (root.low.numerator, root.low.denominator, root.high.numerator, root.high.denominator)
     with ctx.workprec(128 + 2 * max(x.bit_length() for x in ends)):
         region = ball(root.low).union(ball(root.high))
@@ -184,7 +184,10 @@ def number_of(root: Root) -> AlgebraicNumber:
 
 
 def only_root(root: Root) -> AlgebraicNumber:
-    """The algebraic number that plain data describe, whatever the polynomial: it has one root in [low, high]."""
+    """The algebraic number of a `Root` whose polynomial, irreducible or not, has one root in [low, high].
+
+    Raises ValueError where no factor changes its sign between the bounds.
+    """
     low, high = to_fmpq(root.low), to_fmpq(root.high)
     for f, _ in fmpz_poly(list(root.coefficients)).factor()[1]:
         if f.degree() == 1 and low <= fmpq(-f[0], f[1]) <= high:
@@ -204,11 +207,11 @@ def _only_between(f: fmpz_poly, low: Fraction, high: Fraction) -> acb:
 
 
 _LARGEST_POWER = 4_000_000
-"""degree² · exponent · bits of a polynomial whose roots are raised to a power."""
+"""The largest degree² · exponent · bits of a polynomial whose roots are raised to a power."""
 
 
 def same_powers(x: AlgebraicNumber, m: int, y: AlgebraicNumber, n: int) -> bool | None:
-    """Whether x^m = y^n, for real x, y > 0; None where the polynomials are too large."""
+    """Whether x^m = y^n, for real x, y > 0; None where the polynomials would be too large."""
     f, g = _of_power(x.minimal_polynomial, m), _of_power(y.minimal_polynomial, n)
     if f is None or g is None:
         return None
@@ -224,7 +227,7 @@ def same_powers(x: AlgebraicNumber, m: int, y: AlgebraicNumber, n: int) -> bool 
 
 
 def power(x: AlgebraicNumber, n: int) -> AlgebraicNumber | None:
-    """x^n for a real x > 0; None where the polynomial is too large."""
+    """The number x^n for a real x > 0; None where its polynomial would be too large."""
     f = _of_power(x.minimal_polynomial, n)
     if f is None:
         return None
@@ -237,9 +240,9 @@ def power(x: AlgebraicNumber, n: int) -> AlgebraicNumber | None:
 
 
 def _of_power(f: fmpz_poly, m: int) -> fmpz_poly | None:
-    """The minimal polynomial of the m-th power of a root of an irreducible f; that of a companion matrix's power is a
+    """The minimal polynomial of the m-th power of a root of an irreducible f; None where it would be too large.
 
-    power of it.
+    The characteristic polynomial of the m-th power of f's companion matrix is a power of it.
     """
     if m == 1:
         return f
@@ -252,7 +255,7 @@ def _of_power(f: fmpz_poly, m: int) -> fmpz_poly | None:
 
 
 def _separated(z: acb, r: Fraction) -> int | None:
-    """The sign of |z| - r where the ball is off the circle |z| = r."""
+    """The sign of |z| - r where the ball z is off the circle |z| = r, else None."""
     modulus, radius = z.__abs__(), ball(r)
     return -1 if modulus < radius else 1 if modulus > radius else None
 
@@ -264,7 +267,10 @@ def isolated_roots(f: fmpz_poly) -> list[acb]:
 
 @lru_cache(maxsize=16)
 def _isolated(coefficients: tuple[int, ...], precision: int) -> list[acb]:
-    """Each root of a polynomial in turn asks for all of them; `precision` is the current one."""
+    """The isolated roots of the polynomial with these coefficients; `precision` must be the current one.
+
+    Remembered, since each root of a polynomial in turn asks for all of them.
+    """
     return [root for root, _ in _pairs(fmpz_poly(list(coefficients)))]
 
 

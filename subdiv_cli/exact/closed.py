@@ -14,14 +14,14 @@ from subdiv_cli.model import ClosedForm, Interval, Root, RootLog, logarithm, unp
 from subdiv_cli.model.closed import root_log_text, spelled
 
 _LONGEST = 160
-"""Characters of a closed form that is still read with profit."""
+"""The most characters of a closed form that is still read with profit."""
 _DIGITS = 40
 _SIGNIFICANT = 5
 _PRECISION = 256
 
 
 def exponent(p: int, length: int, root: Root) -> ClosedForm:
-    """-log_p(Λ)/length for a root Λ > 0 of an irreducible polynomial: without roots where that can be.
+    """The closed form of -log_p(Λ)/length for a root Λ > 0 of an irreducible polynomial, without roots if possible.
 
     A power of Λ is rational iff the polynomial is c x^n - a: if Λ^n = q with the smallest n, |N(Λ)|^n = q^d for the
     degree d <= n of Λ, so Λ^d = |N(Λ)| is rational and d = n.
@@ -34,7 +34,7 @@ def exponent(p: int, length: int, root: Root) -> ClosedForm:
 
 
 def root_text(root: Root) -> str:
-    """`root(32*x^3+4*x-1, 0.19273, 0.19274)`: decimals that isolate it among the real roots."""
+    """A root as text, with decimals that isolate it among the real roots: `root(32*x^3+4*x-1, 0.19273, 0.19274)`."""
     return f"root({', '.join(_parts_of_text(root))})"
 
 
@@ -45,7 +45,7 @@ def _parts_of_text(root: Root) -> tuple[str, str, str]:
 
 
 def _places(x: Fraction) -> int:
-    """How many decimals a rational takes whose denominator divides a power of ten."""
+    """The number of decimals that write a rational whose denominator divides a power of ten."""
     twos = (x.denominator & -x.denominator).bit_length() - 1
     fives, rest = 0, x.denominator >> twos
     while rest > 1:
@@ -71,13 +71,13 @@ def closed_interval(x: ClosedForm) -> Interval:
 
 
 def readable(x: ClosedForm) -> str | None:
-    """Its text where that is short enough for a sentence."""
+    """The text of a closed form where it is short enough for a sentence, else None."""
     text = spelled(x)
     return text if text is not None and len(text) <= _LONGEST else None
 
 
 def compare(x: ClosedForm, y: ClosedForm) -> int | None:
-    """The sign of x - y, exactly; None where x and y are closer than 256 bits tell and their equality is not decided.
+    """The sign of x - y, exactly; None where 256 bits do not separate them and their equality is not decided.
 
     Logarithms to one base (as all are of one scheme) are decided up to the size of polynomials: a rational or the
     logarithm of a rational never equals that of a Λ without rational powers, canonical logarithms of rationals are

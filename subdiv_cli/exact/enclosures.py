@@ -1,4 +1,4 @@
-"""Real numbers enclosed: balls made into outward doubles, and questions asked at rising precision.
+"""Enclosures of real numbers: balls made into outward doubles, and decisions at rising precision.
 
 A comparison of balls is True only where it is certain, so after it comes another comparison, never an `else`.
 """
@@ -22,7 +22,7 @@ _LAST_PRECISION = 1 << 20
 
 
 def decide(ask: Callable[[], Answer | None]) -> Answer:
-    """The first answer that is not None, asked at 64, 128, 256, … bits.
+    """The first answer of `ask` that is not None, at 64, 128, 256, … bits.
 
     For questions that are known to have an answer at some precision, because equality was excluded exactly before.
     Raises ArithmeticError after 2^20 bits: a sign that it was not.

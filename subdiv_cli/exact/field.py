@@ -11,7 +11,10 @@ from subdiv_cli.exact.enclosures import decide
 
 
 def solve(columns: Sequence[Sequence[fmpq_poly]], target: Sequence[fmpq_poly], g: fmpq_poly) -> list[fmpq_poly] | None:
-    """The only x with Σ x_j columns_j = target, by elimination; None where there is none, or more than one."""
+    """The only list x of rationals-modulo-g with Σ x_j columns_j = target; None where there is none, or more than one.
+
+    `columns` are n columns of m field elements, `target` is one of m, and the answer has n; g is irreducible.
+    """
     rows = [[*row, y] for *row, y in zip(*columns, target, strict=True)]
     unknowns = len(columns)
     for j in range(unknowns):
@@ -31,12 +34,13 @@ def solve(columns: Sequence[Sequence[fmpq_poly]], target: Sequence[fmpq_poly], g
 
 
 def _inverse(x: fmpq_poly, g: fmpq_poly) -> fmpq_poly:
+    """The inverse of a non-zero field element, a polynomial x modulo g."""
     common, inverse, _ = x.xgcd(g)
     return inverse / common[0]
 
 
 def root_in_field(number: AlgebraicNumber, n: int) -> fmpq_poly | None:
-    """S with S(γ) = γ^(1/n) > 0 for a real γ > 0; None where this root is not in Q(γ).
+    """The polynomial S with S(γ) = γ^(1/n) > 0 for a real γ > 0; None where this root is not in Q(γ).
 
     The root σ is one of f(x^n), f the minimal polynomial of γ. It is in Q(γ) iff its own degree is that of γ; then the
     powers of γ = σ^n are a basis of Q(σ), in which σ is written.

@@ -12,7 +12,7 @@ from subdiv_cli.exact.rationals import to_fmpq, to_fraction
 
 
 class Laurent:
-    """z^low · poly(z) in canonical form: poly(0) ≠ 0, and zero is (0, 0). Never changed."""
+    """The Laurent polynomial z^low · poly(z) in canonical form: poly(0) ≠ 0, and zero is (0, 0). Never changed."""
 
     __slots__ = ("low", "poly")
 
@@ -35,16 +35,16 @@ class Laurent:
 
     @classmethod
     def from_coefficients(cls, low: int, coefficients: Iterable[Fraction | int]) -> Laurent:
-        """Σ_i coefficients[i] z^(low+i)."""
+        """The Laurent polynomial Σ_i coefficients[i] z^(low+i)."""
         return cls(low, fmpq_poly([to_fmpq(c) for c in coefficients]))
 
     @property
     def degree(self) -> int:
-        """Highest minus lowest exponent; -1 for zero."""
+        """The highest minus the lowest exponent; -1 for zero."""
         return self.poly.degree()
 
     def coefficients(self) -> tuple[Fraction, ...]:
-        """From the lowest exponent to the highest."""
+        """The coefficients from the lowest exponent to the highest, degree + 1 of them."""
         return tuple(to_fraction(c) for c in self.poly)
 
     def __add__(self, other: Laurent) -> Laurent:
@@ -58,10 +58,11 @@ class Laurent:
         return Laurent(self.low + other.low, self.poly * other.poly)
 
     def scale(self, c: Fraction | int) -> Laurent:
+        """The product of this polynomial with a rational."""
         return Laurent(self.low, self.poly * to_fmpq(c))
 
     def shift(self, n: int) -> Laurent:
-        """z^n times this."""
+        """The product of this polynomial with z^n."""
         return Laurent(self.low + n, self.poly) if self.poly else self
 
     def __call__(self, x: Fraction | int) -> Fraction:
@@ -78,11 +79,11 @@ class Laurent:
         return tuple(derivatives)
 
     def inflate(self, p: int) -> Laurent:
-        """This at z^p."""
+        """The polynomial with z^p in place of z."""
         return Laurent(self.low * p, fmpq_poly(self.poly.numer().inflate(p), self.poly.denom()))
 
     def reversed(self) -> Laurent:
-        """This at 1/z."""
+        """The polynomial with 1/z in place of z."""
         return Laurent(-self.low - self.poly.degree(), fmpq_poly(list(self.poly)[::-1]))
 
     def divide(self, divisor: Laurent) -> tuple[Laurent, Laurent]:
@@ -95,7 +96,7 @@ class Laurent:
         return Laurent(self.low - divisor.low, quotient), Laurent(self.low, remainder)
 
     def components(self, p: int) -> tuple[Laurent, ...]:
-        """The polyphase components a_0, …, a_(p-1): a(z) = Σ_r z^r a_r(z^p)."""
+        """The p polyphase components a_0, …, a_(p-1): a(z) = Σ_r z^r a_r(z^p)."""
         classes: list[list[fmpq]] = [[fmpq(0)] * (-(-len(self.poly) // p) + 1) for _ in range(p)]
         base = self.low // p
         for i, c in enumerate(self.poly):
@@ -104,11 +105,11 @@ class Laurent:
         return tuple(Laurent(base, fmpq_poly(coefficients)) for coefficients in classes)
 
     def integer_form(self) -> tuple[fmpz_poly, int]:
-        """(numerators, common denominator) of the coefficients, lowest exponent first."""
+        """The coefficients over one denominator: (polynomial of their numerators, common denominator)."""
         return self.poly.numer(), int(self.poly.denom())
 
 
 @cache
 def smoothing_factor(p: int) -> Laurent:
-    """1 + z + … + z^(p-1)."""
+    """The smoothing factor 1 + z + … + z^(p-1) of arity p."""
     return Laurent(0, fmpq_poly([1] * p))

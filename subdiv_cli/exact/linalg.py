@@ -15,20 +15,25 @@ Combination = dict[int, Fraction]
 
 
 def matrix(rows: Sequence[Sequence[Fraction | int]]) -> fmpq_mat:
-    """The matrix with these rows; at least one row and one column."""
+    """The m×n matrix with these m rows of n rationals; m, n >= 1."""
     return fmpq_mat([[to_fmpq(x) for x in row] for row in rows])
 
 
 def rows_of(a: fmpq_mat) -> tuple[Vector, ...]:
+    """The m rows of an m×n matrix as tuples of n fractions."""
     return tuple(tuple(to_fraction(x) for x in row) for row in a.table())
 
 
 def identity(n: int) -> fmpq_mat:
+    """The n×n identity matrix."""
     return fmpq_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
 
 
 def nullspace(a: fmpq_mat) -> tuple[Vector, ...]:
-    """A basis of {x : a x = 0}, read off the reduced row echelon form: one vector for each free column."""
+    """A basis of {x : a x = 0} for an m×n matrix a, a vector of n fractions for each free column.
+
+    It is read off the reduced row echelon form.
+    """
     echelon, rank = a.rref()
     columns = a.ncols()
     pivots = [next(j for j in range(columns) if echelon[i, j]) for i in range(rank)]
@@ -45,7 +50,10 @@ def nullspace(a: fmpq_mat) -> tuple[Vector, ...]:
 def combinations(
     columns: Sequence[Sequence[int]], targets: Sequence[Sequence[Fraction]], basis: Sequence[int]
 ) -> tuple[Combination, ...] | None:
-    """Each target as a combination of those columns, as many as there are coordinates; None if they are dependent."""
+    """Each target as a combination of the columns with the numbers in `basis`; None where these are dependent.
+
+    Targets and columns have d coordinates, and `basis` has d numbers; the answer has one combination for each target.
+    """
     square = matrix([columns[i] for i in basis]).transpose()
     try:
         weights = square.solve(matrix(targets).transpose()).transpose()
@@ -55,7 +63,7 @@ def combinations(
 
 
 def reduced(rows: fmpq_mat) -> fmpq_mat:
-    """Independent rows replaced by a short basis of the integer vectors that they span over Q.
+    """A k×n matrix of k independent rows replaced by a short basis of the integer vectors that they span over Q.
 
     With H the Hermite normal form of the transpose, whose columns are a lattice's, H^(-T) times the rows spans all of
     them; then lattice reduction (Lenstra, Lenstra & Lovász 1982), and before as well: on long entries H takes minutes.
@@ -66,12 +74,15 @@ def reduced(rows: fmpq_mat) -> fmpq_mat:
 
 
 def eigenvectors(a: fmpq_mat, eigenvalue: Fraction | int) -> tuple[Vector, ...]:
-    """A basis of the right eigenspace of a rational eigenvalue; empty where it is none. Transpose for left ones."""
+    """A basis of the right eigenspace of a rational eigenvalue of an n×n matrix, vectors of n fractions.
+
+    It is empty where the number is no eigenvalue. Transpose the matrix for left eigenvectors.
+    """
     return nullspace(a - identity(a.nrows()) * to_fmpq(eigenvalue))
 
 
 def at_matrix(f: fmpq_poly, a: fmpq_mat) -> fmpq_mat:
-    """f(a), by Horner's rule."""
+    """The n×n matrix f(a), by Horner's rule."""
     unit = identity(a.nrows())
     total = unit * 0
     for c in reversed(list(f)):
@@ -80,9 +91,10 @@ def at_matrix(f: fmpq_poly, a: fmpq_mat) -> fmpq_mat:
 
 
 def minimal_polynomial(a: fmpq_mat) -> fmpq_poly:
-    """The monic f of least degree with f(a) = 0: the characteristic polynomial with no factor more than is needed.
+    """The monic f of least degree with f(a) = 0 for an n×n matrix a.
 
-    `fmpq_mat.minpoly` is not used: where denominators were longer than 64 bits, it was seen to be wrong (FLINT 3.6).
+    It is the characteristic polynomial with no factor more than is needed. `fmpq_mat.minpoly` is not used: where
+    denominators were longer than 64 bits, it was seen to be wrong (FLINT 3.6).
     """
     f = a.charpoly()
     for factor, multiplicity in f.numer().factor()[1]:
@@ -95,12 +107,12 @@ def minimal_polynomial(a: fmpq_mat) -> fmpq_poly:
 
 
 def infinity_norm(a: fmpq_mat) -> Fraction:
-    """The largest absolute row sum."""
+    """The maximum absolute row sum of a matrix, its operator norm for the maximum norm."""
     return max(sum((abs(x) for x in row), Fraction(0)) for row in rows_of(a))
 
 
 def solution(a: fmpq_mat, b: Sequence[Fraction]) -> Vector | None:
-    """An x with a x = b, its free entries 0; None where there is none."""
+    """An x with a x = b for an m×n matrix a, n fractions whose free ones are 0; None where there is none."""
     rows, columns = a.nrows(), a.ncols()
     entries = [[*row, to_fmpq(right)] for row, right in zip(a.table(), b, strict=True)]
     echelon, rank = fmpq_mat(entries).rref()

@@ -19,7 +19,7 @@ from subdiv_cli.model.formulas import truncated as truncated
 
 
 def rounded_down(x: float, digits: int = 6) -> str:
-    """A decimal that is not above x, and above every integer that x is above."""
+    """A decimal as text that is not above x, and above every integer that x is above."""
     below = Fraction(Fraction(x) * 10**digits // 1, 10**digits)
     return (
         rounded_down(x, 2 * digits) if below.denominator == 1 and below < x and digits < 50 else decimal(below, digits)
@@ -27,7 +27,7 @@ def rounded_down(x: float, digits: int = 6) -> str:
 
 
 def rounded_up(x: float, digits: int = 6) -> str:
-    """A decimal that is not below x, and below every integer that x is below."""
+    """A decimal as text that is not below x, and below every integer that x is below."""
     above = Fraction(-(-Fraction(x) * 10**digits // 1), 10**digits)
     return rounded_up(x, 2 * digits) if above.denominator == 1 and above > x and digits < 50 else decimal(above, digits)
 
@@ -53,12 +53,12 @@ def certain(x: Callable[[], arb], digits: int = 10) -> str:
 
 
 def polynomial(f: fmpz_poly, variable: str = "x") -> str:
-    """`81*x^2-27*x+1`, every coefficient in full."""
+    """A polynomial as text, every coefficient in full: `81*x^2-27*x+1`."""
     return spelled_terms([(i, int(c)) for i, c in enumerate(f)][::-1], variable, "*", whole) or "0"
 
 
 def laurent(a: Laurent) -> str:
-    """`-1/16 z^-3 + 9/16 z^-1 + 1`, by rising exponent."""
+    """A Laurent polynomial as text, by rising exponent: `-1/16 z^-3 + 9/16 z^-1 + 1`."""
     return formulas.laurent(a.low, a.coefficients())
 
 
@@ -69,14 +69,14 @@ def decimal(x: Fraction, places: int) -> str:
 
 
 def eigenvalue(x: AlgebraicNumber) -> str:
-    """For a list of eigenvalues: `1/2`, `0.8535533905…`, or `a pair of modulus 0.7071067811…` for conjugate ones."""
+    """An eigenvalue as text: `1/2`, `0.8535533905…`, or `a pair of modulus 0.7071067811…` for conjugate ones."""
     if (exact := x.rational) is not None:
         return number(exact)
     return certain(lambda: x.enclosure().real) if x.is_real else f"a pair of modulus {modulus(x)}"
 
 
 def modulus(x: AlgebraicNumber) -> str:
-    """|λ|: exact where it is a simple rational, else its first digits."""
+    """The modulus |λ| as text: exact where it is a simple rational, else its first digits."""
     if (exact := x.rational) is not None:
         return number(abs(exact))
     simple = Fraction(float(x.region.__abs__().mid())).limit_denominator(1000)

@@ -1,4 +1,4 @@
-"""A page for every finding code, as Markdown in `pages/SDnnn.md`; its first line is `# SD101 residue-sums`."""
+"""The pages for finding codes, as Markdown in `pages/SDnnn.md`; the first line of each is `# SD101 residue-sums`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ _PAGES = Path(__file__).with_name("pages")
 
 
 class UnknownCodeError(KeyError):
-    """There is no page for this code; `near` has codes that are like it."""
+    """Raised for a code without a page; `near` has codes that are like it."""
 
     def __init__(self, code: str, near: list[str]) -> None:
         super().__init__(code)

@@ -1,4 +1,4 @@
-"""What is said of a family of matrices: its joint spectral radius in outward doubles, in closed form, and the proof."""
+"""The answer for a family of matrices: its joint spectral radius in outward doubles, in closed form, and the proof."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from subdiv_cli.model import Data, Effort, Interval, Root, exact_root
 from subdiv_cli.model.family import FamilyRadius
 
 _LONGEST_POLYNOMIAL, _LONGEST_RATIONAL = 256, 4096
-"""Bits of a number in a closed form."""
+"""The most bits of a number in a closed form."""
 
 
 def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> FamilyRadius:
@@ -71,7 +71,7 @@ def _enclosed(radius: Radius, product: Product | None) -> Interval:
 
 
 def _closed_form(length: int, root: Root) -> str | None:
-    """`2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`, `root(…)^(1/2)`; None where nobody reads it to the end."""
+    """A closed form of ρ: `2`, `root(x^2-x-1, 1.61803, 1.61804)`, `25^(1/3)`, `root(…)^(1/2)`; None if it is long."""
     longest = max(abs(c).bit_length() for c in root.coefficients)
     if longest > (_LONGEST_POLYNOMIAL if root.low != root.high else _LONGEST_RATIONAL):
         return None

@@ -10,11 +10,11 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
 Numbers = npt.NDArray[Any]
-"""Real or complex."""
+"""An array of real or complex numbers."""
 
 
 def as_real(vectors: Numbers) -> Array:
-    """(Re, Im) along the last axis for complex vectors; real ones as they are."""
+    """Complex vectors of n entries as real ones of 2n, (Re, Im) along the last axis; real vectors as they are."""
     if np.iscomplexobj(vectors):
         return np.concatenate([vectors.real, vectors.imag], axis=-1)
     return np.asarray(vectors, dtype=np.float64)

@@ -19,13 +19,13 @@ from subdiv_cli.jsr.polytope import ROUGHLY, grow
 from subdiv_cli.model import Effort
 
 _WORK = 200
-"""Gauges in the body that grows from one leader."""
+"""Gauges that are computed in the body that grows from one leader."""
 _SWEEPS = 64
 _SMALLEST = 1e-3
 
 
 def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Effort) -> list[Fraction]:
-    """A factor for every leader, 1 for the first one."""
+    """A list of positive factors, one for every leader, 1 for the first one."""
     grown = [grow(body_of(start), effort.limited(_WORK), ROUGHLY).body for start in starts]
     functionals = [_functional(start, body) for start, body in zip(starts, grown, strict=True)]
     reach = np.array(
@@ -41,7 +41,7 @@ def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Ef
 
 
 def _reach(start: Start, functional: Array | None, body: Body) -> float:
-    """How far a body reaches in the direction of a leader.
+    """The largest factor by which a body reaches in the direction of a leader.
 
     With f the functional of its product, f(v) = 1, Π^n x / μ^n tends to f(x) v where the eigenvalue is simple: it is
     |f(x)|. Otherwise, what multiple of the leader is in the body.
@@ -53,9 +53,9 @@ def _reach(start: Start, functional: Array | None, body: Body) -> float:
 
 
 def _functional(start: Start, body: Body) -> Array | None:
-    """The left eigenvector of the leader's product; None where the eigenvalue is not simple, or not real, or where the
+    """The left eigenvector of the leader's product, a row of N entries with the value 1 at the leader.
 
-    product is the reversal times that of the word.
+    None where the eigenvalue is not simple or not real, or where the product is the reversal times that of the word.
     """
     if body.complex or not start.word:
         return None
@@ -75,9 +75,9 @@ def _functional(start: Start, body: Body) -> Array | None:
 
 
 def _balanced(logarithms: Array) -> Array:
-    """Logarithms of t with max_j c_ij t_j / t_i = max_j c_ji t_i / t_j for all i, j ≠ i, by sweeps (Schneider &
+    """The n logarithms of t with max_j c_ij t_j / t_i = max_j c_ji t_i / t_j for all i, j ≠ i, from those of c.
 
-    Schneider 1991): no other t makes the largest of all smaller.
+    By sweeps over the n×n matrix (Schneider & Schneider 1991): no other t makes the largest of all smaller.
     """
     n = len(logarithms)
     t = np.zeros(n)

@@ -25,20 +25,21 @@ class Start(NamedTuple):
 
 
 class Image(NamedTuple):
-    """M_letter v / σ, v the vertex: ≈ Σ weights · columns, or <= that in every coordinate of a monotone body."""
+    """An image M_letter v / σ of a vertex v: ≈ Σ weights · columns, or <= that in all coordinates (monotone bodies)."""
 
     vertex: int
     letter: int
     columns: tuple[int, ...]
     weights: tuple[complex, ...]
     value: float
-    """Σ |weights|."""
+    """The sum of the |weights|."""
 
 
 class Body:
-    """The polytope so far. Each vertex v stands for `copies` columns: v; its conjugate, where vectors are complex; and
+    """A polytope while it grows: its vertices, with what each of them is the image of.
 
-    in a symmetric family the reflections of these. Column u·copies + c is copy c of vertex u.
+    Each vertex v stands for `copies` columns: v; its conjugate, where vectors are complex; and in a symmetric family
+    the reflections of these. Column u·copies + c is copy c of vertex u.
     """
 
     def __init__(
@@ -46,15 +47,15 @@ class Body:
     ) -> None:
         self.scaled = matrices / sigma
         self.monotone = monotone
-        """The hull is of all x >= 0 below a convex combination of vertices; matrices and vectors are not negative."""
+        """Whether the hull is of all x >= 0 below a convex combination of vertices; nothing is negative then."""
         self.order = matrices.shape[1]
         self.symmetric = symmetric
         self.complex = np.iscomplexobj(starts[0].vector)
         self.copies = (2 if symmetric else 1) * (2 if self.complex else 1)
         self.parents: list[tuple[int, int] | None] = []
-        """(vertex, letter) of which a vertex is the image; None for a leader; (-1, e) for extra vertex e."""
+        """The (vertex, letter) of which a vertex is the image; None for a leader; (-1, e) for extra vertex e."""
         self.extras: list[tuple[int, ...]] = []
-        """Vertices that make the body a little larger, times 2^EXTRA_BITS."""
+        """The vertices that make the body a little larger, times 2^EXTRA_BITS."""
         self.depths: list[int] = []
         """The number of letters between a vertex and its leader."""
         self._columns: Numbers = np.zeros((self.order, 64), dtype=starts[0].vector.dtype)
@@ -76,12 +77,15 @@ class Body:
 
     @property
     def columns(self) -> Numbers:
+        """The N×(size·copies) matrix of all vertices and their copies, as columns."""
         return self._columns[:, : self.size * self.copies]
 
     def image(self, u: int, letter: int) -> Numbers:
+        """The vector M_letter v / σ of N entries, v the vertex number u."""
         return np.asarray(self.scaled[letter] @ self._columns[:, u * self.copies])
 
     def copied(self, vector: Numbers) -> list[Numbers]:
+        """The vector, its conjugate where vectors are complex, and the reflections of these in a symmetric family."""
         copies = [vector, vector.conj()] if self.complex else [vector]
         return copies + [v[::-1] for v in copies] if self.symmetric else copies
 
@@ -103,6 +107,7 @@ class Body:
         return sign_of[0]
 
     def add(self, vector: Numbers, parent: tuple[int, int] | None) -> int:
+        """The number of a new vertex, whose origin is `parent` as in `parents`."""
         at = self.size * self.copies
         if at + self.copies > self._columns.shape[1]:
             self._columns = np.hstack([self._columns, np.zeros_like(self._columns)])
@@ -112,12 +117,13 @@ class Body:
         return self.size - 1
 
     def add_extra(self, vector: Array) -> int:
-        """A vertex of no origin, rounded to multiples of 2^-EXTRA_BITS."""
+        """The number of a new vertex without origin: the vector, rounded to multiples of 2^-EXTRA_BITS."""
         integers = [round(x * (1 << EXTRA_BITS)) for x in vector.tolist()]
         self.extras.append(tuple(integers))
         return self.add(np.array(integers) / (1 << EXTRA_BITS), (-1, len(self.extras) - 1))
 
     def descends_from_extra(self, u: int) -> bool:
+        """Whether the vertex is an extra one or comes from one."""
         while (parent := self.parents[u]) is not None:
             if parent[0] < 0:
                 return True

@@ -4,6 +4,7 @@ The vertices are exact: words applied to the leaders, over powers of σ. Every i
 to a leader, a tie (see ties.py), or inside: it differs from a combination with rational weights by so short a vector
 that it lies in the hull, which balls decide. So the scaled matrices map the hull into itself: JSR <= σ, all products of
 L matrices are bounded by a constant times σ^L, and the leaders' products attain σ (Guglielmi, Wirth & Zennaro 2005).
+
 The inequality is that of the checker's rules `closing` and `complex-closing` (certificate/RADIUS.md) with a little room
 left for roundings, and in the complex case for real norms of complex vectors, which are at most twice as large.
 """
@@ -32,21 +33,22 @@ _WEIGHT_BITS = (14, 26, 39)
 _ROOM = 40
 """Every image stays 2^-40 away from the boundary: room for a checker that works with `bits` binary places."""
 _MOST_PLACES = 4096
-"""Of a certificate."""
+"""The most binary places of a certificate."""
 _LARGEST_BITS = 63
-"""Of a coordinate's integer part."""
+"""The most bits of the integer part of a coordinate."""
 _CLOSE = 1 - 1e-7
 """Images with a larger gauge may be ties."""
 
 
 _PUSHES = (2.0**-7, 2.0**-10, 2.0**-14)
-"""By how much images that stay on the boundary are moved beyond it."""
+"""The shares by which images that stay on the boundary are moved beyond it."""
 
 
 def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dict[str, Data] | None:
-    """The rule, `closing` or `monotone-closing`, and its witness; None where some image is not proved to lie inside.
+    """The proof that the polytope is closed, as plain data: a rule, `closing` or `monotone-closing`, and its witness.
 
-    Where images on the boundary are no ties, the body grows by vertices beyond them.
+    None where some image is not proved to lie inside. Where images on the boundary are no ties, the body grows by
+    vertices beyond them.
     """
     if not leaders.is_real and not has_disc(leaders.each[0].eigenvalue):
         return None
@@ -128,7 +130,7 @@ class _Closing:
         return self._matrices[letter] * of / self._sigma
 
     def _vertex(self, number: int) -> list[Ball]:
-        """By the certificate's number: copy c of vertex u, as `Body` counts copies, is u + c n."""
+        """The vertex with this number of the certificate: copy c of vertex u, as `Body` counts copies, is u + c n."""
         copy, u = divmod(number, self._body.size)
         entries: list[Ball] = self._vertices[u].entries()
         if self._body.complex and copy % 2:
@@ -136,12 +138,12 @@ class _Closing:
         return entries[::-1] if self._body.symmetric and copy >= self._body.copies // 2 else entries
 
     def _independent(self) -> list[int]:
-        """Numbers of N vertices, a well-conditioned basis as floats see it."""
+        """The numbers of N vertices that are a well-conditioned basis, as floats see it."""
         size, copies = self._body.size, self._body.copies
         return [j // copies + size * (j % copies) for j in independent_columns(self._body.columns)]
 
     def _condition(self) -> arb | None:
-        """κ = ‖V_B^(-1)‖₁: a vector r lies in κ‖r‖₁ times the hull."""
+        """The number κ = ‖V_B^(-1)‖₁, or None where it is not finite: a vector r lies in κ‖r‖₁ times the hull."""
         try:
             inverse = self._kind([list(row) for row in zip(*map(self._vertex, self._basis), strict=True)]).inv()
         except ZeroDivisionError:
@@ -150,9 +152,9 @@ class _Closing:
         return kappa if kappa.is_finite() else None
 
     def images(self, bits: int, *, to_the_end: bool) -> tuple[list[tuple[int, ...] | Tie], list[tuple[int, int]]]:
-        """Every image that is neither an edge nor a return, decided with weights of so many bits; and what is not.
+        """The decisions on the images that are neither edges nor returns, and the images that are not decided.
 
-        Otherwise the first one that is not decided ends it.
+        Weights have so many bits. Unless `to_the_end`, the first image that is not decided ends it.
         """
         decided: list[tuple[int, ...] | Tie] = []
         left: list[tuple[int, int]] = []
@@ -180,7 +182,7 @@ class _Closing:
         return False
 
     def _weights(self, image: Image) -> dict[int, complex]:
-        """Weights by the certificate's vertex numbers, copies of one vertex added up."""
+        """The weights of an image by the certificate's vertex numbers, copies of one vertex added up."""
         body, total = self._body, dict[int, complex]()
         for column, weight in zip(image.columns, image.weights, strict=True):
             u, copy = divmod(column, body.copies)
@@ -189,7 +191,10 @@ class _Closing:
         return total
 
     def _inside(self, image: Image, weights: dict[int, complex], bits: int) -> tuple[int, ...] | None:
-        """The flat list of vertex numbers and integer weights: c, or Re c and Im c where vertices are complex."""
+        """The flat list of vertex numbers and integer weights that prove an image to be inside; None where they do not.
+
+        A weight is the integer c, or the integers Re c and Im c where vertices are complex.
+        """
         rest = self._image(self._vertices[image.vertex], image.letter).entries()
         flat: list[int] = []
         total = arb(0)
@@ -207,11 +212,12 @@ class _Closing:
         return tuple(flat) if room > 0 else None
 
     def _distance(self, rest: Sequence[Ball]) -> arb:
-        """A multiple of the hull that this vector is in."""
+        """A number t such that the vector lies in t times the hull."""
         assert self._kappa is not None
         return self._kappa * _norm(rest) * (2 if self._body.complex else 1)
 
     def witness(self, places: int, bits: int, decided: Sequence[tuple[int, ...] | Tie]) -> dict[str, Data]:
+        """The certificate's witness of this polytope: numbers have so many binary places, weights so many bits."""
         parents = [parent for parent in self._body.parents if parent is not None]
         ties = [tie for tie in decided if isinstance(tie, Tie)]
         return {
@@ -250,9 +256,10 @@ class _Closing:
 
 
 class _Monotone(_Closing):
-    """The same in a monotone hull: `basis` has for each coordinate a vertex where it is large, and a vector r is below
+    """A polytope with its proof in balls, as `_Closing`, for a monotone hull.
 
-    Σ_k max(r_k, 0)/(coordinate k of basis vertex k) times a convex combination of these.
+    `basis` has for each coordinate a vertex where it is large, and a vector r is below Σ_k max(r_k, 0)/(coordinate k of
+    basis vertex k) times a convex combination of these.
     """
 
     def _independent(self) -> list[int]:
@@ -260,9 +267,9 @@ class _Monotone(_Closing):
         return [int(j) // copies + size * (int(j) % copies) for j in self._body.columns.argmax(axis=1)]
 
     def _condition(self) -> arb | None:
-        """The largest 1/x of coordinates x that a checker must see to be positive, if they are: those of the basis
+        """The largest 1/x of the coordinates x that a checker must see to be positive; None where some x is not.
 
-        vertices, and of the leaders, where they are not proved to be zero.
+        These are those of the basis vertices, and of the leaders, where they are not proved to be zero.
         """
         self._floors = [self._vertex(number)[k] for k, number in enumerate(self._basis)]
         of_leaders = [
@@ -285,12 +292,12 @@ class _Monotone(_Closing):
 
 
 def _column(start: tuple[int, ...]) -> Data:
-    """The number of a unit vector; others as they are."""
+    """The number of a unit vector in place of the vector; other vectors as they are."""
     return start.index(1) if 1 in start and start.count(0) == len(start) - 1 else start
 
 
 def _plain(weight: Weight) -> Data:
-    """A number, or the coefficients of a polynomial in Λ."""
+    """A weight as plain data: a fraction, or the coefficients of a polynomial in Λ."""
     if isinstance(weight, Fraction):
         return weight
     found = coefficients(weight)
@@ -303,10 +310,10 @@ def _scaled(parts: Sequence[int], bits: int) -> Ball:
 
 
 def _norm(entries: Sequence[Ball]) -> arb:
-    """‖·‖₁."""
+    """The sum ‖·‖₁ of the moduli of the entries."""
     return sum((abs(x) for x in entries), arb(0))
 
 
 def _largest(balls: Sequence[arb]) -> arb:
-    """A ball above all of them."""
+    """A ball above all of these balls."""
     return arb(max(x.upper() for x in balls))

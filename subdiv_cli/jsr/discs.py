@@ -11,18 +11,20 @@ from subdiv_cli.exact.enclosures import ball, bounds
 from subdiv_cli.model import Data
 
 _DISC = 512
-"""Significant bits of the center of a complex eigenvalue; its disc is much larger than one unit, and much smaller than
-the intervals of a `Root`."""
+"""The significant bits of the center of a complex eigenvalue.
+
+Its disc is much larger than one unit, and much smaller than the intervals of a `Root`.
+"""
 
 
 def _unit(mu: acb) -> Fraction:
-    """2^-_DISC times a power of two near |μ|."""
+    """The number 2^-_DISC times a power of two near |μ|."""
     mantissa, exponent = abs(mu).mid().man_exp()
     return Fraction(2) ** (int(exponent) + int(mantissa).bit_length() - _DISC)
 
 
 def has_disc(eigenvalue: AlgebraicNumber) -> bool:
-    """Whether its disc is small beside the distance from all conjugates, as Rouché's theorem needs it."""
+    """Whether an eigenvalue's disc is small beside its distance from all conjugates, as Rouché's theorem needs it."""
     with ctx.workprec(_DISC + 64):
         mu = eigenvalue.enclosure()
         far = ball(_unit(mu) * (1 << _DISC // 2 + 20))

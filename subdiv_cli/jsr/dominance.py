@@ -19,23 +19,26 @@ Covered = tuple[float, tuple[int, ...], tuple[float, ...]]
 
 
 class Dominations:
-    """For each of some targets: it is below Σ weights · columns, and its gauge is at most `value`."""
+    """Gauges of M targets in a monotone hull: each target is below Σ weights · columns, its gauge at most `value`."""
 
     def __init__(self, found: list[Covered]) -> None:
         self._found = found
         self.value: Array = np.array([value for value, _, _ in found])
 
     def chosen(self, targets: Integers) -> Dominations:
-        """Those of some of the targets."""
+        """The rows of `targets` in this batch."""
         return Dominations([self._found[k] for k in targets])
 
     def shares(self, k: int) -> tuple[tuple[int, ...], tuple[float, ...]]:
-        """Columns and weights of one of them."""
+        """The columns and the weights of target k."""
         return self._found[k][1], self._found[k][2]
 
 
 def domination(columns: Array, target: Array) -> Covered:
-    """The gauge of a vector, numbers of columns and their weights; infinite where they do not cover it."""
+    """The gauge of a vector of N entries in the hull of the n columns (N×n), with numbers of columns and weights.
+
+    It is infinite where the columns do not cover the vector.
+    """
     if (single := _by_one(columns, target)) is not None:
         return single
     rows, limits, prices = columns.T.copy(), np.ones(columns.shape[1]), target.copy()
@@ -57,7 +60,7 @@ def domination(columns: Array, target: Array) -> Covered:
 
 
 def _by_one(columns: Array, target: Array) -> Covered | None:
-    """The smallest multiple of one column that covers the vector, where it is well inside or just as large."""
+    """The smallest multiple of one column that covers the vector, where that is well inside; None otherwise."""
     needed = target[:, None] > _SMALLEST_PIVOT
     with np.errstate(divide="ignore", invalid="ignore"):
         sizes = np.where(needed, target[:, None] / np.maximum(columns, 0.0), 0.0).max(axis=0)
@@ -84,7 +87,7 @@ def _exchange(rows: Array, limits: Array, prices: Array, leaving: int, entering:
 
 
 def _weights(prices: Array, inside: Integers, order: int) -> Covered:
-    """Multipliers: what a slack in the tableau's head would cost."""
+    """The gauge and its weights from the multipliers, which are what slacks in the head of the tableau would cost."""
     pairs = [(int(name) - order, -float(price)) for name, price in zip(inside, prices, strict=True) if name >= order]
     pairs = sorted((k, c) for k, c in pairs if c > 0)
     return sum(c for _, c in pairs), tuple(k for k, _ in pairs), tuple(c for _, c in pairs)

@@ -29,31 +29,34 @@ from subdiv_cli.jsr.polytope import ROUGHLY, grow
 from subdiv_cli.model import Effort
 
 _WORK = 1000
-"""Gauges in the body whose tree has the ways that are looked at."""
+"""Gauges that are computed in the body whose tree has the ways that are used."""
 _MARGINS = (1 / 10, 1 / 40)
-"""What comes back is to stay inside by; the smaller one where the hulls grow on and on with the larger one."""
+"""The margins by which images that come back are to stay inside.
+
+The smaller one is for hulls that grow on and on with the larger one.
+"""
 _SPENT = 3 / 4
-"""Of the margin, so that there are fewer leaders."""
+"""The share of the margin that is given up for fewer leaders."""
 _ROUNDS = 6
-"""Bodies that grow."""
+"""The most bodies that grow one after another."""
 _STEPS = 40
 _TARGETS = 100_000
-"""Points whose gauges are asked for, all in all."""
+"""The most points whose gauges are computed, all in all."""
 _MOST = 64
-"""Corners."""
+"""The most corners of a hull."""
 _BITS = 19
-"""Of the numbers by which columns are combined to a leader."""
+"""The bits of the numbers by which columns are combined to a leader."""
 _FAR = 1000
-"""Times as large as at first is a hull that grows on and on."""
+"""A hull that is so many times as large as at first grows on and on."""
 _SAME = 1e-9
 _ROUNDING = 1e-6
-"""Of gauges in hulls that may be flat."""
+"""The rounding error of gauges in hulls that may be flat."""
 
 
 def surrounding(
     family: Family, found: Leaders, body_of: Callable[[Sequence[Start]], Body], effort: Effort
 ) -> Leaders | None:
-    """More leaders where an eigenspace has several; None where none has, or where no hulls are found."""
+    """More leaders where an eigenspace has several dimensions; None where none has, or where no hulls are reached."""
     groups: dict[Candidate, list[Leader]] = {}
     for leader in found.each:
         groups.setdefault(leader.candidate, []).append(leader)
@@ -74,7 +77,7 @@ def surrounding(
 def _surround(
     spaces: Sequence[_Eigenspace], body_of: Callable[[Sequence[Start]], Body], margin: float, effort: Effort
 ) -> bool:
-    """Let the hulls grow until the ways in the tree of a body that grows from them lead inside; whether they do."""
+    """Whether hulls grow until the ways in the tree of a body that grows from them lead inside; they are changed."""
     ways: dict[tuple[object, ...], _Way] = {}
     left = _TARGETS
     for _ in range(_ROUNDS):
@@ -90,7 +93,7 @@ def _surround(
 
 
 class _Eigenspace:
-    """E in coordinates, and a hull there."""
+    """An eigenspace E in coordinates, and a hull in it."""
 
     def __init__(self, family: Family, group: Sequence[Leader]) -> None:
         self._group = group
@@ -103,14 +106,15 @@ class _Eigenspace:
         starts = np.array([leader.start for leader in group], dtype=np.float64)
         self._basis = self.projection @ starts.T * np.array(sizes)
         self.corners: Array = self._basis
-        """Of the hull, as columns, but for what turns make of them, and negatives."""
+        """The corners of the hull as columns, without their negatives and what turns make of them."""
         self.turns: list[Array] = [np.eye(len(group))]
-        """Ways that end here exactly: with a corner its images by them are in the body."""
+        """Matrices of ways from E to E that are exact: with a corner its images by them are in the body."""
 
     def starts(self) -> list[Start]:
         return [Start(self._group[0].candidate.word, self.frame @ corner) for corner in self.corners.T]
 
     def hull(self) -> Array:
+        """The corners and all that turns make of them, as columns."""
         return self._turned(self.corners)
 
     def _turned(self, points: Array) -> Array:
@@ -122,7 +126,10 @@ class _Eigenspace:
         return self.corners.shape[1] > _MOST or bool(np.abs(self.corners).max() > _FAR * np.abs(self._basis).max())
 
     def surround(self, points: Array) -> Array:
-        """Make the hull so large that it has these points, the farthest first; the new corners, and turned ones."""
+        """The new corners, as columns, and their images by turns, of the hull made so large that it has these points.
+
+        The farthest point comes first.
+        """
         added = np.zeros((len(points), 0))
         while points.size and not self.is_far:
             values = _gauges(self.hull(), points)
@@ -135,7 +142,7 @@ class _Eigenspace:
         return self._turned(added)
 
     def _without(self, corners: Array, by: float) -> Array:
-        """Corners left out as long as the hull of all of them is larger by at most that."""
+        """The corners, as columns, without those that the hull of all does without, larger by at most `by`."""
         hull, kept = self._turned(corners), list(range(corners.shape[1]))
         for k in range(corners.shape[1]):
             fewer = self._turned(corners[:, [i for i in kept if i != k]])
@@ -144,12 +151,12 @@ class _Eigenspace:
         return corners[:, kept]
 
     def leaders(self, by: float) -> list[Leader]:
-        """Few corners, the hull of all of them being larger by at most that."""
+        """Leaders at few corners: the hull of all corners is larger by at most `by`."""
         combined = np.linalg.solve(self._basis, self._without(self.corners, by))
         return [self._leader([Fraction(x) for x in column]) for column in combined.T.tolist()]
 
     def _leader(self, combined: Sequence[Fraction]) -> Leader:
-        """Σ c_i x_i of the first leaders x_i, c rounded."""
+        """The leader Σ c_i x_i, with rounded c_i, of the first leaders x_i."""
         parts = [c * leader.scale for c, leader in zip(combined, self._group, strict=True)]
         largest = max(map(abs, parts))
         unit = Fraction(2) ** (largest.numerator.bit_length() - largest.denominator.bit_length() + 1 - _BITS)
@@ -160,34 +167,34 @@ class _Eigenspace:
 
 
 def _slope(leader: Leader) -> Ball:
-    """h(μ) = g'(μ), where h(Π) = h(μ) Q."""
+    """The number h(μ) = g'(μ), where h(Π) = h(μ) Q."""
     at = leader.eigenvalue.enclosure().real
     return sum((ball(k * c) * at ** (k - 1) for k, c in enumerate(leader.annihilator) if k), ball(0))
 
 
 class _Way(NamedTuple):
-    """x -> Q A x from one eigenspace to another, A the product of a word over powers of σ."""
+    """A map x -> Q A x from one eigenspace to another, A the product of a word over powers of σ."""
 
     start: int
     end: int
     matrix: Array
     exact: bool
-    """Q A x = A x: the image itself lies there."""
+    """Whether Q A x = A x, so that the image itself lies in the second eigenspace."""
 
     @property
     def key(self) -> tuple[object, ...]:
-        """The same for ways that are the same as floats see it."""
+        """A key that is equal for ways that are equal as floats see it."""
         return self.start, self.end, *np.round(self.matrix / _SAME).ravel().tolist()
 
     def magnifies(self, margin: float) -> bool:
-        """Whether no hull is mapped into its inner part."""
+        """Whether the way maps no hull into its inner part."""
         if self.start != self.end or self.exact:
             return False
         return bool(np.abs(np.linalg.eigvals(self.matrix)).max() * (1 + margin) >= 1)
 
 
 def _ways(spaces: Sequence[_Eigenspace], body: Body) -> list[_Way]:
-    """Those of the words in the tree of a body, and in a symmetric family what reversal makes of them."""
+    """The ways by the words in the tree of a body, and in a symmetric family their reversals."""
     numbers = [k for k, space in enumerate(spaces) for _ in space.corners.T]
     images: list[tuple[int, Array] | None] = []
     found: list[_Way | None] = []
@@ -207,7 +214,7 @@ def _ways(spaces: Sequence[_Eigenspace], body: Body) -> list[_Way]:
 
 
 def _way(spaces: Sequence[_Eigenspace], start: int, end: int, image: Array) -> _Way | None:
-    """None for a turn, which the space keeps."""
+    """The way between two spaces that an image shows; None for a turn, which the space itself keeps."""
     space = spaces[end]
     matrix = space.projection @ image
     exact = bool(np.linalg.norm(space.frame @ matrix - image) <= _SAME * np.linalg.norm(image))
@@ -219,9 +226,9 @@ def _way(spaces: Sequence[_Eigenspace], start: int, end: int, image: Array) -> _
 
 
 def _widen(spaces: Sequence[_Eigenspace], ways: Sequence[_Way], margin: float, left: int) -> tuple[int | None, int]:
-    """Let the hulls grow until all ways map them into each other; the number of steps, None where that does not end.
+    """The number of steps in which hulls grow until all ways map them into each other, None where that does not end.
 
-    And how many points may still be looked at.
+    The second number is how many points may still be looked at.
     """
     if any(way.magnifies(margin) for way in ways):
         return None, left
@@ -243,6 +250,6 @@ def _widen(spaces: Sequence[_Eigenspace], ways: Sequence[_Way], margin: float, l
 
 
 def _gauges(columns: Array, targets: Array) -> Array:
-    """Of the columns of `targets` in the hull of all ±columns, which span."""
+    """The M gauges of the M columns of `targets` in the hull of all ±columns, which span the space."""
     numbers = np.array([independent_columns(columns)] * targets.shape[1])
     return gauges(columns, targets.T, Bases(numbers, np.ones(numbers.shape)), inside=0.0, outside=math.inf).value

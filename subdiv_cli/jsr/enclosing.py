@@ -1,9 +1,9 @@
-"""A polytope made into an upper bound of the joint spectral radius, whether it is closed or not.
+"""An upper bound of the joint spectral radius from a polytope, whether it is closed or not.
 
 With rational vertices that span, a rational x > 0 and for every image a rational combination such that Σ|c| + κ ‖M v
 / x - Σ c v‖₁ <= 1, κ = ‖V_B^(-1)‖₁ for a basis V_B of vertices, the matrices map the hull of ±V into x times itself:
-JSR <= x. This is the rule `polytope` of certificate/RADIUS.md. A monotone body,
-of vectors that are not negative, proves the same with inequalities: rule `monotone-polytope`.
+JSR <= x. This is the rule `polytope` of certificate/RADIUS.md. A monotone body, of vectors that are not negative,
+proves the same with inequalities: rule `monotone-polytope`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from subdiv_cli.model import Data
 _PLACES = 60
 """Binary places of the vertices."""
 _LARGEST = 2.0**60
-"""Of a coordinate: integers have at most 40 digits in a certificate."""
+"""The largest coordinate: integers have at most 40 digits in a certificate."""
 _WEIGHT_BITS = 39
 _SLACK = (34, 31, 26, 16)
 """The bound is raised by a factor 1 + 2^-s, s the first of these that leaves room for the roundings."""
@@ -33,7 +33,7 @@ _PRECISION = 192
 
 
 class Bound(NamedTuple):
-    """JSR <= `upper`, and the rule, `polytope` or `monotone-polytope`, with its witness."""
+    """An upper bound JSR <= `upper`, and the rule, `polytope` or `monotone-polytope`, with its witness."""
 
     upper: Fraction
     witness: dict[str, Data]
@@ -59,7 +59,7 @@ def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
 
 
 def by_columns(family: Family) -> Bound:
-    """JSR <= the largest absolute column sum of a matrix, raised a little: the polytope with the vertices ±e_j.
+    """The bound by the largest absolute column sum of a matrix, raised a little: the polytope of the vertices ±e_j.
 
     Weights are entries over the bound, so roundings to multiples of 2^-w cost N 2^-w at most. Needs a matrix ≠ 0.
     """
@@ -92,18 +92,18 @@ class _Enclosing:
         self._condition()
 
     def _condition(self) -> None:
-        """A basis of vertices, and κ."""
+        """Choose a basis of N vertices, and compute κ."""
         self._basis = self._numbers(independent_columns(self._body.columns))
         inverse = arb_mat([list(row) for row in zip(*map(self._vertex, self._basis), strict=True)]).inv()
         self._kappa = arb(max(sum(map(abs, column), arb(0)).upper() for column in zip(*inverse.table(), strict=True)))
 
     def _numbers(self, columns: Iterable[int]) -> list[int]:
-        """Columns of the body as certificates number vertices."""
+        """The numbers of columns of the body in the numbering of certificates."""
         size, copies = self._body.size, self._body.copies
         return [j // copies + size * (j % copies) for j in columns]
 
     def _distance(self, rest: Sequence[arb]) -> arb:
-        """A multiple of the hull that this vector is in."""
+        """A number t such that the vector lies in t times the hull."""
         return self._kappa * sum(map(abs, rest), arb(0))
 
     def _vertex(self, number: int) -> list[arb]:
@@ -159,7 +159,7 @@ class _Enclosing:
 
 
 class _Monotone(_Enclosing):
-    """The same in a monotone hull, where `basis` has for each coordinate a vertex where it is large."""
+    """The same proof in a monotone hull, where `basis` has for each coordinate a vertex where it is large."""
 
     def _condition(self) -> None:
         self._basis = self._numbers(int(j) for j in self._body.columns.argmax(axis=1))

@@ -1,4 +1,4 @@
-"""A finite family of rational matrices, what is seen of it at once, and its scaled float copy for the search."""
+"""A finite family of rational matrices, its symmetry, sign and size, and its scaled float copy for the search."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ class Candidate(NamedTuple):
     reflected: bool = False
 
     def power(self, times: int, letters: int) -> Candidate:
-        """The candidate of the power of the product."""
+        """The candidate whose product is that of this one, raised to the power `times`."""
         mirror = tuple(letters - 1 - letter for letter in self.word)
         blocks = [mirror if self.reflected and i % 2 else self.word for i in range(times)]
         return Candidate(tuple(x for block in blocks for x in block), self.reflected and times % 2 == 1)
 
 
 class Family:
-    """M_0, …, M_(p-1), all of order N >= 1, p >= 1. Raises ValueError for anything else."""
+    """The p >= 1 matrices M_0, …, M_(p-1), all N×N with N >= 1. Raises ValueError for anything else."""
 
     def __init__(self, matrices: Sequence[fmpq_mat]) -> None:
         self.matrices = tuple(matrices)
@@ -45,17 +45,17 @@ class Family:
 
     @property
     def order(self) -> int:
-        """N."""
+        """The number N of rows of each matrix."""
         return self.matrices[0].nrows()
 
     @property
     def letters(self) -> int:
-        """p."""
+        """The number p of matrices."""
         return len(self.matrices)
 
     @cached_property
     def symmetry(self) -> int:
-        """τ = ±1 with M_(p-1-i) = τ J M_i J for all i, J the reversal of the coordinates; 0 where there is none."""
+        """The sign τ = ±1 with M_(p-1-i) = τ J M_i J for all i, J the reversal of coordinates; 0 if there is none."""
         tables = [m.table() for m in self.matrices]
         turned = [[row[::-1] for row in table[::-1]] for table in tables[::-1]]
         if tables == turned:
@@ -84,34 +84,34 @@ class Family:
 
     @cached_property
     def bits(self) -> int:
-        """Of the longest number, where the matrices have integer entries over one common denominator."""
+        """The bits of the longest number, where the matrices have integer entries over one common denominator."""
         common = lcm(*(int(m.numer_denom()[1]) for m in self.matrices))
         return common.bit_length() + max(0, self.size.numerator.bit_length() - self.size.denominator.bit_length() + 1)
 
     @cached_property
     def unit(self) -> Fraction:
-        """A power of two near `size`: floats are of the matrices divided by it."""
+        """A power of two near `size`, by which the matrices are divided before they become floats."""
         if not self.size:
             return Fraction(1)
         return Fraction(2) ** (self.size.numerator.bit_length() - self.size.denominator.bit_length())
 
     @cached_property
     def floats(self) -> Array:
-        """The matrices divided by `unit`, p×N×N doubles, each entry rounded once."""
+        """The matrices divided by `unit`, as a p×N×N array of doubles, each entry rounded once."""
         import numpy as np
 
         scaled = [[[float(to_fraction(x) / self.unit) for x in row] for row in m.table()] for m in self.matrices]
         return np.array(scaled)
 
     def product(self, word: Word) -> fmpq_mat:
-        """M_(w_ℓ) … M_(w_1), exactly."""
+        """The exact N×N product M_(w_ℓ) … M_(w_1) of the word w."""
         total = self.matrices[word[0]]
         for letter in word[1:]:
             total = self.matrices[letter] * total
         return total
 
     def candidate(self, candidate: Candidate) -> fmpq_mat:
-        """The product of the word, its rows reversed where the candidate is reflected."""
+        """The exact N×N product of the word, its rows reversed where the candidate is reflected."""
         product = self.product(candidate.word)
         return fmpq_mat(product.tolist()[::-1]) if candidate.reflected else product
 

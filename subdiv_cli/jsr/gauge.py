@@ -1,4 +1,4 @@
-"""How far vectors lie from a balanced polytope: many small linear programmes at once, in floats.
+"""Gauges of vectors in a balanced polytope: many small linear programmes at once, in floats.
 
 The gauge of y in the hull P of all ±v (of all e^(iθ) v, where vectors are complex) is min Σ|c| over Σ c_v v = y. It is
 solved by the primal simplex method with long steps: weights are signed, so a weight that reaches zero may turn its
@@ -23,47 +23,48 @@ _OPTIMAL = 1e-11
 _SMALLEST_PIVOT = 1e-11
 _MOST_STEPS = 400
 _PATIENCE = 40
-"""Steps after which the column that enters is drawn by lot: degenerate bases may follow each other in a circle."""
+"""Steps after which the column that enters is drawn by lot, since degenerate bases may form a circle."""
 
 
 class Bases(NamedTuple):
     """A basis for each of M targets: d columns each, d = N, or 2N where vectors are complex."""
 
     numbers: Integers
-    """M×d column numbers."""
+    """The column numbers, M×d."""
     turns: Numbers
-    """M×d factors of modulus 1 by which the columns are turned."""
+    """The factors of modulus 1 by which the columns are turned, M×d."""
 
     def chosen(self, targets: Integers) -> Bases:
-        """Those of some of the targets."""
+        """The rows of `targets` in this batch."""
         return Bases(self.numbers[targets], self.turns[targets])
 
     def vectors(self, columns: Numbers) -> Array:
-        """M×d×d, basis vectors as columns of real matrices."""
+        """The basis vectors as an M×d×d array, the columns of M real matrices."""
         return as_real((columns[:, self.numbers] * self.turns).transpose(1, 2, 0)).transpose(0, 2, 1)
 
 
 class Gauges(NamedTuple):
-    """For M targets: the gauge is at most `value`, and Σ_i weights_i turns_i (column numbers_i) = target."""
+    """The gauges of M targets: each is at most `value`, and Σ_i weights_i turns_i (column numbers_i) = target."""
 
     value: Array
     bases: Bases
     weights: Array
-    """M×d; value is the sum of their absolute values."""
+    """The weights, M×d; `value` is the sum of their absolute values."""
 
     def chosen(self, targets: Integers) -> Gauges:
-        """Those of some of the targets."""
+        """The rows of `targets` in this batch."""
         return Gauges(self.value[targets], self.bases.chosen(targets), self.weights[targets])
 
     def shares(self, k: int) -> tuple[tuple[int, ...], tuple[complex, ...]]:
-        """Columns and weights of one of them."""
+        """The columns and the weights of target k."""
         return tuple(self.bases.numbers[k].tolist()), tuple((self.weights[k] * self.bases.turns[k]).tolist())
 
 
 def gauges(columns: Numbers, targets: Numbers, bases: Bases, *, inside: float, outside: float) -> Gauges:
-    """The gauges of M targets (rows) in the hull of the n columns, from M bases.
+    """The gauges of M targets (rows of N entries) in the hull of the n columns (N×n), from M bases.
 
-    A target is left where its gauge is known to be at most `inside` or above `outside`; otherwise the optimum is found.
+    A target is left where its gauge is known to be at most `inside` or above `outside`; otherwise the optimum is
+    computed.
     """
     state = _State(columns, as_real(targets), Bases(bases.numbers.copy(), bases.turns.copy()))
     active, generator = np.arange(len(targets)), None
@@ -89,7 +90,7 @@ class _State:
         self.weights: Array = np.einsum("mij,mj->mi", self.inverses, self.targets)
 
     def step(self, active: Integers, inside: float, outside: float, generator: np.random.Generator | None) -> Integers:
-        """One step of the active targets; those that are to go on.
+        """The numbers of the targets that are to go on after one step of the active ones.
 
         f = Σ_i sign(c_i) (row i of the inverse) has f·b = ±1 on the basis and f·y = Σ|c|. If |f·v| <= m on all columns,
         f/m bounds the gauge from below by Σ|c|/m; the column with the largest |f·v| enters, or any one above 1.
@@ -116,7 +117,7 @@ class _State:
         return active
 
     def _functional(self, real: Array) -> Numbers:
-        """f as it acts on complex columns: Re(φ·z) = f·(Re z, Im z)."""
+        """The functional f as it acts on complex columns: Re(φ·z) = f·(Re z, Im z)."""
         if not np.iscomplexobj(self.columns):
             return real
         n = real.shape[1] // 2
@@ -125,7 +126,7 @@ class _State:
     def _ratio(
         self, active: Integers, entering: Integers, turn: Numbers, size: Array, signs: Array
     ) -> tuple[Array, Integers, Array]:
-        """How weights fall with that of the newcomer, who leaves, and the newcomer's weight then.
+        """The changes of the weights with that of the newcomer (M×d), the columns that leave, and the new weights (M).
 
         Along weights - t·change the objective has the slope 1 - size, and 2|change_i| more beyond the zero of weight i.
         """
@@ -157,7 +158,10 @@ class _State:
 
 
 def inverses_of(matrices: Array) -> Array:
-    """The inverses; one that is singular, after too many roundings, gets one of large numbers, which proves nothing."""
+    """The inverses of M real d×d matrices; a singular one gets an inverse of large numbers, which proves nothing.
+
+    Too many roundings make matrices singular.
+    """
     try:
         return np.asarray(np.linalg.inv(matrices))
     except np.linalg.LinAlgError:

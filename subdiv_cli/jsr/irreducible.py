@@ -28,25 +28,26 @@ from subdiv_cli.jsr.search import candidates
 from subdiv_cli.model import Data, Effort, Root
 
 LARGEST_BLOCK = 60
-"""Of matrices for which polytopes are tried."""
+"""The largest order of matrices for which polytopes are tried."""
 _QUICK, _DEEP = 10, 24
-"""Lengths of products in the first and in the second search."""
+"""The lengths of products in the first and in the second search."""
 _QUICK_WORK = 1000
-"""Gauges in the first polytope."""
+"""Gauges that are computed in the first polytope."""
 _LONGEST_ROOT = 60_000
-"""Bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
+"""The most bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
 _ROUNDING = 1e-9
 _MARGIN = 30
 _SMALLEST = Fraction(1, 1 << 600)
-"""Of a radius, measured in the largest entry: polytopes for smaller ones have coordinates that are no doubles."""
+"""The smallest radius, measured in the largest entry: polytopes for smaller ones have no double coordinates."""
 _SLACK = Fraction(1, 64)
-"""By how much the matrices are scaled down first where the polytope at the candidate itself does not close."""
+"""The share by which the matrices are scaled down first where the polytope at the candidate does not close."""
 
 
 def irreducible_radius(family: Family, effort: Effort) -> Radius | None:
-    """A quick look at the shortest candidates, and at all of them; a deeper search, and whatever the effort allows.
+    """The radius of one family, or a bound of it; None where the effort does not suffice for any.
 
-    Half of it goes to polytopes for the candidates themselves, and as much as all of it to bounds.
+    A quick look at the shortest candidates, and at all of them; a deeper search, and whatever the effort allows. Half
+    of it goes to polytopes for the candidates themselves, and as much as all of it to bounds.
     """
     if not family.size:
         return zero_radius()
@@ -72,7 +73,7 @@ def irreducible_radius(family: Family, effort: Effort) -> Radius | None:
 
 
 def _of_distinct(family: Family, effort: Effort) -> Radius | None:
-    """That of its matrices up to sign, whose products are the same up to sign."""
+    """The radius of the matrices that differ up to sign: their products are the products of all, up to sign."""
     letters = family.distinct
     found = irreducible_radius(Family([family.matrices[letter] for letter in letters]), effort)
     if found is None:
@@ -84,7 +85,7 @@ def _of_distinct(family: Family, effort: Effort) -> Radius | None:
 
 
 def _affordable(family: Family, found: Sequence[Candidate]) -> Sequence[Candidate]:
-    """Those whose exact products have no very long numbers; where none is left, the letter of largest radius."""
+    """The candidates whose exact products have no very long numbers; if none, the letter of largest radius."""
     if not found or any(len(candidate.word) * family.bits <= LONGEST_PRODUCT for candidate in found):
         return [candidate for candidate in found if len(candidate.word) * family.bits <= LONGEST_PRODUCT]
     sizes = np.abs(np.linalg.eigvals(family.floats)).max(axis=1)
@@ -92,7 +93,7 @@ def _affordable(family: Family, found: Sequence[Candidate]) -> Sequence[Candidat
 
 
 def bounded(family: Family, limit: tuple[int, Fraction], effort: Effort) -> Radius | None:
-    """A proof of ρ^n <= x for (n, x), by a polytope that is quickly found; None where there is none."""
+    """A proof of ρ^n <= x for (n, x), by a polytope that closes quickly; None where there is none."""
     if not family.size:
         return zero_radius()
     length, bound = limit
@@ -108,7 +109,7 @@ def bounded(family: Family, limit: tuple[int, Fraction], effort: Effort) -> Radi
 
 
 def _leading_vector(family: Family) -> Array:
-    """The real part of a leading eigenvector of the longest of the matrices, of length 1."""
+    """The real part of an eigenvector of the largest eigenvalue of any of the matrices: N doubles, of length 1."""
     values, vectors = np.linalg.eig(family.floats)
     k, j = np.unravel_index(int(np.abs(values).argmax()), values.shape)
     vector = vectors[k, :, j].real
@@ -116,11 +117,12 @@ def _leading_vector(family: Family) -> Array:
 
 
 def zero_radius() -> Radius:
+    """The radius 0 of a family of zeros, with its proof."""
     return Radius(None, None, (1, Fraction(0)), True, {"rule": "zero", "length": 1, "bound": Fraction(0)})
 
 
 class _Attempt:
-    """Polytopes from one set of candidates."""
+    """The polytopes that grow from one set of candidates."""
 
     def __init__(self, family: Family, found: Sequence[Candidate], *, squared: bool = False) -> None:
         self.family = family
@@ -151,7 +153,7 @@ class _Attempt:
         return _exactly(self.family, self.leaders, root, witness)
 
     def _first(self, effort: Effort) -> list[Start]:
-        """What the polytope grows from: leaders in number and length as they go together best."""
+        """The starts of the polytope: leaders in number and length as they go together best."""
         assert self.leaders is not None
         starts = [_start(self.family, leader) for leader in self.leaders.each]
         self.monotone = self.family.is_nonnegative and all(_is_nonnegative(start.vector) for start in starts)
@@ -199,9 +201,10 @@ class _Attempt:
         return None if best is None else self._at_most(best)
 
     def _slackened(self, effort: Effort) -> list[tuple[Fraction, Grown]]:
-        """Polytopes for matrices scaled down: by less and less as long as they close, or by more until one does.
+        """The polytopes for matrices scaled down, each with the number that takes the place of σ.
 
-        No one takes more than the effort, and all together no more than twice of it.
+        By less and less as long as they close, or by more until one does. No one takes more than the effort, and all
+        together no more than twice of it.
         """
         assert self.leaders is not None
         real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
@@ -230,7 +233,7 @@ def _is_long(root: Root) -> bool:
 
 
 def to_fraction_of_ball(found: Leaders) -> Fraction:
-    """σ as a rational, for the float side: its ball's midpoint."""
+    """The candidate σ as a rational, for the float side: the midpoint of its ball."""
     low, high = bounds(found.sigma())
     return (low + high) / 2
 
@@ -246,7 +249,7 @@ def _start(family: Family, leader: Leader) -> Start:
 
 
 def _is_nonnegative(vector: Numbers) -> bool:
-    """As floats see it."""
+    """Whether no entry of a vector is negative, as floats see it."""
     return not np.iscomplexobj(vector) and bool(vector.min() >= -_ROUNDING * np.abs(vector).max())
 
 

@@ -23,9 +23,9 @@ from subdiv_cli.model import Root
 
 MOST_LEADERS = 16
 _LONGEST = 200
-"""Letters of a common power of all words."""
+"""The most letters of a common power of all words."""
 LONGEST_PRODUCT = 1 << 18
-"""Bits of the entries of a product that is looked at exactly."""
+"""The most bits of the entries of a product whose eigenvalues are computed exactly."""
 
 Ball = Any
 """An arb or an acb, alike throughout one family: the stubs of their unions do not add up."""
@@ -34,22 +34,22 @@ Balls = Any
 
 
 class Leader(NamedTuple):
-    """The vector scale · h(Π) w of the candidate's product Π."""
+    """A leader: the vector scale · h(Π) w of the candidate's product Π."""
 
     candidate: Candidate
     eigenvalue: AlgebraicNumber
     annihilator: tuple[Fraction, ...]
-    """The coefficients of g, lowest first."""
+    """The coefficients of g, the constant one first."""
     start: tuple[int, ...]
-    """w, a unit vector where the eigenspace has one dimension."""
+    """The vector w, a unit vector where the eigenspace has one dimension."""
     scale: Fraction
 
 
 class Leaders(NamedTuple):
-    """At least one leader; all eigenvalues are real, or none is."""
+    """The leaders of one polytope, at least one; all eigenvalues are real, or none is."""
 
     length: int
-    """ℓ, of every word."""
+    """The common length ℓ of all words."""
     each: tuple[Leader, ...]
     has_both_signs: bool
     """Whether some product has the eigenvalue that they share, and its negative too, which is left out."""
@@ -59,11 +59,11 @@ class Leaders(NamedTuple):
         return self.each[0].eigenvalue.is_real
 
     def sigma(self) -> arb:
-        """|μ|^(1/ℓ), enclosed at the current precision: the joint spectral radius is at least that."""
+        """The number σ = |μ|^(1/ℓ) in a ball at the current precision: the joint spectral radius is at least that."""
         return self.each[0].eigenvalue.modulus() ** (arb(1) / self.length)
 
     def root(self) -> tuple[int, Root] | None:
-        """(n, Λ) with Λ = |μ|^(n/ℓ) for n = ℓ, or n = 2ℓ where μ is complex; None where it has too many conjugates."""
+        """The pair (n, Λ) with Λ = |μ|^(n/ℓ): n = ℓ, or n = 2ℓ where μ is complex; None for too many conjugates."""
         number = self.each[0].eigenvalue
         if number.is_real:
             return self.length, isolated(number if number.region.real > 0 else negated(number))
@@ -111,21 +111,21 @@ def _of_length(family: Family, candidates: Sequence[Candidate], length: int) -> 
 
 
 def _leading_eigenvalues(product: fmpq_mat) -> list[AlgebraicNumber]:
-    """Eigenvalues ≠ 0 of the largest modulus, as balls see it; of complex pairs those in the upper half plane."""
+    """The eigenvalues ≠ 0 of the largest modulus, as balls see it; of complex pairs those in the upper half plane."""
     spectrum = [number for number, _ in roots(product.charpoly()) if not number.region.imag < 0]
     top = spectrum[0].region.__abs__()
     return [number for number in spectrum if number.region.__abs__().overlaps(top) and number.rational != 0]
 
 
 def _shared(spectra: Sequence[Sequence[AlgebraicNumber]]) -> AlgebraicNumber | None:
-    """The best of those that 256 bits do not tell from the first in modulus; None where there are none."""
+    """The best of those eigenvalues that 256 bits do not separate from the first in modulus; None without any."""
     every = [number for spectrum in spectra for number in spectrum]
     with ctx.workprec(256):
         return max((x for x in every if x.modulus().overlaps(every[0].modulus())), key=_preference, default=None)
 
 
 def _preference(number: AlgebraicNumber) -> tuple[bool, bool]:
-    """A positive one before others, complex ones last."""
+    """A key that sorts positive eigenvalues before others and complex ones last."""
     return number.is_real, bool(number.region.real > 0)
 
 
@@ -169,7 +169,7 @@ def _inner(a: Sequence[Ball], b: Sequence[Ball]) -> acb:
 def _eigenvector_columns(
     product: fmpq_mat, annihilator: Sequence[Fraction], eigenvalue: AlgebraicNumber
 ) -> list[list[Ball]]:
-    """The columns of h(Π)."""
+    """The N columns of the N×N matrix h(Π), as lists of balls."""
     n = product.nrows()
     total = _applied(product, annihilator, eigenvalue, [[int(i == j) for j in range(n)] for i in range(n)])
     return [list(column) for column in zip(*total.table(), strict=True)]
@@ -178,7 +178,7 @@ def _eigenvector_columns(
 def _applied(
     product: fmpq_mat, annihilator: Sequence[Fraction], eigenvalue: AlgebraicNumber, start: list[list[int]]
 ) -> Balls:
-    """h(Π) times a matrix, by Horner's rule: h = Σ_i b_i z^i with b_(d-1) = g_d and b_(i-1) = g_i + μ b_i."""
+    """The N×k matrix h(Π) `start`, by Horner's rule: h = Σ_i b_i z^i with b_(d-1) = g_d, b_(i-1) = g_i + μ b_i."""
     mu = eigenvalue.enclosure()
     number = mu.real if eigenvalue.is_real else mu
     kind: Any = arb_mat if eigenvalue.is_real else acb_mat
@@ -193,12 +193,12 @@ def _applied(
 
 
 def eigenvectors(family: Family, leader: Leader) -> list[list[Ball]]:
-    """All columns of the leader's h(Π), enclosed at the current precision."""
+    """The N columns of the leader's matrix h(Π), as lists of balls at the current precision."""
     return _eigenvector_columns(family.candidate(leader.candidate), leader.annihilator, leader.eigenvalue)
 
 
 def vector(family: Family, leader: Leader) -> Balls:
-    """The leader's vector enclosed at the current precision, N×1."""
+    """The leader's vector, an N×1 matrix of balls at the current precision."""
     start = [[x] for x in leader.start]
     total = _applied(family.candidate(leader.candidate), leader.annihilator, leader.eigenvalue, start)
     return total * ball(leader.scale)

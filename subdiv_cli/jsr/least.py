@@ -18,9 +18,10 @@ from subdiv_cli.jsr.gauge import Bases, gauges
 def least_combinations(
     columns: Sequence[Sequence[int]], targets: Sequence[Sequence[Fraction]], basis: Sequence[int]
 ) -> tuple[Combination, ...]:
-    """Each target by as many columns as there are coordinates, with the least sum as far as floats tell.
+    """Each target as a combination of as many columns as it has coordinates, with the least sum that floats see.
 
-    Exact for each target, whether or not the sum is the least. `basis`: independent columns, where the search starts.
+    Exact for each target, whether or not the sum is the least. `basis` numbers independent columns, where the search
+    starts.
     """
     array = np.array(columns, dtype=np.float64).T
     goals = np.array([[float(x) for x in target] for target in targets])

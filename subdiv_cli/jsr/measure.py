@@ -1,4 +1,4 @@
-"""How far images lie outside a body: its gauge, in floats, with the weights that show it."""
+"""Measures of images outside a body: their gauges, in floats, with the weights that show them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,10 @@ class Balanced:
         self.bases = Bases(first, turns)
 
     def measure(self, targets: Numbers, like: Any = None, *, inside: float = 0.0, outside: float = math.inf) -> Gauges:
-        """The gauges of the rows, as exactly as `gauges` says; `like` has earlier ones whose bases may do again."""
+        """The gauges of the M rows of `targets`, as exactly as `gauges` says.
+
+        `like` has earlier gauges whose bases may do again.
+        """
         columns = self._body.columns
         bases = self._best(columns, targets) if like is None else like.bases
         found = gauges(columns, targets, bases, inside=inside, outside=outside)
@@ -36,7 +39,7 @@ class Balanced:
         return found
 
     def _best(self, columns: Numbers, targets: Numbers) -> Bases:
-        """For each target the remembered basis in which it has the smallest weights."""
+        """The remembered bases in which the targets have the smallest weights, one for each of the M rows."""
         inverses = inverses_of(self.bases.vectors(columns))
         sums = np.abs(np.einsum("kij,mj->mki", inverses, as_real(targets))).sum(axis=2)
         return self.bases.chosen(sums.argmin(axis=1))
@@ -59,24 +62,24 @@ class Monotone:
     def measure(
         self, targets: Numbers, like: Any = None, *, inside: float = 0.0, outside: float = math.inf
     ) -> Dominations:
-        """The gauges of the rows, exactly in any case."""
+        """The gauges of the M rows of `targets`, exactly in any case."""
         return Dominations([domination(self._body.columns, target) for target in targets])
 
 
 def measure_of(body: Body) -> Balanced | Monotone:
-    """What measures in this body."""
+    """The measure of gauges in a body of this sort."""
     return Monotone(body) if body.monotone else Balanced(body)
 
 
 def gauge(body: Body, vector: Numbers) -> float:
-    """Of any vector; the columns must span."""
+    """The gauge of one vector in a body whose columns span the space."""
     return float(measure_of(body).measure(vector[None]).value[0])
 
 
 def independent_columns(columns: Numbers) -> list[int]:
-    """As many independent columns as there are rows, each as far as possible from the span of those before it.
+    """The numbers of as many independent columns as there are rows, each far from the span of those before it.
 
-    Real or complex; the rows must be independent.
+    The matrix is real or complex; its rows must be independent. Each column is as far from that span as can be.
     """
     rest, chosen = columns.copy(), []
     for _ in range(len(columns)):

@@ -25,27 +25,30 @@ from subdiv_cli.model import Effort
 ROUGHLY = 1.02
 """Gauges up to which images may stay outside of bodies that only suggest something: they end sooner."""
 _SHARE = 0.2
-"""Of the images outside, how many become vertices before the others are measured again."""
+"""The share of the images outside that become vertices before the others are measured again."""
 _CHUNK = 256
 _INSIDE = 1 - 1e-3
 """A gauge below this needs no more precision: its weights are proof enough."""
 _SAME = 1e-12
 _SMALL = 1 / 16
 _INDEPENDENT = 1e-3
-"""Of a vector, what must be new for it to count as independent of others: a body that is thin has proofs of no use."""
+"""The share of a vector that must be new for it to count as independent of others.
+
+A body that is thin has proofs of no use.
+"""
 _SMALL_ORDER = 20
 
 
 class Grown(NamedTuple):
-    """A polytope after growth."""
+    """A polytope after growth, with its state: closed or not, and the images left."""
 
     body: Body
     closed: bool
-    """No image lies outside, as floats see it."""
+    """Whether no image lies outside, as floats see it."""
     left: list[tuple[int, int]]
-    """Images that are not decided, because the effort ended."""
+    """The images that are not decided, because the effort ended."""
     spent: int
-    """Work."""
+    """The work that growth took, counted in gauges."""
 
     @property
     def value(self) -> float:
@@ -54,7 +57,7 @@ class Grown(NamedTuple):
 
 
 def grow(body: Body, effort: Effort, within: float = 1.0) -> Grown:
-    """Let a body grow until it is closed or the effort ends; images of gauges up to `within` >= 1 may stay outside.
+    """The body after growth, closed or at the end of the effort; images of gauges up to `within` >= 1 may stay outside.
 
     Work is counted in gauges, those in large bodies many times, as they take.
     """
@@ -63,14 +66,15 @@ def grow(body: Body, effort: Effort, within: float = 1.0) -> Grown:
 
 
 def grow_on(grown: Grown, effort: Effort) -> Grown:
-    """Go on with a body that is not closed, which is changed."""
+    """The body of `grown`, not closed so far, after more growth; it is changed."""
     return _grow(grown.body, grown.left, effort)
 
 
 def push_out(body: Body, images: Iterable[tuple[int, int]], by: float, effort: Effort) -> Grown:
-    """Make images on the boundary of a closed body inner ones, in a copy: a vertex a little beyond each, and grow on.
+    """A copy of a closed body in which these images are inner points, after more growth.
 
-    The images of such a vertex are those of an inner point nearly, so that growth ends soon where it ends.
+    It has a vertex a little beyond each of them. The images of such a vertex are those of an inner point nearly, so
+    that growth ends soon where it ends.
     """
     images, body = list(images), copy.deepcopy(body)
     extras = [body.add_extra(np.real(body.image(*pair)) * (1 + by)) for pair in images]
@@ -144,7 +148,10 @@ def _cover(body: Body) -> None:
 
 
 def _absorb(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]], within: float) -> list[int]:
-    """Decide images: those inside are recorded with weights, those outside become vertices, the farthest first."""
+    """The numbers of the new vertices: images inside are recorded with weights, others become vertices.
+
+    The farthest come first.
+    """
     pairs = _coincidences(body, pairs)
     if not pairs:
         return []
@@ -164,7 +171,7 @@ def _absorb(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]
 
 
 def _coincidences(body: Body, pairs: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Record the images that are vertices up to sign; the others are returned."""
+    """The images that are no vertices up to sign; those that are vertices are recorded."""
     targets = np.array([body.image(*pair) for pair in pairs])
     rest = []
     for pair, target in zip(pairs, targets, strict=True):
@@ -185,7 +192,7 @@ def _record(body: Body, pair: tuple[int, int], found: Gauges | Dominations, k: i
 
 
 def measured(grown: Grown) -> Grown:
-    """The gauges of what is left too, for the bound that the body proves as it is."""
+    """The same polytope with gauges of the images left too, for the bound that it proves as it is."""
     body = grown.body
     with np.errstate(all="ignore"):
         memory = measure_of(body)

@@ -19,14 +19,14 @@ from subdiv_cli.exact.enclosures import ball, bounds
 from subdiv_cli.model import Effort
 
 _WORK_PER_WORD = 200
-"""Beside the entries of its matrix, what a word costs: about what as many coefficients of a norm cost."""
+"""The cost of a word beside the entries of its matrix: about that of as many coefficients of a norm."""
 _SQUARINGS = 4
 _TIE = 1e-9
 """Logarithms of radii closer than this count as equal in the search."""
 
 
 class Product(NamedTuple):
-    """Π = T_(w_ℓ) … T_(w_1) for the word w, and an eigenvalue λ of Π, the largest one as balls see it."""
+    """A product Π = T_(w_ℓ) … T_(w_1) for the word w, and its eigenvalue λ that is largest as balls see it."""
 
     word: tuple[int, ...]
     matrix: fmpq_mat
@@ -60,7 +60,7 @@ class Product(NamedTuple):
 
 
 def radius_bound(product: Product) -> Fraction:
-    """|λ| where λ is rational, else a rational r <= |λ| of twenty digits. Needs λ ≠ 0."""
+    """The number |λ| where λ is rational, else a rational r <= |λ| of twenty digits. Needs λ ≠ 0."""
     if (rational := product.eigenvalue.rational) is not None:
         return abs(rational)
     with ctx.workprec(128):
@@ -71,10 +71,11 @@ def radius_bound(product: Product) -> Fraction:
 
 
 def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> Product | None:
-    """The product with the largest |λ|^(1/ℓ) among short words; None where all are nilpotent or the effort is nil.
+    """The product with the largest |λ|^(1/ℓ) among short words in p N×N matrices; None without any.
 
-    The words are primitive and one of each rotation class. ‖Π^16‖^(1/16) >= ρ(Π) ranks them, so that few
-    characteristic polynomials are needed. Ties go to the shortest word, then to the first.
+    All are nilpotent then, or the effort is nil. The words are primitive and one of each rotation class.
+    ‖Π^16‖^(1/16) >= ρ(Π) ranks them, so that few characteristic polynomials are needed. Ties go to the shortest word,
+    then to the first.
     """
     integers, denominator = _over_common_denominator(matrices)
     order, bits = matrices[0].nrows(), max(int(x).bit_length() for m in integers for x in m.entries())
@@ -118,7 +119,7 @@ def lyndon_words(letters: int) -> Iterator[tuple[int, ...]]:
 
 
 def _lyndon_words_of_length(letters: int, length: int) -> Iterator[tuple[int, ...]]:
-    """Duval's generation: all Lyndon words of at most this length in order, the shorter ones dropped."""
+    """The Lyndon words of exactly this length, by Duval's generation of all up to it, the shorter ones dropped."""
     word = [-1]
     while word:
         word[-1] += 1
@@ -138,7 +139,7 @@ def _over_common_denominator(matrices: Sequence[fmpq_mat]) -> tuple[list[fmpz_ma
 
 
 def _log_radius_estimate(product: fmpz_mat) -> float:
-    """log of ‖Π^16‖∞^(1/16) >= ρ(Π); -inf where Π^16 = 0."""
+    """The logarithm of ‖Π^16‖∞^(1/16) >= ρ(Π); -inf where Π^16 = 0."""
     for _ in range(_SQUARINGS):
         product = product * product
     norm = max(sum(abs(int(x)) for x in row) for row in product.table())

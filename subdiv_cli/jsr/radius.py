@@ -21,7 +21,7 @@ from subdiv_cli.model import Data, Effort
 
 LARGEST_ORDER = 120
 _SHORT = 4
-"""Length of the products that tell which block seems largest."""
+"""The length of the products that tell which block seems largest."""
 _CLEARLY = math.log2(1 - 1e-3)
 """A block whose products stay below the largest radius by this factor may be bounded by it quickly."""
 
@@ -98,7 +98,7 @@ def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
 
 
 def _logarithm(x: Fraction | float) -> float:
-    """To the base 2, also of numbers that are no doubles."""
+    """The logarithm to the base 2, also of numbers that are no doubles."""
     if not x:
         return -math.inf
     numerator, denominator = x.as_integer_ratio()
@@ -106,11 +106,11 @@ def _logarithm(x: Fraction | float) -> float:
 
 
 def _floor(radius: Radius) -> tuple[int, Fraction]:
-    """(n, x) with ρ^n >= x, close to that, where ρ is known; its bound otherwise."""
+    """A pair (n, x) with ρ^n >= x, close to that, where ρ is known; its bound otherwise."""
     return radius.upper if radius.exact is None else (radius.exact[0], radius.exact[1].low)
 
 
 def _at_most(a: tuple[int, Fraction], b: tuple[int, Fraction]) -> bool:
-    """x^(1/n) <= y^(1/m) for (n, x) and (m, y)."""
+    """Whether x^(1/n) <= y^(1/m) for (n, x) and (m, y)."""
     common = math.lcm(a[0], b[0])
     return bool(a[1] ** (common // a[0]) <= b[1] ** (common // b[0]))

@@ -17,19 +17,19 @@ from subdiv_cli.jsr.subspace import invariant_subspace
 from subdiv_cli.jsr.symmetry import reversing
 
 _BITS = 32
-"""Of the weight of functionals against coordinates in lattice reduction."""
+"""The bits of the weight of functionals against coordinates in lattice reduction."""
 
 
 class Blocks(NamedTuple):
     """P^(-1) M_i P is block upper triangular for all i; the parts are the families of its diagonal blocks."""
 
     basis: fmpq_mat
-    """P."""
+    """The matrix P."""
     parts: tuple[Family, ...]
 
 
 def decomposed(family: Family) -> Blocks | None:
-    """Blocks that cannot be taken apart further, as far as is found; None for a single one.
+    """The blocks that cannot be taken apart further, as far as is known; None for a single one.
 
     A block with a symmetry has a basis in which it is the reversal.
     """
@@ -45,9 +45,10 @@ def decomposed(family: Family) -> Blocks | None:
 
 
 def _flag(matrices: Sequence[fmpq_mat]) -> tuple[fmpq_mat, list[int]]:
-    """Columns, a basis of Z^N, the first ones of which span 0 ⊂ U_1 ⊂ U_2 ⊂ …, invariant subspaces; and the sizes.
+    """A basis of Z^N, the columns of an N×N matrix, along a flag of invariant subspaces, and the blocks' sizes.
 
-    As the basis is one of Z^N, the denominators of the blocks are no larger than those of the matrices.
+    The first columns span 0 ⊂ U_1 ⊂ U_2 ⊂ … in turn. As the basis is one of Z^N, the denominators of the blocks are no
+    larger than those of the matrices.
     """
     n = matrices[0].nrows()
     if (components := _by_pattern(matrices)) is not None:
@@ -62,7 +63,7 @@ def _flag(matrices: Sequence[fmpq_mat]) -> tuple[fmpq_mat, list[int]]:
 
 
 def _units(places: Sequence[int], n: int) -> fmpq_mat:
-    """The rows of the identity at these places."""
+    """The rows of the n×n identity at these places."""
     return fmpq_mat(len(places), n, [int(i == j) for i in places for j in range(n)])
 
 
@@ -76,7 +77,7 @@ def _diagonal_sum(parts: Sequence[fmpq_mat]) -> fmpq_mat:
 
 
 def _lattice_basis(subspace: fmpq_mat) -> fmpq_mat:
-    """Columns, a basis of Z^N: first of the integer vectors x in the row space, then others, all of them short.
+    """A basis of Z^N as columns: first of the integer vectors in the row space of `subspace`, then others, all short.
 
     With L a basis of the integer functionals that vanish there, the vectors (w L x, x) for x in Z^N are a lattice in
     which, for a large weight w, those with L x = 0 are the shortest: lattice reduction finds them first.
@@ -110,12 +111,10 @@ def _diagonal(matrices: Sequence[fmpq_mat], basis: fmpq_mat, sizes: Sequence[int
 
 
 def _by_pattern(matrices: Sequence[fmpq_mat]) -> list[list[int]] | None:
-    """Blocks that a permutation of the coordinates shows: the strong components of the graph i -> j where some entry
+    """The lists of coordinates of blocks that a permutation of the coordinates shows; None for a single one.
 
-    (i, j) is not zero, every arrow forwards. None for a single one.
-
-    By transitive closure: i and j belong together if each reaches the other; components are sorted by how many they
-    reach.
+    They are the strong components of the graph i -> j where some entry (i, j) is not zero, every arrow forwards. By
+    transitive closure: i and j belong together if each reaches the other; components are sorted by how many they reach.
     """
     n = matrices[0].nrows()
     tables = [m.table() for m in matrices]

@@ -1,4 +1,4 @@
-"""What is known of a joint spectral radius, and the proof as plain data."""
+"""The result for a family: bounds of its joint spectral radius, and the proof as plain data."""
 
 from __future__ import annotations
 
@@ -17,34 +17,34 @@ class Radius(NamedTuple):
     word: Word | None
     """A product that attains the lower bound; None where all products met are nilpotent."""
     exact: tuple[int, Root] | None
-    """(n, Λ) with ρ^n = Λ."""
+    """The pair (n, Λ) with ρ^n = Λ, where ρ is known."""
     upper: tuple[int, Fraction]
-    """(n, x) with ρ^n <= x."""
+    """A pair (n, x) with ρ^n <= x."""
     bounded: bool
-    """All products of L matrices have norms <= C ρ^L; False where that is not proved."""
+    """Whether it is proved that all products of L matrices have norms <= C ρ^L."""
     proof: Mapping[str, Data]
-    """`rule`, the name of a rule of certificate/RADIUS.md (or `norm`, of FORMAT.md), with its witness; `length` with
-    `root` or
+    """A proof as plain data: `rule`, `length`, `root` or `bound`, and the witness of the rule.
 
-    `bound`, what is proved: ρ^length = Λ or <= bound. Rule `blocks` has a proof for each of its `parts`, rule
-    `distinct` one for its `part`.
+    `rule` names a rule of certificate/RADIUS.md (or `norm`, of FORMAT.md); `length` with `root` or `bound` is what is
+    proved: ρ^length = Λ or <= bound. Rule `blocks` has a proof for each of its `parts`, rule `distinct` one for its
+    `part`.
     """
 
     @property
     def ceiling(self) -> float:
-        """log2 of ρ or of a little more, in floats, for comparisons that decide nothing."""
+        """The number log2 of ρ or of a little more, in floats, for comparisons that decide nothing."""
         length, x = self.upper
         return (math.log2(x.numerator) - math.log2(x.denominator)) / length if x else -math.inf
 
     @property
     def method(self) -> str:
-        """The rule that does the work: of distinct matrices that of their radius."""
+        """The rule that does the work: for rule `distinct` that of its part."""
         part = self.proof.get("part")
         return str(part["rule"] if isinstance(part, Mapping) else self.proof["rule"])
 
     @property
     def vertices(self) -> int | None:
-        """Of all polytopes, reflections and conjugates not counted; None where there is none."""
+        """The number of vertices of all polytopes, reflections and conjugates not counted; None without a polytope."""
         return _vertices(self.proof)
 
     def is_below(self, x: Fraction) -> bool:
@@ -53,7 +53,7 @@ class Radius(NamedTuple):
 
 
 def root_data(root: Root) -> dict[str, Data]:
-    """Λ as proofs have it."""
+    """A root Λ as it stands in proofs."""
     return {"polynomial": root.coefficients, "low": root.low, "high": root.high}
 
 

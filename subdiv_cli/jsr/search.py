@@ -15,7 +15,7 @@ from subdiv_cli.jsr.family import Candidate, Family, Word
 _TIE = 1e-10
 """Radii that differ by less, relatively, are taken for equal."""
 _FRONT = 48
-"""Products kept at each length."""
+"""The most products kept at each length."""
 
 
 def candidates(family: Family, longest: int, front: int = _FRONT) -> tuple[float, tuple[Candidate, ...]]:
@@ -49,7 +49,7 @@ def candidates(family: Family, longest: int, front: int = _FRONT) -> tuple[float
 
 
 def _front(products: Array, best: float, length: int, most: int) -> Integers:
-    """The numbers of the products that may begin a better one, those with the largest norms."""
+    """The numbers of the M products (M×N×N) that may begin a better one, at most `most`, the largest norms first."""
     norms = np.linalg.norm(products, ord=2, axis=(1, 2)) ** (1 / length)
     order = np.argsort(-norms, kind="stable")
     return np.asarray(order[norms[order] > best * (1 + _TIE)][:most])
@@ -63,7 +63,10 @@ def _children(matrices: Array, products: Array, words: Integers) -> tuple[Array,
 
 
 def representative(word: Word, family: Family) -> Candidate:
-    """The least rotation of the primitive root of a word; of a word and its mirror image in a symmetric family."""
+    """The candidate that stands for a word: the least rotation of its primitive root.
+
+    In a symmetric family it is the least one of the word and of its mirror image.
+    """
     root = _primitive_root(word)
     if not family.symmetry:
         return Candidate(min(_rotations(root)))

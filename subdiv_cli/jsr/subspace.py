@@ -1,10 +1,10 @@
-"""One common invariant subspace over Q, found modulo a prime and checked exactly.
+"""One common invariant subspace over Q, lifted from one modulo a prime and checked exactly.
 
 The common kernel and the span of all images are looked at first: on the one, and modulo the other, all matrices are
-zero. Others are found by the MeatAxe idea (Holt & Rees 1994): kernel vectors of factors of the characteristic
+zero. Others are sought by the MeatAxe idea (Holt & Rees 1994): kernel vectors of factors of the characteristic
 polynomial of a random element of the algebra, spun up under the family, and under its transpose. The factors are those
 over Q, so that a vector of the kernel modulo the prime is one over Q, reduced, and so is the space that it spans, which
-is found again over Q from its echelon form. Norton's criterion, modulo the prime, ends the search where there is none.
+is lifted to Q from its echelon form. Norton's criterion, modulo the prime, ends the search where there is none.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from subdiv_cli.exact.linalg import identity, matrix, nullspace
 
 _TRIES = 12
 MODULI = (fmpz_mod_ctx((1 << 61) - 1), fmpz_mod_ctx((1 << 521) - 1))
-"""Primes; the second one for subspaces of larger numbers."""
+"""The moduli, two primes; the second one is for subspaces of larger numbers."""
 
 
 def invariant_subspace(matrices: Sequence[fmpq_mat]) -> fmpq_mat | None:
-    """Rows in reduced echelon form that span a subspace, neither 0 nor everything, which all matrices M, x -> M x, map
+    """A basis of a common invariant subspace, neither 0 nor everything: k rows of N, in reduced echelon form.
 
-    into itself. None where none is found, which is no proof that there is none.
+    All matrices M map it into itself by x -> M x. None where the search fails, which is no proof that there is none.
     """
     n = matrices[0].nrows()
     for rows in _candidates(matrices):
@@ -44,7 +44,7 @@ def _is_invariant(matrices: Sequence[fmpq_mat], basis: fmpq_mat) -> bool:
 
 
 def _candidates(matrices: Sequence[fmpq_mat]) -> Iterator[fmpq_mat]:
-    """Rows that may span an invariant subspace, or 0, or everything."""
+    """Matrices whose rows may span an invariant subspace, or 0, or everything."""
     if kernel := nullspace(_stacked(matrices)):
         yield matrix(kernel)
     transposed = [m.transpose() for m in matrices]
@@ -61,9 +61,10 @@ def _candidates(matrices: Sequence[fmpq_mat]) -> Iterator[fmpq_mat]:
 
 
 def _spun(matrices: Sequence[fmpq_mat], a: fmpq_mat, g: fmpz_poly) -> tuple[fmpq_mat | None, int]:
-    """What a vector of the kernel of g(a) spans under the matrices, None where that is everything or of too large
+    """The space that a vector of the kernel of g(a) spans under the matrices, and the dimension of that kernel.
 
-    numbers; and the dimension of the kernel. Both are only likely, as all is modulo a prime.
+    The space is None where it is everything or of too large numbers. Both answers are only likely, as all is modulo a
+    prime.
     """
     nullity = 0
     for modulus in MODULI:
@@ -84,7 +85,7 @@ def _stacked(matrices: Sequence[fmpq_mat]) -> fmpq_mat:
 
 
 def _elements(matrices: Sequence[fmpq_mat]) -> Iterator[tuple[fmpq_mat, fmpz_poly]]:
-    """Random elements of the algebra, and irreducible factors of their characteristic polynomials.
+    """Random N×N elements of the algebra, each with an irreducible factor of its characteristic polynomial.
 
     Small factors first: their kernels are small, and the smaller a kernel the likelier it lies in a subspace.
     """
@@ -101,7 +102,7 @@ def _elements(matrices: Sequence[fmpq_mat]) -> Iterator[tuple[fmpq_mat, fmpz_pol
 
 
 def modulo(m: fmpq_mat, modulus: fmpz_mod_ctx) -> fmpz_mod_mat:
-    """Raises ZeroDivisionError where the prime divides the denominator."""
+    """The matrix modulo a prime. Raises ZeroDivisionError where the prime divides the denominator."""
     numerators, denominator = m.numer_denom()
     return fmpz_mod_mat(numerators, modulus) * (1 / modulus(denominator))
 
@@ -116,7 +117,7 @@ def _at_matrix(f: fmpz_poly, a: fmpz_mod_mat) -> fmpz_mod_mat:
 
 
 def kernel(a: fmpz_mod_mat) -> tuple[fmpz_mod_mat, int]:
-    """The kernel's vector with a 1 in the first free place and 0 in the others, as a row; and the dimension."""
+    """A vector of the kernel, as a row with a 1 in the first free place and 0 in the others; and the dimension."""
     echelon, rank = a.rref()
     n = a.ncols()
     pivots = [next(j for j in range(n) if echelon[i, j]) for i in range(rank)]
@@ -144,7 +145,7 @@ def _spin(letters: Sequence[fmpz_mod_mat], span: fmpz_mod_mat) -> fmpz_mod_mat |
 
 
 def over_q(rows: fmpz_mod_mat) -> fmpq_mat | None:
-    """The rows with the small fractions that their entries are modulo the prime; None where one is none."""
+    """The rows with the small fractions that their entries are modulo the prime; None where an entry is none."""
     prime = int(rows.modulus())
     known = {x: _fraction(x, prime) for x in {int(x) for x in rows.entries()}}
     if any(y is None for y in known.values()):
@@ -153,9 +154,9 @@ def over_q(rows: fmpz_mod_mat) -> fmpq_mat | None:
 
 
 def _fraction(x: int, prime: int) -> Fraction | None:
-    """p/q ≡ x with |p| and q far below the square root of the prime, so that few x have any, and none has two.
+    """The fraction p/q ≡ x with |p| and q far below the square root of the prime; None where there is none.
 
-    By Euclid's algorithm (Wang 1981).
+    So few x have any, and none has two. By Euclid's algorithm (Wang 1981).
     """
     most = isqrt(prime) >> 8
     (r, s), (u, v) = (prime, x), (0, 1)

@@ -24,7 +24,7 @@ _SMALLEST_ORDER = 3
 
 
 def reversing(family: Family) -> fmpq_mat | None:
-    """C with C^-1 M_(p-1-i) C = ± J C^-1 M_i C J for all i; None where none is found, or none is needed."""
+    """An N×N matrix C with C^-1 M_(p-1-i) C = ± J C^-1 M_i C J for all i; None where none is needed or appears."""
     if family.letters < 2 or family.order < _SMALLEST_ORDER or family.symmetry or family.is_nonnegative:
         return None
     p = _intertwining(family.matrices)
@@ -32,7 +32,10 @@ def reversing(family: Family) -> fmpq_mat | None:
 
 
 def _intertwining(matrices: Sequence[fmpq_mat]) -> fmpq_mat | None:
-    """P ≠ 0 with P M_i = ± M_(p-1-i) P, of an irreducible family the only one up to factors; None if not found."""
+    """An N×N matrix P ≠ 0 with P M_i = ± M_(p-1-i) P, None if the search fails.
+
+    In an irreducible family it is the only one up to factors.
+    """
     for modulus in MODULI:
         try:
             letters = [modulo(m, modulus) for m in matrices]
@@ -49,7 +52,7 @@ def _intertwining(matrices: Sequence[fmpq_mat]) -> fmpq_mat | None:
 
 
 def _eigenvectors(letters: Sequence[fmpz_mod_mat]) -> tuple[fmpz_mod_mat, fmpz_mod_mat] | None:
-    """Those, as rows, of R and R' for an eigenvalue that is simple for both; None where none is found."""
+    """Eigenvectors of R and of R', as rows, for an eigenvalue that is simple for both; None where there is none."""
     generator, n, modulus = random.Random(len(letters)), letters[0].nrows(), fmpz_mod_ctx(letters[0].modulus())
     for _ in range(_TRIES):
         r = mirrored = letters[0] * 0
@@ -66,7 +69,10 @@ def _eigenvectors(letters: Sequence[fmpz_mod_mat]) -> tuple[fmpz_mod_mat, fmpz_m
 
 
 def _spun(letters: Sequence[fmpz_mod_mat], v: fmpz_mod_mat, w: fmpz_mod_mat, sign: int) -> fmpz_mod_mat | None:
-    """P with P v = w and P M_i = sign M_(p-1-i) P on what words make of v, some entry 1; None if that does not span."""
+    """The N×N matrix P with P v = w and P M_i = sign M_(p-1-i) P on all that words make of v, some entry 1.
+
+    None if that does not span.
+    """
     n, modulus, transposed = letters[0].nrows(), fmpz_mod_ctx(v.modulus()), [m.transpose() for m in letters]
     images, mirrored, k = [v], [w], 0
     while k < len(images) < n:
@@ -86,7 +92,10 @@ def _spun(letters: Sequence[fmpz_mod_mat], v: fmpz_mod_mat, w: fmpz_mod_mat, sig
 
 
 def _reversed_basis(p: fmpq_mat) -> fmpq_mat | None:
-    """Columns c_1, …, c_N with P c_j proportional to c_(N+1-j), all by one factor; None unless P is ∝ some C J C^-1."""
+    """A basis c_1, …, c_N, as columns, with P c_j proportional to c_(N+1-j), all by one factor.
+
+    None unless P is ∝ some C J C^-1.
+    """
     n, square = p.nrows(), p * p
     c = to_fraction(square[0, 0])
     if c <= 0 or square != identity(n) * to_fmpq(c):

@@ -28,37 +28,37 @@ from subdiv_cli.jsr.leaders import Leader, Leaders
 _LARGEST_DENOMINATOR = 64
 _NEGLIGIBLE = 1e-7
 _LARGEST_SYSTEM = 80
-"""Coordinates times the degree of γ, for equations in Q(γ)."""
+"""The most coordinates times the degree of γ, for equations in Q(γ)."""
 _LONGEST = 2048
-"""Bits of the coefficients of the minimal polynomial of γ for such equations."""
+"""The most bits of the coefficients of the minimal polynomial of γ for such equations."""
 _NEARLY = 1 - 1e-9
 _VARIABLE = fmpq_poly([0, 1])
 _MOST_DEPTH = 60
-"""Beyond it the numbers of an identity grow too long."""
+"""The largest depth of a vertex in a tie; beyond it the numbers of an identity grow too long."""
 
 Vector = list[fmpq_poly]
 
 
 Weight = Fraction | fmpq_poly
-"""A number, or a polynomial in γ."""
+"""A weight: a rational number, or a polynomial in γ."""
 
 
 class Tie(NamedTuple):
-    """M_letter v / σ = Σ weight · vertex, or <= it in every coordinate of a monotone body, and Σ |weight| <= 1."""
+    """An identity M_letter v / σ = Σ weight · vertex with Σ |weight| <= 1; in a monotone body <= will do for =."""
 
     vertex: int
     letter: int
     weights: tuple[tuple[int, Weight], ...]
-    """Vertex numbers as in certificates."""
+    """Pairs of a vertex number, as in certificates, and a weight."""
     by_sigma: bool = False
-    """Powers of σ, as a polynomial in γ, were used."""
+    """Whether powers of σ, as a polynomial in γ, were used."""
 
 
 class _Term(NamedTuple):
     vertex: int
     weight: Fraction
     exponent: int
-    """e_k."""
+    """The exponent e_k."""
 
 
 Smaller = Callable[[int, int, Sequence[tuple[int, arb]], int], bool]
@@ -66,7 +66,7 @@ Smaller = Callable[[int, int, Sequence[tuple[int, arb]], int], bool]
 
 
 class Ties:
-    """Exact vertices of one polytope, each computed once when it is asked for."""
+    """The exact vertices of one polytope, each computed once, on first use."""
 
     def __init__(self, family: Family, leaders: Leaders, body: Body, smaller: Smaller) -> None:
         self._family, self._leaders, self._body, self._smaller = family, leaders, body, smaller
@@ -124,7 +124,7 @@ class Ties:
 
     @cached_property
     def _sigma(self) -> fmpq_poly | None:
-        """γ^(1/ℓ) as a polynomial in γ."""
+        """The number σ = γ^(1/ℓ) as a polynomial in γ; None where it is not in Q(γ)."""
         return root_in_field(self._gamma, self._leaders.length)
 
     @property
@@ -137,7 +137,7 @@ class Ties:
         return not self._vector(leader)[coordinate]
 
     def _terms(self, vertex: int, weights: dict[int, complex]) -> list[_Term]:
-        """None at all where some depth does not fit, or a vertex has no exact form."""
+        """The terms of the identity with these weights; none where a depth does not fit or a vertex is not exact."""
         depth, phase, terms = self._body.depths[vertex] + 1, self._phase(), []
         if depth > _MOST_DEPTH or not self._is_exact(vertex):
             return []
@@ -163,14 +163,14 @@ class Ties:
         return cmath.phase(complex(float(region.real.mid()), float(region.imag.mid())))
 
     def _holds(self, vertex: int, letter: int, terms: Sequence[_Term]) -> bool:
-        """The identity; in a monotone body coordinates that are certainly smaller may differ."""
+        """Whether the identity holds; in a monotone body coordinates that are certainly smaller may differ."""
         left, right = self._sides(vertex, letter, terms)
         unequal = [i for i, (x, y) in enumerate(zip(left, right, strict=True)) if x != y]
         weights = [(term.vertex, ball(term.weight)) for term in terms]
         return all(self._smaller(vertex, letter, weights, i) for i in unequal)
 
     def _sides(self, vertex: int, letter: int, terms: Sequence[_Term]) -> tuple[Vector, Vector]:
-        """Both sides of the identity times γ^E, E the largest -e_k that is positive."""
+        """The two sides of the identity, vectors of N polynomials, times γ^E, E the largest -e_k that is positive."""
         lift = max(0, *(-term.exponent for term in terms))
         left = self._times(self._power(lift), self._applied(letter, self._vector(vertex)))
         right = [fmpq_poly()] * self._family.order
@@ -180,7 +180,7 @@ class Ties:
         return left, right
 
     def _vector(self, number: int) -> Vector:
-        """X of an exact vertex; numbers from `size` on are reflections."""
+        """The exact form X of a vertex, N polynomials in γ; numbers from `size` on are reflections."""
         if number >= self._body.size:
             return self._vector(number % self._body.size)[::-1]
         if number not in self._vectors:
@@ -205,7 +205,7 @@ class Ties:
         return power
 
     def _leader(self, leader: Leader) -> Vector:
-        """scale · h(Π) e_j, h = Σ_i b_i z^i with b_i polynomials in γ."""
+        """The vector scale · h(Π) e_j of N polynomials, h = Σ_i b_i z^i with b_i polynomials in γ."""
         n, sign = self._family.order, 1 if _is_gamma(leader.eigenvalue, self._gamma) else -1
         b = [fmpq_poly([to_fmpq(leader.annihilator[-1])])]
         for c in reversed(leader.annihilator[1:-1]):
@@ -225,5 +225,5 @@ def _is_gamma(x: AlgebraicNumber, gamma: AlgebraicNumber) -> bool:
 
 
 def coefficients(x: fmpq_poly) -> tuple[Fraction, ...]:
-    """Of a polynomial, the constant one first; at least one."""
+    """The coefficients of a polynomial, the constant one first; at least one."""
     return tuple(to_fraction(c) for c in x) or (Fraction(0),)

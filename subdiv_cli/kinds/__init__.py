@@ -18,7 +18,7 @@ KINDS = {
     "multivariate": "subdiv_cli.kinds.multivariate",
     "matrices": "subdiv_cli.kinds.matrices",
 }
-"""Kind -> the module that has it as `KIND`."""
+"""The module that has each kind as `KIND`, by the name of the kind."""
 PLANNED = ("vector", "hermite", "piecewise")
 """Kinds that a file may name and no module decides yet."""
 
@@ -43,7 +43,7 @@ _DONE = {"analyse": "checked", "portraits": "taken apart", "drawings": "drawn"}
 
 
 def lacking(name: str, capability: str) -> str | None:
-    """Why a kind cannot do what is asked of it: `masks of kind matrices cannot be checked yet`; None where it can."""
+    """The reason why a kind lacks a capability: `masks of kind matrices cannot be checked yet`; None if it has it."""
     if name in KINDS and getattr(kind_named(name), capability) is not None:
         return None
     return f"masks of kind {name} cannot be {_DONE[capability]} yet"

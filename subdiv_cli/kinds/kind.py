@@ -1,7 +1,7 @@
 """The protocol of a kind of scheme, and what is the same for every kind: running stages and gathering findings.
 
 A kind is a folder with one light object, `KIND`, a `Kind`: what it declares it can do, what it does not declare it
-cannot. A stage is a pure function `run(numbers, facts)`: it asks the numbers of the scheme, each computed once, and
+cannot. A stage is a pure function `run(numbers, facts)`: it uses the numbers of the scheme, each computed once, and
 the verdicts of earlier stages, and answers with findings.
 """
 
@@ -30,22 +30,22 @@ class Scheme(Protocol):
 
     @property
     def kind(self) -> str:
-        """The name of its kind, a key of `KINDS`."""
+        """The name of the kind, a key of `KINDS`."""
 
 
 class ContradictionError(Exception):
-    """Two theorems disagree about one scheme: an error in this program, never in the input."""
+    """Raised where two theorems disagree about one scheme: an error in this program, never in the input."""
 
 
 class Facts:
-    """The findings of the stages before; a rule may have several, one for each ν."""
+    """The findings of the stages before, by rule; a rule may have several, one for each ν."""
 
     def __init__(self, findings: Iterable[Finding] = ()) -> None:
         self._by_code: dict[str, tuple[Finding, ...]] = {}
         self.add(findings)
 
     def add(self, findings: Iterable[Finding]) -> None:
-        """Takes the findings of a stage."""
+        """Add the findings of a stage."""
         for finding in findings:
             self._by_code[finding.code] = (*self.all(finding.code), finding)
 
@@ -65,20 +65,20 @@ class Facts:
         return bool(self.all(rule))
 
     def verdict(self, rule: Rule) -> Verdict:
-        """That of the first finding of a rule, UNDECIDED without one."""
+        """The verdict of the first finding of a rule, UNDECIDED without one."""
         return self[rule].verdict if rule in self else Verdict.UNDECIDED
 
     def findings(self) -> tuple[Finding, ...]:
-        """All of them, those of one rule together."""
+        """All findings, those of one rule together."""
         return tuple(finding for several in self._by_code.values() for finding in several)
 
 
 Stage = Callable[[Any, Facts], tuple[Finding, ...]]
-"""Of the numbers of its kind."""
+"""A stage: from the numbers of its kind, and the findings before, to its findings."""
 
 
 def run_stages(numbers: Any, stages: Iterable[Stage]) -> tuple[Finding, ...]:
-    """What all stages find of one scheme, in their order: each speaks of what earlier ones introduced."""
+    """The findings of all stages on one scheme, in their order: each speaks of what earlier ones introduced."""
     facts = Facts()
     for stage in stages:
         facts.add(stage(numbers, facts))
@@ -86,25 +86,25 @@ def run_stages(numbers: Any, stages: Iterable[Stage]) -> tuple[Finding, ...]:
 
 
 class Analysis(NamedTuple):
-    """What there is to say about a scheme before anybody expects anything of it."""
+    """The findings on a scheme, without what a file expects of it."""
 
     scheme: Any
     facts: Mapping[str, Data]
-    """What is seen without a theorem."""
+    """The facts that are seen without a theorem."""
     findings: tuple[Finding, ...]
     numbers: Any
-    """What has been computed for it, each number once: an object of its kind."""
+    """The numbers of the scheme, each computed once: an object of its kind."""
     hints: tuple[str, ...] = ()
-    """What the author of the mask may have meant."""
+    """The sentences on what the author of the mask may have meant."""
     parts: tuple[Part, ...] = ()
-    """Of a product, its factors."""
+    """The factors of a product."""
 
 
 class Part(NamedTuple):
-    """A factor of a product, and what its own stages have found."""
+    """A factor of a product, with the findings of its own stages."""
 
     variables: tuple[int, ...]
-    """Those of the product that it has, rising, from 0."""
+    """The variables of the product that the factor has, rising, from 0."""
     analysis: Analysis
 
     @property
@@ -113,11 +113,11 @@ class Part(NamedTuple):
         return self.analysis.scheme
 
     def find(self, question: Question) -> Finding | None:
-        """The finding that answers a question about it."""
+        """The finding that answers a question about the factor, None without one."""
         return answering(self.analysis.findings, question)
 
     def finding(self, question: Question) -> Finding:
-        """The finding that answers a question about it. Raises KeyError where it was not asked."""
+        """The finding that answers a question about the factor. Raises KeyError where there is none."""
         found = self.find(question)
         if found is None:
             raise KeyError(question.name)
@@ -125,7 +125,7 @@ class Part(NamedTuple):
 
     @property
     def name(self) -> str:
-        """`z1`, `(z2, z3)`."""
+        """The names of the variables as text: `z1`, `(z2, z3)`."""
         names = ", ".join(f"z{i + 1}" for i in self.variables)
         return names if len(self.variables) == 1 else f"({names})"
 
@@ -178,7 +178,7 @@ GATHERED = (
 
 
 def _holder(given: Mapping[Question, Answer]) -> Exponent | None:
-    """What is known from below is the exponent itself where it is exact and bounds the exponent from above too."""
+    """The Hölder exponent: the lower bound is the exponent itself where it is exact and bounds it from above too."""
     below = cast("Exponent | None", given.get(questions.HOLDER_LOWER))
     above = cast("Exponent | None", given.get(questions.HOLDER_UPPER)) or Exponent()
     if below is None:
@@ -194,10 +194,10 @@ Analyse = Callable[[Any, Effort], Analysis]
 
 
 class Portraits(NamedTuple):
-    """How a kind takes a scheme apart, for `show`."""
+    """The functions by which a kind takes a scheme apart, for `show`."""
 
     analyse: Callable[[Any, Effort, Fraction], Analysis]
-    """As `Kind.analyse`, with what only `show` asks for; the last argument is the tolerance of error bounds."""
+    """The stages as in `Kind.analyse`, with those of `show`; the last argument is the tolerance of error bounds."""
     make: Callable[[Analysis, Result], Portrait]
     """The pages, from the analysis and the certified result."""
     options: frozenset[str] = frozenset()
@@ -205,11 +205,11 @@ class Portraits(NamedTuple):
 
 
 PICTURES = frozenset({"", ".svg", ".png", ".pdf"})
-"""Where pictures in two dimensions go: the terminal, which has no suffix, and files."""
+"""The suffixes of pictures in two dimensions: that of the terminal, which is empty, and those of files."""
 Options = Mapping[str, Any]
-"""Of `plot`, by their names: `samples` always, None or nothing for others that are not given."""
+"""The options of `plot`, by their names: `samples` always, None or nothing for others that are not given."""
 Certify = Callable[[Effort], tuple[Analysis, Result]]
-"""All stages under an effort, and the certified result."""
+"""A function that runs all stages under an effort, and returns the analysis and the certified result."""
 
 
 def late(place: str) -> Callable[..., Any]:
@@ -223,34 +223,34 @@ def late(place: str) -> Callable[..., Any]:
 
 
 class NotDrawnError(ValueError):
-    """What is asked for cannot be drawn; the message says why."""
+    """Raised for a picture that cannot be drawn; the message says why."""
 
 
 class Drawings(NamedTuple):
     """A sort of pictures that a kind draws, for `plot`: the first one that takes the file and has what it needs."""
 
     name: str
-    """In the plural, `curves`: only pictures of one name are drawn into one."""
+    """The name in the plural, `curves`: only pictures of one name are drawn into one."""
     make: Callable[[Any, Effort, Options, Certify], Drawing]
-    """A scheme drawn; the last argument analyses it, as often and under as much effort as is needed.
+    """Draws a scheme; the last argument analyses it, as often and under as much effort as is needed.
 
     Raises NotDrawnError.
     """
     suffixes: frozenset[str]
-    """Of the files that it goes into; an empty one is the terminal."""
+    """The suffixes of the files that it goes into; an empty one is the terminal."""
     options: frozenset[str] = frozenset()
     """The options of `plot` that mean something for it."""
     needs: frozenset[str] = frozenset()
-    """Those of them that must be given."""
+    """The options among them that must be given."""
     points: Callable[[str], Any] | None = None
-    """Reads the file of the option `points`, which is then what was read. Raises MaskFileError."""
+    """Reads the file of the option `points`, and returns the value of that option. Raises MaskFileError."""
     most: int | None = None
-    """Masks that are drawn into one picture."""
+    """The most masks that are drawn into one picture."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kind:
-    """What the rest of the program asks of a kind of scheme.
+    """A kind of scheme: the functions that the rest of the program calls.
 
     Its functions are `late` ones, so that the object itself is light.
     """
@@ -259,25 +259,25 @@ class Kind:
     keys: tuple[str, ...] = ("mask",)
     """The keys at the top of its files, besides those that all files have."""
     read: Read
-    """A file's top table, the names of its parameters and a collector of problems -> its body, None where that is
+    """Reads a mask: from a file's top table, the names of its parameters and a collector of problems to the body.
 
-    wrong, which is recorded.
+    None where the body is wrong, which is recorded.
     """
     body_of: Callable[[Any], Body]
     """The literal body of a scheme."""
     spell: Callable[[Any], list[str]]
-    """A body -> the lines of its file that say it."""
+    """The lines of the file that spell a body."""
     canonical: Callable[[Any], Mapping[str, Any]]
-    """A scheme as certificates embed it. Raises ValueError for a number of more than 4300 digits."""
+    """The scheme as certificates embed it. Raises ValueError for a number of more than 4300 digits."""
     rules: Callable[[], Mapping[str, Rule]]
-    """Gives its table of codes."""
+    """The table of the codes of the kind."""
     analyse: Analyse | None = None
     """All stages under an effort."""
     proofs: Callable[[Analysis], Proofs] | None = None
     """The claims that prove an analysis."""
     base: Callable[[Mapping[str, Any], Sequence[int] | None], tuple[int, int]] | None = None
-    """(m, s) of a canonical mask, or of its factor in these variables: exponents are to the base λ with λ^s = m."""
+    """The pair (m, s) of a canonical mask, or of its factor in these variables: the base of exponents is λ, λ^s = m."""
     sections: Callable[[Any, Result], tuple[Section, ...]] | None = None
-    """What a report shows of a scheme and its result beside the findings: stencils, and φ where it is known."""
+    """The sections of a report beside the findings: stencils, and φ where it is known."""
     portraits: Portraits | None = None
     drawings: tuple[Drawings, ...] | None = None

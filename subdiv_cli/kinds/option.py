@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from subdiv_cli.kinds.multivariate.text.bodies import Nested
 
 _SEVERAL = re.compile(r"(?<![A-Za-z0-9_])z[0-9]")
-"""A symbol with this in it is one in several variables."""
+"""The sign of a symbol in several variables: it contains this."""
 
 
 def from_option(text: str, *, start: int | Sequence[int] = 0, arity: int = 2, names: Collection[str] = ()) -> MaskFile:
@@ -99,7 +99,10 @@ def _on_the_command_line(fault: Fault, text: str, names: Collection[str]) -> Fau
 
 
 def _list(text: str, names: Collection[str]) -> Nested:
-    """list = rows { ("*" | "/") factor }; the factors go into every coefficient"""
+    """The coefficients of a list by the grammar: list = rows { ("*" | "/") factor }.
+
+    The factors go into every coefficient.
+    """
     parser = Parser(text, names)
     rows = _rows(parser, text, 1)
     start = parser.token.at
@@ -124,7 +127,7 @@ _Rows = list["_Span | _Rows"]
 
 
 def _rows(parser: Parser, text: str, depth: int) -> _Rows:
-    """rows = "[" (rows | sum) { "," (rows | sum) } "]\""""
+    """The rows by the grammar: rows = "[" (rows | sum) { "," (rows | sum) } "]"."""
     opening = parser.advance()
     if depth > MAX_NESTING:
         raise Fault(
@@ -156,7 +159,7 @@ def _rows(parser: Parser, text: str, depth: int) -> _Rows:
 
 
 def _scaled_rows(rows: _Rows, tail: list[Factor], scale: str) -> Nested:
-    """All coefficients times the factors behind the list, in the lists they stand in."""
+    """The coefficients times the factors behind the list, in the lists they stand in."""
     return tuple(
         _scaled(entry.node, entry.said, tail, scale) if isinstance(entry, _Span) else _scaled_rows(entry, tail, scale)
         for entry in rows

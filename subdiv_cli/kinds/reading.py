@@ -22,7 +22,7 @@ _TOP = ("format", "name", "reference", "kind", "parameters", "expect")
 
 
 def read_path(path: str | Path, *, kind: str | None = None, capability: str = "analyse") -> MaskFile:
-    """Reads a mask file; "-" is standard input. Raises MaskFileError, also for what cannot be read (SD002).
+    """The mask of a file; "-" is standard input. Raises MaskFileError, also for a file that cannot be read (SD002).
 
     `kind`: the one that is wanted here; another is refused (SD013) before its mask is read, and so is, without it, a
     kind that does not declare the capability, a field of `Kind`.
@@ -43,7 +43,7 @@ def load_path(path: str | Path) -> bytes:
 
 
 def read_bytes(data: bytes, *, file: str) -> MaskFile:
-    """Reads the bytes of a mask file. Raises MaskFileError and nothing else, whatever the bytes."""
+    """The mask in the bytes of a file. Raises MaskFileError and nothing else, whatever the bytes."""
     return read_text(text_of(data, file), file=file)
 
 
@@ -77,7 +77,7 @@ def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
 
 
 def read_text(text: str, *, file: str, wanted: str | None = None, capability: str = "analyse") -> MaskFile:
-    """Reads the text of a mask file. Raises MaskFileError and nothing else, whatever the text.
+    """The mask in the text of a file. Raises MaskFileError and nothing else, whatever the text.
 
     Expressions without parameters are evaluated, so that their faults are reported here; those of the others come
     from `MaskFile.scheme`.
@@ -121,7 +121,7 @@ _BELONGS |= dict.fromkeys(
 
 
 def _kind(document: Mapping[str, object], wanted: str | None, capability: str, problems: Collector) -> str:
-    """The kind, where it can be read. Raises MaskFileError at once for another (SD013) and for no mask (SD016)."""
+    """The kind that the document names. Raises MaskFileError at once for another (SD013) and for no mask (SD016)."""
     if not any(mark in document for mark in MARKS):
         _is_meant(document, problems)
     kind = document.get("kind", "matrices" if "matrices" in document and "mask" not in document else "scalar")

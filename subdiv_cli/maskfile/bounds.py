@@ -1,4 +1,4 @@
-"""How big a mask file and everything in it may be. Each bound is checked before the work it bounds is done."""
+"""Bounds on the size of a mask file and everything in it. Each is checked before the work it bounds is done."""
 
 from __future__ import annotations
 
@@ -6,36 +6,36 @@ import sys
 from pathlib import Path
 
 MAX_FILE_BYTES = 1 << 18
-"""256 KiB: a mask of 2000 coefficients with a hundred digits each stays below."""
+"""The most bytes of a mask file, 256 KiB: a mask of 2000 coefficients with a hundred digits each stays below."""
 MAX_NESTING = 32
-"""Parentheses in an expression; arrays, inline tables and dotted keys in TOML."""
+"""The deepest nesting: parentheses in an expression; arrays, inline tables and dotted keys in TOML."""
 MAX_DIGITS = 1000
-"""Decimal digits of a number as written, and the largest decimal exponent (`1e1000`)."""
+"""The most decimal digits of a number as written, and the largest decimal exponent (`1e1000`)."""
 MAX_BITS = 3322
-"""Bits of a numerator or a denominator: what `MAX_DIGITS` decimal digits take."""
+"""The most bits of a numerator or a denominator: what `MAX_DIGITS` decimal digits take."""
 MAX_EXPONENT = 1_000_000
-"""The size of `start`, of a power, and of an exponent of z."""
+"""The largest size of `start`, of a power, and of an exponent of z."""
 MAX_MASK_LENGTH = 2000
-"""Coefficients of a mask, and terms of a Laurent polynomial on the way to it."""
+"""The most coefficients of a mask, and terms of a Laurent polynomial on the way to it."""
 MAX_GRID = 10_000
-"""Nested coefficients of a multivariate mask, zeros included."""
+"""The most nested coefficients of a multivariate mask, zeros included."""
 MAX_INDEX = 1000
-"""The size of a component of an index of a multivariate mask, of a direction, and of an entry of a dilation matrix."""
+"""The largest size of a component of an index, of a direction, and of an entry of a dilation matrix."""
 MAX_DIMENSION = 4
-"""Variables."""
+"""The most variables."""
 MAX_COSETS = 4096
-"""The determinant of a dilation matrix in size."""
+"""The largest determinant of a dilation matrix in size."""
 MAX_FACTORS = 64
-"""Directions of a box spline, counted with their multiplicities."""
+"""The most directions of a box spline, counted with their multiplicities."""
 MAX_ARITY = 64
 MAX_MATRICES = 64
 MAX_MATRIX_ORDER = 64
 MAX_ORDER = 1000
-"""An expected smoothness, generation or reproduction degree."""
+"""The largest expected smoothness, generation or reproduction degree."""
 MAX_WORK = 2_000_000
-"""Products of small integers that all expressions of a file together may cost: about a second."""
+"""The most products of small integers that all expressions of a file together may cost: about a second."""
 MAX_PROBLEMS = 50
-"""Problems of one file that are shown."""
+"""The most problems of one file that are shown."""
 
 
 def at_most(file: str | Path, count: int) -> bytes:

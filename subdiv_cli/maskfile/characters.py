@@ -24,7 +24,7 @@ def named(c: str) -> str:
 
 
 def instead(c: str) -> str:
-    """What to write in place of a character in MENDS."""
+    """The text to write in place of a character in MENDS."""
     return 'the ASCII minus "-"' if MENDS[c] == "-" else MENDS[c]
 
 

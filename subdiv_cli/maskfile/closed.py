@@ -1,7 +1,7 @@
 """Closed forms in expectations: numbers, logarithms to one base gathered into one `Log`, roots, and their order.
 
 A logarithm of a root of a polynomial is one `RootLog`; it is divided, and its root multiplied, by numbers. Which root
-is meant is found without floats and without floating algebra, by Vincent, Collins & Akritas: the roots of f in (0, 1)
+is meant is decided without floats and without floating algebra, by Vincent, Collins & Akritas: the roots of f in (0, 1)
 are at most as many as (1+t)^n f(1/(1+t)) has changes of sign (Descartes), and where that is 0 or 1 exactly as many;
 otherwise the interval is halved.
 """
@@ -33,11 +33,11 @@ from subdiv_cli.model.closed import (
 )
 
 _MOST_PIECES = 64
-"""Intervals that are looked at: those around a multiple root would never end."""
+"""The most intervals that are looked at: those around a multiple root would never end."""
 
 
 def roots_between(coefficients: Sequence[int], low: Fraction, high: Fraction) -> int | None:
-    """How many different roots a polynomial, lowest power first, has in [low, high]; None where it is hard to tell."""
+    """The number of different roots of a polynomial, lowest power first, in [low, high]; None where it is unclear."""
     if low == high:
         return int(not _shifted(coefficients, low, Fraction(0))[0])
     waiting = [_shifted(coefficients, low, high - low)]
@@ -59,7 +59,7 @@ def roots_between(coefficients: Sequence[int], low: Fraction, high: Fraction) ->
 
 
 def _shifted(f: Sequence[int], start: Fraction, length: Fraction) -> list[int]:
-    """f(start + length t) times a positive integer, by Horner's rule."""
+    """The polynomial f(start + length t) times a positive integer, by Horner's rule."""
     unit = start.denominator * length.denominator
     a, b = int(start * unit), int(length * unit)
     result, power = [f[-1]], 1
@@ -88,22 +88,22 @@ def multiplied(root: Root, factor: Fraction) -> Root:
 
 
 def inverse(root: Root) -> Root:
-    """One over the root, whose bounds have one sign."""
+    """The root 1/x for a root x, whose bounds have one sign."""
     ends = sorted((1 / root.low, 1 / root.high))
     return Root(root.coefficients[::-1], ends[0], ends[1])
 
 
 _GRID = 16
-"""Logarithms are enclosed to 1/16 of their divisor: enough for every comparison with a multiple of that."""
+"""The denominator of the grid on which logarithms are enclosed: enough for comparing multiples of their divisor."""
 _LOG = f"write log2(64/9) or -log2({ROOT_FORM})"
 
 _Value = ClosedForm | Root
 
 
 def read_closed_form(text: str, at: int = 0) -> ClosedForm:
-    """`2`, `1.99`, `log2(64/9)`, `2 - log2(3)`, `-log2(root(x^2-x-1, 1.61, 1.62))/2`, exactly. Raises Fault.
+    """The exact value of `2`, `1.99`, `log2(64/9)`, `2 - log2(3)`, `-log2(root(x^2-x-1, 1.61, 1.62))/2`. Raises Fault.
 
-    Those without roots come in canonical form.
+    Values without roots come in canonical form.
     """
     value = _value(parse(text, (), logarithms=True, at=at))
     if isinstance(value, Root):
@@ -154,7 +154,7 @@ def _product(node: Product) -> _Value:
 
 
 def _rational(value: _Value, what: str, at: int) -> Fraction:
-    """A value that must be a number. Raises Fault."""
+    """The value, which must be a number. Raises Fault for another."""
     if isinstance(value, Fraction):
         return value
     name = "roots" if isinstance(value, Root) else "logarithms"
@@ -213,7 +213,7 @@ def _bounded(value: Fraction, at: int) -> Fraction:
 
 
 def _power(base: Fraction, exponent: int, at: int) -> Fraction:
-    """base^exponent, its size bounded before it is computed."""
+    """The power base^exponent, its size bounded before it is computed."""
     if not base and exponent < 0:
         raise Fault(faults.BAD_NUMBER, "division by zero", "write a divisor that is not zero", at)
     bits = max(abs(base.numerator).bit_length(), base.denominator.bit_length()) - 1
@@ -273,7 +273,7 @@ def certainly_less(x: ClosedForm, y: ClosedForm) -> bool:
 
 
 def _enclosure(x: ClosedForm) -> tuple[Fraction, Fraction]:
-    """lower < x < upper for an irrational logarithm; x itself twice for a number."""
+    """The bounds lower < x < upper for an irrational logarithm; x itself twice for a number."""
     if isinstance(x, Fraction):
         return x, x
     if isinstance(x, RootLog):

@@ -22,7 +22,7 @@ _WHOLE = re.compile(r"([+-]?[0-9]{1,10})\.0+")
 
 
 class Table:
-    """A TOML table and where it stands; what is wrong with it goes to `problems`."""
+    """A TOML table with its place in the file; what is wrong with it goes to `problems`."""
 
     def __init__(self, data: Mapping[str, object], path: KeyPath, problems: Collector) -> None:
         self.data = data
@@ -31,9 +31,9 @@ class Table:
         self._meant: set[str] = set()
 
     def only(self, known: Iterable[str], elsewhere: Mapping[str, tuple[str, str]] | None = None) -> None:
-        """Records every key that is not known (SD004), with the known key it resembles.
+        """Record every key that is not known (SD004), with the known key it resembles.
 
-        `elsewhere`: what to say of keys that belong elsewhere, and the known key that is then not missing.
+        `elsewhere`: the message and help for keys that belong elsewhere, and the known key that is then not missing.
         """
         known = tuple(known)
         for key in self.data:
@@ -53,7 +53,7 @@ class Table:
             )
 
     def missing(self, key: str, message: str, help: str, *, instead: Collection[str] = ()) -> None:
-        """Records a missing key (SD005), unless a misspelt or misplaced one is meant, which `only` has recorded.
+        """Record a missing key (SD005), unless a misspelt or misplaced one is meant, which `only` has recorded.
 
         `instead`: keys that would do as well.
         """
@@ -119,7 +119,7 @@ def text_at(table: Table, key: str) -> str | None:
 
 
 def read_expression(value: object, path: KeyPath, names: Collection[str]) -> Expression:
-    """An exact number or an expression over `names`, as TOML gives it. Raises Fault: SD006, SD007, SD008 or SD010."""
+    """The exact number or expression over `names` that TOML gives. Raises Fault: SD006, SD007, SD008 or SD010."""
     if isinstance(value, int) and not isinstance(value, bool):
         if value.bit_length() > MAX_BITS:
             raise Fault(faults.OUT_OF_BOUNDS, f"the number has more than {MAX_DIGITS} digits", "use a shorter number")
@@ -139,7 +139,7 @@ def read_expression(value: object, path: KeyPath, names: Collection[str]) -> Exp
 
 
 def check_fixed(expression: Expression, work: Work) -> None:
-    """Evaluates an expression that has no parameters. Raises Fault."""
+    """Evaluate an expression that has no parameters. Raises Fault where it has no value."""
     if not isinstance(expression.node, Number) and is_fixed(expression.node):
         evaluate(expression.node, {}, work)
 

@@ -1,4 +1,4 @@
-"""Expressions where a mask file has numbers, and their values, Laurent polynomials over Q, at those of parameters."""
+"""Expressions in mask files, and their values at those of parameters: Laurent polynomials over Q."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _MONOMIALS = {name: Laurent({packed([0] * i + [1]): 1}) for i, name in enumerate
 
 
 def names_in(node: Node) -> frozenset[str]:
-    """The names that an expression speaks of, variables among them."""
+    """The names that stand in an expression, variables among them."""
     if isinstance(node, Name):
         return frozenset({node.name})
     if isinstance(node, Number):
@@ -30,7 +30,7 @@ def names_in(node: Node) -> frozenset[str]:
 
 
 def is_fixed(node: Node) -> bool:
-    """Whether an expression does not hang on parameters."""
+    """Whether an expression is without parameters."""
     return names_in(node) <= _MONOMIALS.keys()
 
 
@@ -59,7 +59,7 @@ def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
 
 
 def _product(node: Product, values: Mapping[str, Fraction], work: Work) -> Laurent:
-    """Everything that multiplies first, and then what divides: (1+z)^2/(1-z) (1-z) has a value."""
+    """The value of a product: what multiplies comes first, then what divides; (1+z)^2/(1-z) (1-z) has a value."""
     result = laurent.constant(Fraction(1))
     divisors = []
     for factor in node.factors:
@@ -143,7 +143,7 @@ def number_of(
 def polynomial_of(
     expression: Expression, values: Mapping[str, Fraction], problems: Collector, work: Work
 ) -> Laurent | None:
-    """The value of a symbol; None as for `number_of`."""
+    """The Laurent polynomial of a symbol; None where it has no value, as in `number_of`."""
     try:
         return evaluate(expression.node, values, work)
     except Fault as fault:
@@ -154,5 +154,5 @@ def polynomial_of(
 
 
 def literal(value: Fraction) -> Expression:
-    """A number as str spells it."""
+    """The expression of a number as str spells it."""
     return Expression(text=str(value), node=parse(str(value), ()))

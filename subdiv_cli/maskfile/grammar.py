@@ -1,4 +1,4 @@
-"""Expressions as trees, and the recursive descent that reads them. Each function's docstring is its grammar line.
+"""The grammar of expressions and its recursive descent into trees. Each method's docstring has its grammar line.
 
     -w      1/2 + w      z^-3 (1+z)^2 (z^2/2 - w (z-1)^2 (1+z^2))
     log2(64/9)      -log2(root(x^2-x-1, 1.61, 1.62))/2      (expectations only)
@@ -30,7 +30,7 @@ def parse(text: str, names: Collection[str], *, logarithms: bool = False, at: in
 
 
 class Parser:
-    """One pass over the tokens of one text; `token` is the next one."""
+    """A pass over the tokens of one text; `token` is the next one."""
 
     def __init__(self, text: str, names: Collection[str], *, logarithms: bool = False, at: int = 0) -> None:
         self._tokens = tokens(text, at)
@@ -49,13 +49,13 @@ class Parser:
             )
 
     def advance(self) -> Token:
-        """Takes the next token."""
+        """The next token, which is consumed."""
         taken = self.token
         self.token = next(self._tokens)
         return taken
 
     def finish(self) -> None:
-        """Refuses anything after a complete expression."""
+        """Refuse anything after a complete expression. Raises Fault."""
         if self.token.kind == "end":
             return
         if self.token.kind == ")":
@@ -87,7 +87,7 @@ class Parser:
         return Fault(faults.BAD_EXPRESSION, message, help, token.at, reason=reason)
 
     def sum(self) -> Node:
-        """sum = product { ("+" | "-") product }"""
+        """The tree of a sum: product { ("+" | "-") product }."""
         at = self.token.at
         terms = [(1, self.product())]
         while self.token.kind in ("+", "-"):
@@ -96,7 +96,10 @@ class Parser:
         return terms[0][1] if len(terms) == 1 else Sum(tuple(terms), at)
 
     def product(self) -> Node:
-        """product = factor { "*" factor | "/" factor | power }, the bare power not directly after a divisor"""
+        """The tree of a product: factor { "*" factor | "/" factor | power }. Raises Fault.
+
+        The bare power does not stand directly after a divisor.
+        """
         at = self.token.at
         factors = [Factor(self.factor(), False, at)]
         while True:
@@ -125,7 +128,7 @@ class Parser:
         return factors[0].node if len(factors) == 1 else product_of(factors, at)
 
     def factor(self) -> Node:
-        """factor = { "-" | "+" } power"""
+        """The tree of a factor: { "-" | "+" } power."""
         at = self._divisor_at = self.token.at
         negative = False
         while self.token.kind in ("+", "-"):
@@ -137,7 +140,7 @@ class Parser:
         return node
 
     def power(self) -> Node:
-        """power = atom [ "^" exponent ]"""
+        """The tree of a power: atom [ "^" exponent ]. Raises Fault."""
         at = self.token.at
         base = self.atom()
         if self.token.kind != "^":
@@ -151,7 +154,7 @@ class Parser:
         return node
 
     def exponent(self) -> int:
-        """exponent = [ "-" | "+" ] INTEGER | "(" exponent ")\""""
+        """The integer of an exponent: [ "-" | "+" ] INTEGER | "(" exponent ")". Raises Fault."""
         closing = 0
         while self.token.kind == "(" and closing < MAX_NESTING:
             self.advance()
@@ -181,7 +184,7 @@ class Parser:
         return sign * int(value)
 
     def atom(self) -> Node:
-        """atom = NUMBER | NAME | "(" sum ")" | "log" BASE "(" sum ")" | root"""
+        """The tree of an atom: NUMBER | NAME | "(" sum ")" | "log" BASE "(" sum ")" | root."""
         token = self.token
         if token.kind == "number":
             self.advance()
@@ -227,7 +230,7 @@ class Parser:
         self._depth -= 1
 
     def _root(self, at: int) -> Node:
-        """root = "root" "(" sum "," sum "," sum ")", the first one a polynomial in a variable of any one letter"""
+        """The tree of a root: "root" "(" sum "," sum "," sum ")", the first sum a polynomial in any one letter."""
         opening = self._open()
         self._logarithms, self._inside_root, self._variable = False, True, None
         polynomial = self.sum()

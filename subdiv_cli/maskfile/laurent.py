@@ -20,11 +20,11 @@ _HALF = 1 << (_DIGIT - 1)
 
 
 class TooLargeError(Exception):
-    """A bound is reached; the message says which."""
+    """Raised where a bound is reached; the message names the bound."""
 
 
 class Work:
-    """What the expressions of one file have cost so far, in products of small integers."""
+    """The cost of the expressions of one file so far, in products of small integers."""
 
     __slots__ = ("_spent",)
 
@@ -32,14 +32,14 @@ class Work:
         self._spent = 0
 
     def charge(self, products: int, bits_a: int = 1, bits_b: int = 1) -> None:
-        """Takes the cost of products of integers of that many bits. Raises TooLargeError beyond MAX_WORK."""
+        """Add the cost of products of integers of that many bits. Raises TooLargeError beyond MAX_WORK."""
         self._spent += products * (1 + (bits_a // 30) * (bits_b // 30) // 100)
         if self._spent > MAX_WORK:
             raise TooLargeError("multiplying this out takes too long")
 
 
 class Laurent:
-    """Σ numerators[k] z^k / denominator: no zero numerators, denominator positive, no common factor.
+    """The Laurent polynomial Σ numerators[k] z^k / denominator: no zero numerators, denominator > 0, lowest terms.
 
     k is an exponent of z, or `packed` from those of several variables.
     """
@@ -69,15 +69,15 @@ class Laurent:
 
     @property
     def coefficients(self) -> dict[int, Fraction]:
-        """Exponent of z -> coefficient, the non-zero ones."""
+        """The non-zero coefficients by their exponents of z."""
         return {k: Fraction(n, self.denominator) for k, n in self.numerators.items()}
 
     def terms(self, dimension: int) -> dict[tuple[int, ...], Fraction]:
-        """Exponents of z1, …, zs -> coefficient, the non-zero ones, of a polynomial in these."""
+        """The non-zero coefficients by their exponents of z1, …, zs, for a polynomial in these."""
         return {exponents(k)[1 : dimension + 1]: value for k, value in self.coefficients.items()}
 
     def constant(self) -> Fraction | None:
-        """The number this is; None where z is in it."""
+        """The number that the polynomial is; None where z is in it."""
         if any(self.numerators):
             return None
         return Fraction(self.numerators.get(0, 0), self.denominator)
@@ -104,12 +104,12 @@ def _bound(exponent: int) -> None:
 
 
 def constant(value: Fraction) -> Laurent:
-    """A number. Raises TooLargeError."""
+    """The constant polynomial of a number. Raises TooLargeError."""
     return Laurent({0: value.numerator}, value.denominator)
 
 
 def total(terms: Iterable[tuple[int, Laurent]], work: Work) -> Laurent:
-    """Σ sign · term. Raises TooLargeError."""
+    """The sum Σ sign · term. Raises TooLargeError."""
     numerators: dict[int, int] = {}
     denominator = 1
     for sign, term in terms:
@@ -129,7 +129,7 @@ def total(terms: Iterable[tuple[int, Laurent]], work: Work) -> Laurent:
 
 
 def times(a: Laurent, b: Laurent, work: Work) -> Laurent:
-    """a · b. Raises TooLargeError."""
+    """The product a · b. Raises TooLargeError."""
     work.charge(30 + len(a.numerators) * len(b.numerators), a.bits, b.bits)
     numerators: dict[int, int] = {}
     for j, m in a.numerators.items():
@@ -139,7 +139,7 @@ def times(a: Laurent, b: Laurent, work: Work) -> Laurent:
 
 
 def inverse(a: Laurent) -> Laurent | None:
-    """1/a for a monomial c z^k, c ≠ 0; None for anything else."""
+    """The inverse 1/a of a monomial c z^k, c ≠ 0; None for anything else."""
     if len(a.numerators) != 1:
         return None
     ((k, n),) = a.numerators.items()
@@ -147,7 +147,7 @@ def inverse(a: Laurent) -> Laurent | None:
 
 
 def quotient(a: Laurent, b: Laurent, work: Work) -> Laurent | None:
-    """a / b for b ≠ 0, where that is a Laurent polynomial; None where it is not. Raises TooLargeError.
+    """The quotient a / b for b ≠ 0; None where it is no Laurent polynomial. Raises TooLargeError.
 
     Long division from the lowest monomial, in integers: a polynomial with integer coefficients that a primitive one
     divides has an integer quotient (Gauss). The box of the exponents of a product is the sum of those of its factors.
@@ -187,7 +187,7 @@ def _box(a: Laurent) -> list[tuple[int, int]]:
 
 
 def spelled(a: Laurent, limit: int = 5) -> str | None:
-    """A Laurent polynomial as a message may quote it, "1 - 2 z"; None for a long one."""
+    """The polynomial as a message may quote it, "1 - 2 z"; None for a long one."""
     if len(a.numerators) > limit or a.bits > 30:
         return None
     out = ""
@@ -201,7 +201,7 @@ def spelled(a: Laurent, limit: int = 5) -> str | None:
 
 
 def power(a: Laurent, n: int, work: Work) -> Laurent:
-    """a^n for n >= 0, where a^0 = 1. Raises TooLargeError, before numbers or terms grow out of hand."""
+    """The power a^n for n >= 0, a^0 = 1. Raises TooLargeError, before numbers or terms grow out of hand."""
     if n == 0:
         return Laurent({0: 1})
     if len(a.numerators) == 1:

@@ -17,17 +17,17 @@ from subdiv_cli.model import Expectation
 
 
 class Body(Protocol):
-    """What [mask] says, not yet at values of the parameters."""
+    """The content of [mask], not yet at values of the parameters."""
 
     def expressions(self) -> Iterable[Expression]:
-        """All in it, for what can be evaluated without parameters and for the names that stand in it."""
+        """All expressions in it, for those that need no parameters and for the names that stand in them."""
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> Any | None:
         """The scheme at these values of the parameters; None where something is wrong, which is recorded."""
 
 
 def check_fixed_mask(body: Body, problems: Collector) -> None:
-    """Records what is wrong with the scheme of a mask that does not hang on parameters."""
+    """Record the faults of the scheme of a mask without parameters."""
     if all(is_fixed(entry.node) for entry in body.expressions()):
         body.scheme({}, problems, Work())
 
@@ -51,22 +51,22 @@ def too_precise(coefficients: Iterable[Fraction]) -> Fault | None:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MaskFile:
-    """One mask file; equal to another when it says the same, wherever in the text."""
+    """A mask file as read; two are equal when their contents are, wherever these stand in the text."""
 
     file: str
-    """As named on the command line; "-" is standard input."""
+    """The name on the command line; "-" is standard input."""
     body: Body
     name: str | None = None
     reference: str | None = None
     kind: str = "scalar"
     parameters: Mapping[str, Expression | None] = field(default_factory=dict)
-    """In order of declaration; a default may use the parameters declared before it, None is no default."""
+    """The defaults in order of declaration; one may use the parameters declared before it, None is no default."""
     expectations: tuple[Expectation, ...] = ()
     source: Source = field(default_factory=lambda: Source(None, "", toml=False), repr=False)
-    """What positions of later problems refer to."""
+    """The text that positions of later problems refer to."""
 
     def values(self, overrides: Mapping[str, Fraction] | None = None) -> dict[str, Fraction]:
-        """Every parameter's value, in order of declaration: its override, else its default.
+        """The values of all parameters, in order of declaration: the override, else the default.
 
         Raises MaskFileError: SD011 for an override of no parameter, a parameter without value or a division by zero,
         SD010 for sizes.
@@ -100,7 +100,7 @@ class MaskFile:
 def parameter_values(
     parameters: Mapping[str, Expression | None], overrides: Mapping[str, Fraction], problems: Collector, work: Work
 ) -> dict[str, Fraction]:
-    """Every parameter's value, in order of declaration. What is wrong is recorded: SD010, SD011."""
+    """The values of all parameters, in order of declaration. What is wrong is recorded: SD010, SD011."""
     for name, value in overrides.items():
         if name not in parameters:
             problems.add(_no_parameter(name, parameters))

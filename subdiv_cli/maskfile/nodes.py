@@ -12,7 +12,7 @@ class _Node:
     __slots__ = ("at",)
 
     at: int
-    """Where it starts in the text."""
+    """The offset in the text at which it starts."""
 
     def _content(self) -> tuple[object, ...]:
         return tuple(getattr(self, name) for name in self.__slots__)
@@ -28,6 +28,8 @@ class _Node:
 
 
 class Number(_Node):
+    """A number."""
+
     __slots__ = ("value",)
 
     def __init__(self, value: Fraction, at: int = 0) -> None:
@@ -44,7 +46,7 @@ class Name(_Node):
 
 
 class Sum(_Node):
-    """Terms with their signs, 1 or -1; a negation is a sum of one term."""
+    """A sum of terms with their signs, 1 or -1; a negation is a sum of one term."""
 
     __slots__ = ("terms",)
 
@@ -53,6 +55,8 @@ class Sum(_Node):
 
 
 class Factor(_Node):
+    """A factor of a product, or a divisor."""
+
     __slots__ = ("divides", "node")
 
     def __init__(self, node: Node, divides: bool = False, at: int = 0) -> None:
@@ -60,6 +64,8 @@ class Factor(_Node):
 
 
 class Product(_Node):
+    """A product of factors and divisors."""
+
     __slots__ = ("factors",)
 
     def __init__(self, factors: tuple[Factor, ...], at: int = 0) -> None:
@@ -67,6 +73,8 @@ class Product(_Node):
 
 
 class Power(_Node):
+    """A power with an integer exponent."""
+
     __slots__ = ("base", "exponent")
 
     def __init__(self, base: Node, exponent: int, at: int = 0) -> None:
@@ -74,7 +82,7 @@ class Power(_Node):
 
 
 class Logarithm(_Node):
-    """log_base(argument), in expectations only."""
+    """A logarithm log_base(argument), in expectations only."""
 
     __slots__ = ("argument", "base")
 
@@ -83,7 +91,7 @@ class Logarithm(_Node):
 
 
 class RootOf(_Node):
-    """The root of a polynomial in z between two bounds, in expectations only."""
+    """A root of a polynomial in z between two bounds, in expectations only."""
 
     __slots__ = ("high", "low", "polynomial")
 
@@ -94,11 +102,11 @@ class RootOf(_Node):
 Node = Number | Name | Sum | Product | Power | Logarithm | RootOf
 
 _SHORT = 128
-"""Bits of numbers that are multiplied as they are read."""
+"""The most bits of numbers that are multiplied as they are read."""
 
 
 def product_of(factors: Sequence[Factor], at: int) -> Node:
-    """Their product; a quotient of short numbers, as most coefficients are, is a number at once."""
+    """The product of these factors; a quotient of short numbers, as most coefficients are, is a number at once."""
     numerator = denominator = 1
     for factor in factors:
         if not isinstance(factor.node, Number):

@@ -22,9 +22,9 @@ _INTEGER = re.compile(r"[+-]?[0-9]{1,6}")
 _POINT, _VERTEX = "write 0.5, 1", "write 0, 1, 0.5, 1, 0: the place i, j and the point x, y, z"
 
 Points = tuple[tuple[Fraction, ...], tuple[Fraction, ...]]
-"""The x and the y."""
+"""The x and the y coordinates of the points."""
 Net = dict[tuple[int, ...], tuple[Fraction, ...]]
-"""(i, j) -> (x, y, z), for all places of a rectangle."""
+"""The vertices of a net by their places: (i, j) -> (x, y, z), for all places of a rectangle."""
 
 
 def read_points(file: str) -> Points:
@@ -36,7 +36,7 @@ def read_points(file: str) -> Points:
 
 
 def read_net(file: str) -> Net:
-    """The control net of a CSV file, as `read_points` does it."""
+    """The control net of a CSV file; "-" is standard input. Raises MaskFileError: SD002 or SD021."""
     return net(_text(file, MAX_NET), file)
 
 
@@ -93,7 +93,7 @@ def _text(file: str, limit: int) -> str:
 
 
 def _rows(text: str, file: str, help: str) -> Iterator[tuple[int, list[str]]]:
-    """Rows of cells with their lines; without empty ones, comments and a header."""
+    """The rows of cells with their lines, without empty ones, comments and a header."""
     separator = ";" if ";" in text else ","
     try:
         rows = list(csv.reader(text.splitlines(), delimiter=separator, strict=True))
@@ -110,7 +110,7 @@ def _rows(text: str, file: str, help: str) -> Iterator[tuple[int, list[str]]]:
 
 
 def _is_number(cell: str) -> bool:
-    """Whether a cell is a number that a Fraction can be made of."""
+    """Whether a Fraction can be made of a cell."""
     return bool(_NUMBER.fullmatch(cell) and not re.search(r"/0+$", cell))
 
 

@@ -1,6 +1,6 @@
-"""Where things stand in a TOML text: the offsets of every key path, the line and column of a problem.
+"""Positions in a TOML text: the offsets of every key path, the line and column of a problem.
 
-tomllib decides what is valid; the scanner only says where things are, and the first place where it gets stuck, in
+The module tomllib decides what is valid; the scanner only gives places, and the first place where it gets stuck, in
 plainer words. It runs when there is something wrong, and once more as a guard where a line has suspiciously many dots.
 """
 
@@ -38,7 +38,7 @@ _SCALAR = re.compile(
 
 
 class Spot(NamedTuple):
-    """Offsets of a key (of an array's element: of the element) and of its value."""
+    """The offsets of a key (of an array's element: of the element) and of its value."""
 
     key: int
     start: int
@@ -47,19 +47,19 @@ class Spot(NamedTuple):
 
 @dataclass(slots=True)
 class Scan:
-    """What a scan found; where it got stuck the spots before that place are there."""
+    """The offsets of all keys; where the scan got stuck those of the keys before that place."""
 
     spots: dict[KeyPath, Spot] = field(default_factory=dict)
     duplicates: list[tuple[KeyPath, int]] = field(default_factory=list)
-    """Second declarations, with the offset of the key; `spots` has the first."""
+    """The second declarations, with the offset of the key; `spots` has the first."""
     where: KeyPath = ()
-    """The value in which or after which it got stuck; () where it is a key or a header."""
+    """The path of the value in which or after which it got stuck; () where it is a key or a header."""
     stuck: Fault | None = None
-    """SD001, SD003 or SD010; its offset counts in the whole text."""
+    """The fault where it got stuck, SD001, SD003 or SD010; its offset counts in the whole text."""
 
 
 def scan(text: str) -> Scan:
-    """Scans any text; never raises."""
+    """The offsets of the keys of any text; never raises."""
     scanner = _Scanner(text)
     try:
         scanner.document()
@@ -70,7 +70,7 @@ def scan(text: str) -> Scan:
 
 
 class _Scanner:
-    """One pass over the text; `i` is the offset of the next character. Every method raises Fault where it is stuck."""
+    """A pass over the text; `i` is the offset of the next character. Every method raises Fault where it is stuck."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -83,7 +83,7 @@ class _Scanner:
         self.path: KeyPath = ()
 
     def document(self) -> None:
-        """document = { table header | key "=" value }, a line each"""
+        """Scan a document: { table header | key "=" value }, a line each."""
         base: KeyPath = ()
         while True:
             self._skip(_BLANK_LINES)
@@ -136,7 +136,7 @@ class _Scanner:
         return path
 
     def _keys(self) -> list[tuple[str, int]]:
-        """keys = key { "." key }, with their offsets"""
+        """The keys of key { "." key }, with their offsets."""
         keys = []
         while True:
             keys.append(self._key())
@@ -158,7 +158,7 @@ class _Scanner:
         raise stuck.key(self.text, start)
 
     def _key_value(self, base: KeyPath) -> int:
-        """Scans one pair and gives the offset of its value."""
+        """The offset of the value of a pair, which is scanned."""
         self.path = ()
         keys = self._keys()
         if not self.text.startswith("=", self.i):
@@ -276,7 +276,7 @@ _ESCAPE_LENGTHS = {"u": 6, "U": 10, "x": 4}
 
 
 class Positions:
-    """Turns faults of one source into problems with positions; the text is scanned on first use."""
+    """The positions in one source, by which faults become problems; the text is scanned on first use."""
 
     def __init__(self, source: Source) -> None:
         self._source = source
@@ -312,7 +312,7 @@ class Positions:
 
 
 def line_and_column(text: str, offset: int) -> tuple[int, int, str]:
-    """1-based line and column of an offset, and the text of that line."""
+    """The 1-based line and column of an offset, and the text of that line."""
     start = text.rfind("\n", 0, offset) + 1
     end = text.find("\n", offset)
     return text.count("\n", 0, offset) + 1, offset - start + 1, text[start : end if end >= 0 else None].rstrip("\r")

@@ -1,4 +1,4 @@
-"""What is wrong with a file: faults as the parts raise them, and the one exception that leaves this folder."""
+"""Problems of a file: faults as the parts raise them, and the one exception that leaves this folder."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from subdiv_cli.maskfile.rules import FaultRule
 from subdiv_cli.model import Problem
 
 KeyPath = tuple[str | int, ...]
-"""Where a value stands in a TOML document: ("mask", "coefficients", 3)."""
+"""The place of a value in a TOML document: ("mask", "coefficients", 3)."""
 
 
 class MaskFileError(Exception):
-    """A mask could not be read; `problems` is everything that is wrong with it, in the order of the file."""
+    """Raised for a mask that cannot be read; `problems` has everything that is wrong, in the order of the file."""
 
     problems: tuple[Problem, ...]
 
@@ -30,7 +30,7 @@ class MaskFileError(Exception):
 
 
 class Reason(Enum):
-    """What a fault is, where the one who catches it acts upon that; no code looks into a message."""
+    """The nature of a fault, for the code that catches it and acts upon that; no code looks into a message."""
 
     UNDECLARED = "undeclared"
     """A name that is not declared, and the help is to declare it."""
@@ -43,7 +43,7 @@ class Reason(Enum):
 
 
 class Fault(Exception):  # noqa: N818 (most are recorded, not handled)
-    """Something wrong at an offset (0-based) in a value's text; the caller knows the file and the key."""
+    """Raised for a fault at an offset (0-based) in a value's text; the caller knows the file and the key."""
 
     def __init__(
         self,
@@ -59,14 +59,14 @@ class Fault(Exception):  # noqa: N818 (most are recorded, not handled)
         self.rule = rule
         """The row of `rules` that it is a case of."""
         self.message = message
-        """What is wrong, in one line: for readers, never to be looked into."""
+        """The fault in one line: for readers, never for code."""
         self.help = rule.help if help is None else help
-        """How to mend it, in one line: what its row says where nothing else is given."""
+        """The mend in one line: that of its row where nothing else is given."""
         self.at = at
         self.reason = reason
-        """What it is, where that matters to the one who catches it."""
+        """The nature of the fault, where that matters to the code that catches it."""
         self.about = about
-        """The name that it is about, where telling it once in a file is enough."""
+        """The name that it is about, where one report of it in a file is enough."""
 
     @property
     def code(self) -> str:
@@ -110,7 +110,7 @@ class Source:
 
 
 class Collector:
-    """The problems of one file. `near` names are looked up and positions found only here, when something is wrong."""
+    """The problems of one file. Near names and positions are computed only here, when something is wrong."""
 
     def __init__(self, source: Source) -> None:
         self._source = source
@@ -123,16 +123,16 @@ class Collector:
 
     @property
     def file(self) -> str | None:
-        """The file they are about."""
+        """The file that the problems are about."""
         return self._source.file
 
     @property
     def full(self) -> bool:
-        """Whether nothing that is added will be shown."""
+        """Whether no problem that is added will be shown."""
         return len(self._faults) >= MAX_PROBLEMS
 
     def add(self, fault: Fault, path: KeyPath = (), *, of_key: bool = False) -> None:
-        """Records a fault in the value at `path`, or (of_key) in the key itself; one `about` a name only once."""
+        """Record a fault in the value at `path`, or (of_key) in the key itself; one `about` a name only once."""
         if fault.about is not None:
             same = (fault.message, fault.about)
             if same in self._again:
@@ -145,7 +145,7 @@ class Collector:
             self._left_out += 1
 
     def raise_any(self) -> None:
-        """Raises MaskFileError with everything recorded, sorted by position; returns where there is nothing."""
+        """Raise MaskFileError with everything recorded, sorted by position; return where there is nothing."""
         if not self._faults:
             return
         from subdiv_cli.maskfile.positions import Positions
@@ -205,7 +205,7 @@ def shown_path(path: KeyPath) -> str:
 
 
 def unreadable(file: str, error: OSError) -> Problem:
-    """The problem of a file that the system does not give us."""
+    """The problem of a file that the system refuses to read."""
     if isinstance(error, FileNotFoundError):
         message, help = "there is no such file", "check the path, or use - to read standard input"
     elif isinstance(error, IsADirectoryError):
@@ -219,5 +219,5 @@ def unreadable(file: str, error: OSError) -> Problem:
 
 
 def internal_error(error: Exception, help: str | None = None, *, file: str | None = None) -> Problem:
-    """The problem that an exception nobody has foreseen is ours, and not that of the input."""
+    """The problem of an exception that nobody has foreseen, which is a mistake in this program."""
     return faults.INTERNAL_ERROR.problem(f"internal error: {type(error).__name__}: {error}", help, file=file)

@@ -1,7 +1,9 @@
 """The one grammar of properties: `[expect]` in files, `holder>=1.5` and `C1` on the command line.
 
-convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01",
-"-log2(root(x^2-x-1, 1.61, 1.62))"
+Examples:
+
+    convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01",
+    "-log2(root(x^2-x-1, 1.61, 1.62))"
 """
 
 from __future__ import annotations
@@ -55,7 +57,10 @@ def expectation(key: str, value: object) -> Expectation:
 
 
 def comparison(key: str, text: str, at: int = 0) -> Expectation:
-    """`1`, `= 1`, `>= 1.99`, `1.99 .. 2.01` for a property that has a number. Raises Fault."""
+    """The expectation that `1`, `= 1`, `>= 1.99` or `1.99 .. 2.01` states for a property that has a number.
+
+    Raises Fault.
+    """
     if not text.strip():
         raise Fault(faults.BAD_EXPECTATION, f"the expected {key} is empty", _form(key), at)
     body = text.lstrip()
@@ -100,7 +105,7 @@ def _closed(value: int | ClosedForm) -> ClosedForm:
 
 
 def _number(key: str, text: str, at: int) -> int | ClosedForm:
-    """An integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
+    """The number of an expectation: an integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
     if not text.strip():
         raise Fault(faults.BAD_EXPECTATION, f"a number is missing in the expected {key}", _form(key), at)
     try:
@@ -123,7 +128,7 @@ def _number(key: str, text: str, at: int) -> int | ClosedForm:
 
 
 def contradictions(expectations: Sequence[Expectation]) -> list[tuple[str, Fault]]:
-    """Pairs of expectations that no scheme can meet, each with the key of the later one."""
+    """The pairs of expectations that no scheme can meet, each with the key of the later one."""
     given = {e.key: e for e in expectations}
     order = list(given)
     found = []
@@ -142,7 +147,7 @@ def contradictions(expectations: Sequence[Expectation]) -> list[tuple[str, Fault
 
 
 def _above(x: Expectation, y: Expectation, why: str) -> str | None:
-    """`why`, where everything that x allows is more than everything that y allows."""
+    """The text `why` where everything that x allows is more than everything that y allows, else None."""
     if y.upper is not None and certainly_less(_closed(y.upper), _closed(x.lower)):
         return why
     return None

@@ -1,4 +1,4 @@
-"""Whether a TOML file is meant as a mask: a search through a directory asks before it reads."""
+"""Recognition of TOML files that are meant as masks, for the search through directories."""
 
 from __future__ import annotations
 
@@ -7,16 +7,15 @@ import re
 from subdiv_cli.maskfile.problems import near
 
 MARKS = ("kind", "mask", "matrices")
-"""A mask file has one of these at its top level."""
+"""The keys of which a mask file has one at its top level."""
 
 _OWN = re.compile(r"masks?|matrices|coef[a-z]*|symbol|expect")
-"""Whatever has one of these at its top level is meant as a mask, key or table, `kind` as a key too: it may lack the
-marks by mistake."""
+"""The keys and tables by which a file is meant as a mask, `kind` as a key too: it may lack the marks by mistake."""
 _SHARED = {"parameters", "start", "arity"}
-"""Other programs' files have these as well: they count where nothing foreign stands beside them."""
+"""The keys that other programs' files have as well: they count where nothing foreign stands beside them."""
 _BESIDE = {"format", "name", "reference", "convergent", "smoothness", "holder", "generation", "reproduction", "stable"}
 _INSIDE = re.compile(r"arity|coef[a-z]*|symbol")
-"""In a table whose name resembles mask."""
+"""The keys that count in a table whose name resembles mask."""
 
 _NAME = rb"""["']?([A-Za-z_][A-Za-z0-9_-]*)["']?[ \t]*"""
 _HEADER = re.compile(rb"\s*\[\[?[ \t]*" + _NAME + rb"([\].]|\s*\Z)")

@@ -13,14 +13,14 @@ from subdiv_cli.model import Problem
 
 
 class FaultRule(NamedTuple):
-    """One thing that can be wrong with an input."""
+    """A row of the table: one thing that can be wrong with an input."""
 
     code: str
-    """SD0nn."""
+    """The code, SD0nn."""
     name: str
     """The code in words, as the title of its page has it."""
     help: str | None = None
-    """How to mend it, in one line, where nothing better is said at the place."""
+    """The mend in one line, where nothing better is given at the place."""
 
     def problem(self, message: str, help: str | None = None, **place: Any) -> Problem:
         """The problem of this code, with the help of the row where none is given; `place` are further fields of it."""

@@ -1,4 +1,4 @@
-"""What to say where a text cannot be read on: each function is one place to get stuck, and gives its fault.
+"""Faults of texts that cannot be read on: each function is one place to get stuck, and gives its fault.
 
 Loaded only when there is something wrong: a TOML file that breaks off, or a name that is not known in an expression.
 """
@@ -71,7 +71,7 @@ def _meant(name: str, names: Collection[str], logarithms: bool) -> str | None:
 
 
 def _declared(name: str, names: Collection[str]) -> str:
-    """The help that says how a parameter of this name is declared."""
+    """The help on how a parameter of this name is declared."""
     if not names or names == {"z"}:
         return f'declare it in [parameters] of a mask file: {shown(name)} = "1/16"'
     known = ", ".join(sorted(shown(n, 20) for n in names)[:8])
@@ -79,7 +79,7 @@ def _declared(name: str, names: Collection[str]) -> str:
 
 
 def _split(name: str, names: Collection[str]) -> list[str]:
-    """The two known names that a name is put together of, zw of z and w; none where it is not."""
+    """The two known names that a name is put together of, zw of z and w; none where there are no such two."""
     for i in range(1, min(len(name), 30)):
         if name[:i] in names and name[i:] in names:
             return [name[:i], name[i:]]
@@ -111,7 +111,7 @@ def _here(text: str, at: int) -> str:
 
 
 def _as_string(element: str) -> str:
-    """How to write an unquoted expression, in characters that can then be read."""
+    """The string to write for an unquoted expression, in characters that can then be read."""
     if "√" in element or "sqrt" in element:
         return RATIONAL_ONLY
     return f'write it as a string: "{mended(element)}"'

@@ -14,8 +14,10 @@ from subdiv_cli.maskfile.problems import Fault, shown
 
 
 class Token(NamedTuple):
+    """A token of an expression."""
+
     kind: str
-    """number, name, end, or the operator itself: + - * / ^ ( ) [ ] ,"""
+    """The kind: number, name, end, or the operator itself: + - * / ^ ( ) [ ] ,"""
     text: str
     at: int
 
@@ -53,12 +55,12 @@ def tokens(text: str, at: int = 0) -> Iterator[Token]:
 
 
 def is_name(text: str) -> bool:
-    """Whether a parameter may be called so: a letter or _, then letters, digits and _."""
+    """Whether a text can be a parameter's name: a letter or _, then letters, digits and _."""
     return bool(text) and text[0] not in MENDS and _name_end(text, 0) == len(text)
 
 
 def _name_end(text: str, start: int) -> int:
-    """Where the name at `start` ends; 0 where there is none."""
+    """The offset at which the name at `start` ends; 0 where there is none."""
     if found := _ASCII_NAME.match(text, start):
         end = found.end()
     elif text[start].isidentifier():
@@ -71,7 +73,7 @@ def _name_end(text: str, start: int) -> int:
 
 
 def number(token: Token) -> Fraction:
-    """The number that a token spells, exactly: 12, 0.5, .5, 1e-3. Raises Fault (SD010) for one that is too long."""
+    """The exact number that a token spells: 12, 0.5, .5, 1e-3. Raises Fault (SD010) for one that is too long."""
     mantissa, _, power = token.text.lower().partition("e")
     whole, _, decimals = mantissa.partition(".")
     digits = whole + decimals

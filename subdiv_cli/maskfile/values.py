@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 class Decimal:
-    """A TOML float, unconverted: its text with underscores removed."""
+    """A TOML float, unconverted: its text without underscores."""
 
     __slots__ = ("text",)
 

@@ -1,8 +1,9 @@
-"""What the parts of subdiv say to each other: frozen data, standard library only.
+"""The data that the parts of subdiv exchange: frozen, standard library only.
 
 A stage answers a question about a scheme with a `Finding`: a `Verdict`, a statement with the numbers in it, a witness
 from which anyone can recheck it without a search, and the theorem. The findings of one mask, its facts and its judged
 expectations make a `Result`; a report renders results and nothing else. What is wrong with a file is a `Problem`.
+
 Small values are named tuples, which take a tenth of the time to define that a frozen dataclass takes.
 """
 
@@ -41,41 +42,41 @@ UNKNOWN = Smoothness()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Expectation:
-    """What a mask is held to: `key` equals `lower` (and upper == lower), is at least it (upper None), or between."""
+    """A condition on a mask: `key` equals `lower` (and upper == lower), is at least it (upper None), or between."""
 
     key: str
-    """One of `properties.EXPECTED`."""
+    """The name of the property, one of `properties.EXPECTED`."""
     text: str
-    """As the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
+    """The condition as the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
     lower: bool | int | ClosedForm
-    """bool for convergent and stable; int for smoothness, generation and reproduction; a closed form for exponents."""
+    """A bool for convergent and stable, an int for smoothness and degrees, a closed form for exponents."""
     upper: bool | int | ClosedForm | None = None
 
 
 class Judgement(NamedTuple):
-    """An expectation and what became of it."""
+    """An expectation with its verdict."""
 
     expectation: Expectation
     verdict: Verdict
     line: int | None = None
-    """Where the mask file states it, 1-based; looked up only where it is not proved."""
+    """The 1-based line of the mask file that states it; looked up only where it is not proved."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """Why a file or an option was not usable: where, what, and how to mend it."""
+    """A reason why a file or an option is not usable: where, what, and how to mend it."""
 
     code: str
-    """SD0nn."""
+    """The code, SD0nn."""
     message: str
-    """What is wrong and what was expected, in one line."""
+    """The problem in one line: what is wrong and what was expected."""
     help: str | None = None
-    """How to mend it, in one line."""
+    """The mend in one line."""
     file: str | None = None
     key: str | None = None
-    """Key path, for instance `mask.coefficients[3]`."""
+    """The key path, for instance `mask.coefficients[3]`."""
     line: int | None = None
-    """1-based, like `column`: the first character that cannot stand there. Both None where unknown."""
+    """The 1-based line, like `column`: the first character that cannot stand there. Both None where unknown."""
     column: int | None = None
     source: str | None = None
     """The text of that line."""
@@ -86,7 +87,7 @@ Status = Literal["passed", "failed", "undecided", "invalid"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Result:
-    """Everything that is said about one mask; the JSON contract is a rendering of it."""
+    """The result of one mask: verdicts, numbers, findings and expectations; the JSON contract is a rendering of it."""
 
     file: str
     status: Status
@@ -98,13 +99,13 @@ class Result:
     problems: tuple[Problem, ...] = ()
     facts: Mapping[str, Data] = field(default_factory=dict)
     hints: tuple[str, ...] = ()
-    """What the author of the mask may have meant; no verdict depends on them."""
+    """The sentences on what the author of the mask may have meant; no verdict depends on them."""
     sum_rule_order: int | None = None
     convergent: Verdict = Verdict.SKIPPED
     smoothness: Smoothness = UNKNOWN
-    """Of the limit functions: no order where S does not converge."""
+    """The smoothness of the limit functions: no order where S does not converge."""
     refinable: Smoothness = UNKNOWN
-    """Of the refinable function φ, also where S diverges."""
+    """The smoothness of the refinable function φ, also where S diverges."""
     holder: Exponent | None = None
     sobolev: Exponent | None = None
     stable: Verdict = Verdict.SKIPPED
@@ -114,21 +115,21 @@ class Result:
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None
-    """The file it was written to."""
+    """The file to which the certificate was written."""
     regressions: tuple[Problem, ...] | None = None
-    """What is worse than in the baseline, which then decides the status; None where the baseline has no such mask."""
+    """The regressions from the baseline, which then decide the status; None where the baseline has no such mask."""
     sections: tuple[Section, ...] = ()
-    """Stencils and pictures, made only for a format that shows them."""
+    """The stencils and pictures, made only for a format that shows them."""
 
 
 DEFAULT_EFFORT = 20_000
 
 
 class Effort:
-    """How much work one question may cost: a deterministic count, and a clock as a safety net.
+    """A bound of the work on one question: a deterministic count, and a clock as a safety net.
 
-    The count is of elementary exact numbers: coefficients of an iterated symbol, entries of a matrix product. What a
-    run finds depends on it alone unless the clock strikes; then `struck` is True and the result says so.
+    The count is of elementary exact numbers: coefficients of an iterated symbol, entries of a matrix product. The
+    findings of a run depend on it alone unless the clock strikes; then `struck` is True and the result says so.
     """
 
     def __init__(self, work: int = DEFAULT_EFFORT, seconds: float | None = None) -> None:
@@ -138,7 +139,7 @@ class Effort:
         self._whole: Effort | None = None
 
     def limited(self, work: int) -> Effort:
-        """At most so much of it, for one part of a question; the clock is the same."""
+        """An effort of at most so much work, for one part of a question; the clock is the same."""
         part = Effort(min(work, self.work))
         part._whole = self
         return part

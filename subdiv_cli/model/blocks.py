@@ -1,4 +1,4 @@
-"""Blocks: what kinds hand to readers, exact data that formats and pictures set as they can; standard library only.
+"""Blocks: exact data that kinds hand to readers, which formats and pictures set as they can; standard library only.
 
 A portrait and the section of a report are headed blocks; a drawing is blocks without words around them.
 """
@@ -18,28 +18,28 @@ Place = tuple[int, ...]
 
 
 class Text(NamedTuple):
-    """A sentence, or less."""
+    """A text: a sentence, or less."""
 
     text: str
     role: str = "text"
-    """`quiet` for what is of less weight; formats have further ones, for verdicts."""
+    """The role: `quiet` for what is of less weight; formats have further ones, for verdicts."""
 
 
 class Words(NamedTuple):
-    """What the result says of itself in words: its facts, or what is known of its exponents."""
+    """The words of the result itself: on its facts, or on its exponents."""
 
     about: Literal["facts", "exponents"]
 
 
 class Statements(NamedTuple):
-    """Findings: a sentence each, or `full`, where there is room, with their reasons and sources."""
+    """A list of findings: a sentence each, or `full`, where there is room, with their reasons and sources."""
 
     findings: tuple[Finding, ...]
     full: bool = False
 
 
 class Formula(NamedTuple):
-    """left = right."""
+    """An equation: left = right."""
 
     left: str
     right: str
@@ -53,29 +53,29 @@ class Matrix(NamedTuple):
 
 
 class Grid(NamedTuple):
-    """Rows of numbers on the same nodes: a stencil, a mask, values at the integers."""
+    """A grid of rows of numbers on the same nodes: a stencil, a mask, values at the integers."""
 
     corner: str
     nodes: tuple[str, ...]
     rows: tuple[tuple[str, tuple[str, ...]], ...]
-    """Each a name and a number for each node; an empty text where the row has none."""
+    """The rows: a name and a number for each node; an empty text where the row has none."""
 
 
 class Plane(NamedTuple):
-    """Numbers at some places of Z^2: the first coordinate is drawn to the right, the second upwards."""
+    """A plane of numbers at some places of Z^2: the first coordinate goes to the right, the second upwards."""
 
     title: str
     cells: Mapping[Place, str]
 
 
 class Planes(NamedTuple):
-    """Planes that belong together: they stand beside each other where there is room."""
+    """A group of planes that stand beside each other where there is room."""
 
     planes: tuple[Plane, ...]
 
 
 class Curve(NamedTuple):
-    """Exact values of a function at (start + i) / arity^level; zero elsewhere on that grid, and outside the support."""
+    """A function by exact values at (start + i) / arity^level; zero elsewhere on that grid, and outside the support."""
 
     arity: int
     level: int
@@ -83,7 +83,7 @@ class Curve(NamedTuple):
     values: tuple[Fraction, ...]
     support: tuple[Fraction, Fraction]
     order: int = 0
-    """Of the derivative whose values these are."""
+    """The order of the derivative whose values these are."""
 
 
 class Polygon(NamedTuple):
@@ -93,11 +93,11 @@ class Polygon(NamedTuple):
     y: tuple[Fraction, ...]
     closed: bool = False
     control: str | None = None
-    """What the control polygon is called; None for a curve."""
+    """The name of a control polygon; None for a curve."""
 
 
 class Heights(NamedTuple):
-    """Exact values of a function on a plane of R^s at the points U α, α ∈ Z^2; zero where there is none."""
+    """A function on a plane of R^s by exact values at the points U α, α ∈ Z^2; zero where there is none."""
 
     unit: tuple[tuple[Fraction, ...], ...]
     """The rows of U, the first two coordinates."""
@@ -107,17 +107,17 @@ class Heights(NamedTuple):
 
 
 class Net(NamedTuple):
-    """Points in space, one for each of some α ∈ Z^2; their neighbours are α ± e_1, α ± e_2."""
+    """A net of points in space, one for each of some α ∈ Z^2; their neighbours are α ± e_1, α ± e_2."""
 
     vertices: Mapping[Place, tuple[Fraction, ...]]
     diagonal: tuple[int, int] | None = None
-    """(1, 1) or (1, -1): a neighbour as well, so the faces are triangles; None for quadrilaterals."""
+    """The third direction, (1, 1) or (1, -1), of neighbours, so that faces are triangles; None for quadrilaterals."""
     turned: bool = False
-    """The refinement has turned Z^2 over."""
+    """Whether the refinement has turned Z^2 over."""
     title: str = ""
 
     def faces(self) -> Iterator[tuple[Place, ...]]:
-        """Those with all their vertices in the net, counterclockwise in Z^2."""
+        """The faces with all their vertices in the net, counterclockwise in Z^2."""
         for i, j in sorted(self.vertices):
             a, b, c, d = (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
             halves = {None: ((a, b, c, d),), (1, 1): ((a, b, c), (a, c, d)), (1, -1): ((a, b, d), (b, c, d))}
@@ -129,7 +129,7 @@ Block = Text | Words | Statements | Formula | Matrix | Grid | Planes | Picture
 
 
 class Section(NamedTuple):
-    """Blocks under a heading; an empty title is none."""
+    """A section: blocks under a heading; an empty title is none."""
 
     title: str
     blocks: tuple[Block, ...]
@@ -144,16 +144,16 @@ class Portrait(NamedTuple):
 
 
 class Drawing(NamedTuple):
-    """What `plot` draws of a mask."""
+    """The blocks that `plot` draws of a mask."""
 
     blocks: tuple[Picture, ...]
     result: Result | None = None
-    """What was decided of the mask; None where that did not matter."""
+    """The result of the mask; None where that did not matter."""
     question: Question | None = None
-    """Where there are no blocks: what would have to be proved."""
+    """The question that would have to be proved, where there are no blocks."""
 
 
 def sections(parts: Mapping[str, Iterable[Block]]) -> tuple[Section, ...]:
-    """Those of the headed parts that have something to say."""
+    """The sections of those headed parts that have blocks."""
     made = ((title, tuple(blocks)) for title, blocks in parts.items())
     return tuple(Section(title, blocks) for title, blocks in made if blocks)

@@ -13,11 +13,11 @@ class Log(NamedTuple):
     """The real number log_base(argument) / divisor, as closed forms print it."""
 
     base: int
-    """At least 2."""
+    """The base, at least 2."""
     argument: Fraction
-    """Positive."""
+    """The argument, positive."""
     divisor: int = 1
-    """At least 1."""
+    """The divisor, at least 1."""
 
     def __str__(self) -> str:
         return f"log{self.base}({self.argument})" + (f"/{self.divisor}" if self.divisor > 1 else "")
@@ -27,7 +27,7 @@ class Root(NamedTuple):
     """A real algebraic number: the only real root of a polynomial in [low, high]."""
 
     coefficients: tuple[int, ...]
-    """Of the polynomial, the lowest power first; degree at least 1."""
+    """The coefficients of the polynomial, the lowest power first; degree at least 1."""
     low: Fraction
     high: Fraction
 
@@ -39,7 +39,7 @@ class RootLog(NamedTuple):
     root: Root
     divisor: int
     text: str
-    """As it is spelled: `-log2(root(32*x^3+4*x-1, 0.1927, 0.1928))/2`."""
+    """The spelling: `-log2(root(32*x^3+4*x-1, 0.1927, 0.1928))/2`."""
 
     def __str__(self) -> str:
         return self.text
@@ -53,9 +53,9 @@ ClosedForm = LogForm | RootLog
 MAX_LOG_BASE = 1024
 MAX_LOG_DIVISOR = 256
 MAX_LOG_BITS = 1024
-"""Bits of the numbers of a closed form that is read or printed."""
+"""The most bits of the numbers of a closed form that is read or printed."""
 MAX_ROOT_BITS = 3322
-"""Bits of the coefficients of a root's polynomial: a thousand digits."""
+"""The most bits of the coefficients of a root's polynomial: a thousand digits."""
 MAX_ROOT_DEGREE = 64
 
 
@@ -72,14 +72,14 @@ def spelled(x: ClosedForm) -> str | None:
 
 
 def root_log_text(base: int, polynomial: str, low: str, high: str, divisor: int) -> str:
-    """`-log2(root(32*x^3+4*x-1, 0.1927, 0.1928))/2`."""
+    """The logarithm of a root as text: `-log2(root(32*x^3+4*x-1, 0.1927, 0.1928))/2`."""
     return f"-log{base}(root({polynomial}, {low}, {high}))" + (f"/{divisor}" if divisor > 1 else "")
 
 
 def spelled_terms(
     terms: Iterable[tuple[int, _Number]], variable: str, times: str, show: Callable[[_Number], str]
 ) -> str:
-    """Coefficients with their exponents as a sum, without those that are 0: `81*x^2-27*x+1`."""
+    """The sum of coefficients with their powers as text, without those that are 0: `81*x^2-27*x+1`."""
     text = ""
     for exponent, c in terms:
         if not c:
@@ -92,7 +92,7 @@ def spelled_terms(
 
 
 def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
-    """log_base(argument) / divisor in canonical form, so that equal numbers are equal objects.
+    """The number log_base(argument) / divisor in canonical form, so that equal numbers are equal objects.
 
     The base is no perfect power, argument and divisor share no root, and a rational value is a Fraction. Raises
     ValueError for base < 2, argument <= 0 or divisor < 1.
@@ -116,7 +116,7 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
 
 
 def unpowered(base: int, divisor: int) -> tuple[int, int]:
-    """(b, d) with log_base(x)/divisor = log_b(x)/d for all x, b no perfect power."""
+    """The pair (b, d) with log_base(x)/divisor = log_b(x)/d for all x, b no perfect power."""
     for e in range(base.bit_length(), 1, -1):
         if (root := exact_root(base, e)) is not None:
             return root, divisor * e
@@ -124,7 +124,7 @@ def unpowered(base: int, divisor: int) -> tuple[int, int]:
 
 
 def exact_root(n: int, d: int) -> int | None:
-    """The integer m >= 1 with m^d = n >= 1, by Newton's method from above."""
+    """The integer m >= 1 with m^d = n >= 1, by Newton's method from above; None where there is none."""
     root = 1 << -(-n.bit_length() // d)
     while (lower := ((d - 1) * root + n // root ** (d - 1)) // d) < root:
         root = lower
@@ -132,7 +132,7 @@ def exact_root(n: int, d: int) -> int | None:
 
 
 def _exact_log(n: int, base: int) -> int | None:
-    """The integer e with base^e = n."""
+    """The integer e with base^e = n; None where there is none."""
     e = 0
     while n > 1 and n % base == 0:
         n, e = n // base, e + 1
@@ -140,7 +140,7 @@ def _exact_log(n: int, base: int) -> int | None:
 
 
 def rational(x: Fraction | int) -> str:
-    """`p/q`, or `p` for an integer. Huge integers are spelled piece by piece: Python refuses more than 4300 digits."""
+    """The text `p/q`, or `p` for an integer, of any length: Python itself refuses more than 4300 digits."""
     x = Fraction(x)
     return _integer_text(x.numerator) + ("" if x.denominator == 1 else f"/{_integer_text(x.denominator)}")
 

@@ -35,7 +35,7 @@ DECIDED = (Verdict.PROVED, Verdict.REFUTED)
 
 
 class Interval(NamedTuple):
-    """A real number enclosed: lower <= x <= upper, certified doubles rounded outward; None is unknown."""
+    """An enclosure of a real number: lower <= x <= upper, certified doubles rounded outward; None is unknown."""
 
     lower: float | None = None
     upper: float | None = None
@@ -44,11 +44,11 @@ class Interval(NamedTuple):
 
 
 class Smoothness(NamedTuple):
-    """`order`: the largest n with C^n proved, None where not even continuity is."""
+    """A smoothness: `order` is the largest n with C^n proved, None where not even continuity is."""
 
     order: int | None = None
     sharp: bool = False
-    """C^(order+1) is refuted; without an order, continuity is."""
+    """Whether C^(order+1) is refuted; without an order, whether continuity is."""
 
 
 class Exponent(NamedTuple):
@@ -59,17 +59,17 @@ class Exponent(NamedTuple):
     exact: ClosedForm | None = None
     attained: bool | None = None
     digits: str | None = None
-    """Decimals of an exact irrational one, all certain: `2.83007…`."""
+    """The decimals of an exact irrational exponent, all certain: `2.83007…`."""
     estimate: str | None = None
-    """Of one that is only enclosed, extrapolated from norms: it proves nothing."""
+    """An estimate of an exponent that is only enclosed, extrapolated from norms: it proves nothing."""
 
 
 class Question(NamedTuple):
-    """What can be asked of a scheme."""
+    """A question about a scheme."""
 
     name: str
     of: int | None = None
-    """The valence, or the order of the derivative, that it is asked of; None where it is asked of the scheme."""
+    """The valence, or the order of the derivative, that it is about; None where it is about the scheme."""
 
 
 SUMS = Question("sums")
@@ -111,30 +111,30 @@ Answer = Verdict | int | Smoothness | Exponent | None
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Finding:
-    """One theorem applied to a scheme, and what came of it."""
+    """A finding: one theorem applied to a scheme, with its verdict."""
 
     code: str
-    """SDnnn; `subdiv explain` has a page for it."""
+    """The code, SDnnn; `subdiv explain` has a page for it."""
     name: str
     """The code in words, for instance `residue-sums`."""
     verdict: Verdict
     statement: str
-    """What was decided, with its numbers; for UNDECIDED and SKIPPED what was asked."""
+    """The statement that was decided, with its numbers; for UNDECIDED and SKIPPED the question."""
     source: str
-    """Paper and theorem."""
+    """The paper and the theorem."""
     answers: tuple[tuple[Question, Answer], ...] = ()
     """The questions that it answers; a second proof of the same, and a member of a series, answer none."""
     reason: str | None = None
-    """Why it is undecided or skipped."""
+    """The reason why it is undecided or skipped."""
     value: Interval | None = None
     witness: Mapping[str, Data] = field(default_factory=dict)
-    """Enough to recheck the verdict without a search; the stage's docstring says what its keys mean."""
+    """Data from which the verdict can be rechecked without a search; the stage's docstring explains the keys."""
     proof: Mapping[str, Data] = field(default_factory=dict)
-    """What the certificate needs besides, too long for reports: the polytope of a joint spectral radius."""
+    """Further data for the certificate, too long for reports: the polytope of a joint spectral radius."""
     closed: ClosedForm | None = None
     """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
-    """The claims of the certificate that say the same, checked independently."""
+    """The claims of the certificate that state the same, checked independently."""
 
 
 TOO_DEAR = "its proof asks more work of the checker than it does"
@@ -158,7 +158,7 @@ def uncertified(finding: Finding, reason: str) -> Finding:
 
 
 def answering(findings: Iterable[Finding], *asked: Question) -> Finding | None:
-    """The finding that answers the first of these questions that one does; None where none does."""
+    """The finding that answers the first of these questions that is answered at all; None where none is."""
     answers = {question: finding for finding in findings for question, _ in finding.answers}
     return next((answers[question] for question in asked if question in answers), None)
 
@@ -177,7 +177,7 @@ class Rule(NamedTuple):
     proves: frozenset[str] = frozenset()
     """The properties that claims of its decided findings state."""
     holds: bool = False
-    """Whether such a claim says itself, by `holds`, if the finding is proved or refuted."""
+    """Whether such a claim has a field `holds` that distinguishes proved from refuted."""
     radius: bool = False
     """Whether the value of its findings is a joint spectral radius."""
 
@@ -190,7 +190,7 @@ class Rule(NamedTuple):
         proof: Witness | None = None,
         answers: Answers | None = None,
     ) -> Finding:
-        """A finding that is proved; `answers` are those that neither the verdict nor the value tells."""
+        """A finding that is proved; `answers` are those that follow neither from the verdict nor from the value."""
         return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
 
     def refuted(self, statement: str, witness: Witness, answers: Answers | None = None) -> Finding:
@@ -198,11 +198,11 @@ class Rule(NamedTuple):
         return self._finding(Verdict.REFUTED, statement, None, witness, answers=answers)
 
     def undecided(self, asked: str, reason: str, witness: Witness | None = None) -> Finding:
-        """What was asked and could not be decided, and why."""
+        """A finding that could not be decided: the question, and why."""
         return self._finding(Verdict.UNDECIDED, asked, reason, witness)
 
     def skipped(self, asked: str, reason: str) -> Finding:
-        """What makes no sense to ask, and why."""
+        """A finding of a question that makes no sense for the scheme, and why."""
         return self._finding(Verdict.SKIPPED, asked, reason)
 
     def _finding(
@@ -225,7 +225,7 @@ class Rule(NamedTuple):
 
 
 def _told(question: Question, verdict: Verdict, value: Interval | None, closed: ClosedForm | None) -> Answer:
-    """What the verdict and the value of a finding say to a question."""
+    """The answer to a question that follows from the verdict and the value of a finding."""
     if question.name in _EXPONENTS:
         value = value or Interval()
         return None if verdict is Verdict.SKIPPED else Exponent(value.lower, value.upper, closed)
@@ -245,7 +245,7 @@ def row(
     holds: bool = False,
     radius: bool = False,
 ) -> Rule:
-    """A rule; `answers` is one question or several, `proves` the properties, separated by blanks."""
+    """The rule of a row; `answers` is one question or several, `proves` the properties, separated by blanks."""
     several = (answers,) if isinstance(answers, Question) else answers
     return Rule(code, name, source, several, frozenset(proves.split()), holds, radius)
 

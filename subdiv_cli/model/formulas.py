@@ -12,22 +12,22 @@ _LONGEST_EXACT = 24
 _LONGEST_BRIEF = 26
 _DIGITS = 10
 _LONGEST_BITS = 256
-"""Huge integers are slow to print: from here on only leading digits are shown."""
+"""The bits from which on only leading digits are shown: huge integers are slow to print."""
 _VARIABLES = "xyzw"
 _HIGHEST = 4
-"""Order of a partial derivative that is written with the names of its variables."""
+"""The highest order of a partial derivative that is written with the names of its variables."""
 
 Spell = Callable[[Fraction], str]
 
 
 def number(x: Fraction) -> str:
-    """`-7/16`; a rational with a long spelling as its first digits, `0.43843…`, cut and not rounded."""
+    """A rational as text: `-7/16`; one with a long spelling as its first digits, `0.43843…`, cut and not rounded."""
     short = is_short(x) and len(str(x)) <= _LONGEST_EXACT
     return str(x) if short else truncated(x)
 
 
 def is_short(x: Fraction) -> bool:
-    """Whether x can be printed in full without thought."""
+    """Whether a rational can be printed in full without thought."""
     return max(x.numerator.bit_length(), x.denominator.bit_length()) <= _LONGEST_BITS
 
 
@@ -44,7 +44,7 @@ def truncated(x: Fraction, digits: int = _DIGITS) -> str:
 
 
 def _decimal_exponent(x: Fraction) -> int:
-    """The e with 10^e <= x < 10^(e+1), x > 0: estimated from the bits, then put right."""
+    """The exponent e with 10^e <= x < 10^(e+1), x > 0: estimated from the bits, then put right."""
     exponent = (x.numerator.bit_length() - x.denominator.bit_length()) * 30103 // 100000
     while x < Fraction(10) ** exponent:
         exponent -= 1
@@ -54,7 +54,7 @@ def _decimal_exponent(x: Fraction) -> int:
 
 
 def brief(x: Fraction) -> str:
-    """`-7/16`, or the first digits of a long number, as formulas that are set have them: `0.43843812…·10^-7`."""
+    """A rational in a formula: `-7/16`, or the first digits of a long number, `0.43843812…·10^-7`."""
     text = rational(x)
     if len(text) <= _LONGEST_BRIEF:
         return text
@@ -68,12 +68,12 @@ def brief(x: Fraction) -> str:
 
 
 def point(entries: Iterable[Fraction | int], spell: Spell = rational) -> str:
-    """`(1/2, 0)`."""
+    """A point as text: `(1/2, 0)`."""
     return f"({', '.join(spell(Fraction(x)) for x in entries)})"
 
 
 def combination(terms: Iterable[tuple[Fraction, str]], spell: Spell = number) -> str:
-    """Terms with their coefficients, those with a zero one left out."""
+    """A sum of terms with their coefficients as text, those with a zero one left out."""
     text = ""
     for c, name in terms:
         if not c:
@@ -85,47 +85,47 @@ def combination(terms: Iterable[tuple[Fraction, str]], spell: Spell = number) ->
 
 
 def power(variable: str, exponent: int) -> str:
-    """Nothing, `z`, `z^-3`."""
+    """A power of a variable as text: nothing, `z`, `z^-3`."""
     return "" if exponent == 0 else variable if exponent == 1 else f"{variable}^{exponent}"
 
 
 def laurent(start: int, coefficients: Iterable[Fraction | int], spell: Spell = number) -> str:
-    """`-1/16 z^-3 + 9/16 z^-1 + 1`, by rising exponent, as symbols are written."""
+    """A Laurent polynomial as text, by rising exponent, as symbols are written: `-1/16 z^-3 + 9/16 z^-1 + 1`."""
     return combination(((Fraction(c), power("z", start + i)) for i, c in enumerate(coefficients)), spell)
 
 
 def polynomial(coefficients: Sequence[Fraction], spell: Spell = number) -> str:
-    """`x^2 - 1/3`, from the coefficients, lowest power first; printed with the highest first."""
+    """A polynomial as text, highest power first: `x^2 - 1/3`; `coefficients` have the lowest first."""
     return combination(reversed([(c, power("x", i)) for i, c in enumerate(coefficients)]), spell)
 
 
 def stencil(start: int, weights: Iterable[Fraction], name: Callable[[str], str]) -> str:
-    """Σ_j weights_j name(i + start + j), indices as `i-1`."""
+    """The sum Σ_j weights_j name(i + start + j) as text, indices as `i-1`."""
     return combination((w, name(shifted("i", start + j))) for j, w in enumerate(weights))
 
 
 def shifted(index: str, by: int) -> str:
-    """`i`, `i-1`, `i+2`."""
+    """A shifted index as text: `i`, `i-1`, `i+2`."""
     return index + (f"{by:+d}" if by else "")
 
 
 def datum(index: str, by: int) -> str:
-    """`f_i`, `f_(i-1)`."""
+    """A datum with a shifted index as text: `f_i`, `f_(i-1)`."""
     return f"f_({shifted(index, by)})" if by else f"f_{index}"
 
 
 def operator(q: Iterable[Fraction], spell: Spell = number) -> str:
-    """Σ q_i D^i f: `f - 1/6 f'' + 1/2 f^(4)`."""
+    """The operator Σ q_i D^i f as text: `f - 1/6 f'' + 1/2 f^(4)`."""
     return combination(((c, derivative("f", i)) for i, c in enumerate(q)), spell)
 
 
 def derivative(name: str, order: int) -> str:
-    """`f`, `f'`, `f''`, `f'''`, `f^(4)`."""
+    """A derivative as text: `f`, `f'`, `f''`, `f'''`, `f^(4)`."""
     return name + ("'" * order if order < 4 else f"^({order})")
 
 
 def partial(name: str, mu: Sequence[int]) -> str:
-    """`f`, `f_xy`, in at most four variables and up to order 4, otherwise `D^(3,2)f`."""
+    """A partial derivative as text: `f`, `f_xy`, in at most four variables and up to order 4, otherwise `D^(3,2)f`."""
     if sum(mu) > _HIGHEST or len(mu) > len(_VARIABLES):
         return f"D^({','.join(map(str, mu))}){name}"
     letters = "".join(x * n for x, n in zip(_VARIABLES, mu, strict=False))
@@ -133,16 +133,16 @@ def partial(name: str, mu: Sequence[int]) -> str:
 
 
 def partial_operator(q: Mapping[tuple[int, ...], Fraction], spell: Spell = number) -> str:
-    """Σ q_μ D^μ f by rising order: `f - 1/6 f_xx - 1/6 f_xy - 1/6 f_yy`."""
+    """The operator Σ q_μ D^μ f as text, by rising order: `f - 1/6 f_xx - 1/6 f_xy - 1/6 f_yy`."""
     return combination(((q[mu], partial("f", mu)) for mu in rising(q)), spell)
 
 
 def rising(indices: Iterable[tuple[int, ...]]) -> list[tuple[int, ...]]:
-    """By total degree, the first variable first."""
+    """The indices sorted by total degree, the first variable first."""
     return sorted(indices, key=lambda mu: (sum(mu), [-n for n in mu]))
 
 
 def product(word: Sequence[int], name: str, times: str = "") -> str:
-    """The product M_(w_ℓ) … M_(w_1) of a word, runs of one matrix as its powers: `M_1M_0^12`."""
+    """The product M_(w_ℓ) … M_(w_1) of a word as text, runs of one matrix as its powers: `M_1M_0^12`."""
     runs = ((letter, len(list(run))) for letter, run in groupby(reversed(word)))
     return times.join(f"{name}_{letter}" + (f"^{count}" if count > 1 else "") for letter, count in runs)

@@ -1,4 +1,4 @@
-"""Expectations judged against what was found, and the status that follows: proved, refuted or undecided, never guessed.
+"""Judgement of expectations by results, and the status that follows: proved, refuted or undecided, never guessed.
 
 Standard library only, because a result from the cache is judged anew; whoever judges says how closed forms are
 compared.
@@ -14,11 +14,11 @@ from subdiv_cli.model import ClosedForm, Expectation, Exponent, Judgement, Log, 
 from subdiv_cli.model.properties import BY_KEY
 
 Compare = Callable[[ClosedForm, ClosedForm], int | None]
-"""The sign of a - b, or None where that is not known."""
+"""A function that gives the sign of a - b, or None where that is not known."""
 
 
 def judge(compare: Compare, expectation: Expectation, result: Result) -> Verdict:
-    """Whether the result proves or refutes an expectation."""
+    """The verdict on an expectation: whether the result proves or refutes it."""
     value: Any = getattr(result, expectation.key)
     match BY_KEY[expectation.key].form:
         case "verdict":
@@ -33,7 +33,7 @@ def judge(compare: Compare, expectation: Expectation, result: Result) -> Verdict
 
 
 def status(convergent: Verdict, judgements: Sequence[Judgement]) -> Status:
-    """Every expectation must be proved; where a mask states none, convergence must."""
+    """The status of a mask: every expectation must be proved; where a mask states none, convergence must."""
     verdicts = [judgement.verdict for judgement in judgements] or [convergent]
     if Verdict.REFUTED in verdicts:
         return "failed"
@@ -56,7 +56,7 @@ def _smoothness(expectation: Expectation, found: Result) -> Verdict:
 
 
 def _within(expectation: Expectation, at_least: int | None, at_most: int | None) -> Verdict:
-    """An integer known to lie between two bounds, None for no bound, against the expected range."""
+    """The verdict on an integer between two bounds, None for no bound, against the expected range."""
     low, high = expectation.lower, expectation.upper
     if isinstance(low, Log | RootLog) or isinstance(high, Log | RootLog):
         raise TypeError(f"{expectation.key} is an integer")

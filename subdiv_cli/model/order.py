@@ -15,14 +15,14 @@ from subdiv_cli.model.closed import ClosedForm, Root, RootLog
 
 _BITS = 272
 _DIGITS = {False: 40, True: 90}
-"""Of logarithms, at first and refined."""
+"""The digits of logarithms, at first and refined."""
 _SPARE = 15
-"""Digits that roundings cannot reach."""
+"""The digits that roundings cannot reach."""
 
 
 @lru_cache(maxsize=256)
 def enclosure(x: ClosedForm, *, refined: bool = False) -> tuple[Fraction, Fraction]:
-    """lower <= x <= upper, to some 20 digits at least; `refined`, to 70."""
+    """The bounds lower <= x <= upper, to some 20 digits at least; `refined`, to 70."""
     if isinstance(x, Fraction):
         return x, x
     if isinstance(x, RootLog):
@@ -34,7 +34,7 @@ def enclosure(x: ClosedForm, *, refined: bool = False) -> tuple[Fraction, Fracti
 
 
 def _exponent(x: Fraction, base: int, divisor: int, refined: bool) -> tuple[Fraction, Fraction]:
-    """log_base(x) / divisor, and how far that may be off."""
+    """The number log_base(x) / divisor, and how far that may be off."""
     (y, e), (s, f) = _logarithm(x, refined), _logarithm(Fraction(base), refined)
     with localcontext(Context(prec=_DIGITS[refined])):
         return Fraction(y / s / divisor), Fraction(4 * (e + abs(y) * f))
@@ -63,7 +63,7 @@ def _are_one(a: ClosedForm, b: ClosedForm) -> bool:
 
 @lru_cache(maxsize=256)
 def _logarithm(x: Fraction, refined: bool) -> tuple[Decimal, Decimal]:
-    """ln x, and how far that may be off, for x > 0 of any size: x = m 2^e with m of 272 bits, cut."""
+    """The logarithm ln x, and how far that may be off, for x > 0 of any size: x = m 2^e with m of 272 bits, cut."""
     e = x.numerator.bit_length() - x.denominator.bit_length() - _BITS
     m = (x.numerator << max(0, -e)) // (x.denominator << max(0, e))
     digits = _DIGITS[refined]
@@ -105,7 +105,7 @@ def _narrowed(root: Root) -> tuple[Fraction, Fraction]:
 
 
 def _value(coefficients: tuple[int, ...], u: int, v: int) -> int:
-    """v^degree times the polynomial at u/v."""
+    """The integer v^degree times the polynomial at u/v."""
     total, power = 0, 1
     for c in reversed(coefficients):
         total = total * u + c * power

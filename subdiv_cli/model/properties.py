@@ -1,4 +1,4 @@
-"""The properties of a scheme that results have in short: one table for every format, for baselines and expectations."""
+"""The short properties of a scheme in results: one table for every format, for baselines and expectations."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from subdiv_cli.model.findings import Question
 
 
 class Property(NamedTuple):
-    """A field of `Result`, which is a key of the JSON report too, and how it is called."""
+    """A field of `Result`, which is a key of the JSON report too, and its names."""
 
     key: str
     title: str
-    """In tables."""
+    """The name in tables."""
     phrase: str
-    """In sentences."""
+    """The name in sentences."""
     form: Literal["verdict", "smoothness", "exponent", "order", "degree"]
-    """What it is: a verdict, a `Smoothness`, an `Exponent`, or an integer that is called so."""
+    """The type: a verdict, a `Smoothness`, an `Exponent`, or an integer with this name."""
     question: Question
     more: tuple[Question, ...] = ()
     """Questions whose findings stand beside the first one's, as what makes its answer sharp."""
     instead: tuple[Question, ...] = ()
-    """Questions whose findings say something about it where nobody asked the first one."""
+    """Questions whose findings stand in for the first one's where that has no finding."""
     expected: bool = True
     """Whether [expect] may hold a mask to it."""
 
@@ -41,7 +41,7 @@ PROPERTIES = (
     Property("generation", "generation", "the generation degree", "degree", q.GENERATION),
     Property("reproduction", "reproduction", "the reproduction degree", "degree", q.REPRODUCTION),
 )
-"""In the order of tables."""
+"""The properties in the order of tables."""
 BY_KEY: Mapping[str, Property] = {row.key: row for row in PROPERTIES}
 EXPECTED = tuple(row.key for row in PROPERTIES if row.expected)
 """The keys of [expect]."""

@@ -14,11 +14,11 @@ _METADATA: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"Creation
 
 
 class MissingExtraError(ImportError):
-    """matplotlib is not there; INSTALL is the mend."""
+    """Raised where matplotlib is not installed; INSTALL is the mend."""
 
 
 def picture(panels: Sequence[Panel], form: str) -> bytes:
-    """The panels one above another. `form` is svg, png or pdf. Raises MissingExtraError without matplotlib."""
+    """The bytes of the panels one above another. `form` is svg, png or pdf. Raises MissingExtraError."""
 
     def paint(figure: Any) -> None:
         for place, panel in enumerate(panels, 1):
@@ -29,7 +29,7 @@ def picture(panels: Sequence[Panel], form: str) -> bytes:
 
 
 def saved(paint: Callable[[Any], None], size: tuple[float, float], form: str) -> bytes:
-    """What is painted on a figure of so many inches. Raises MissingExtraError."""
+    """The bytes of a figure of so many inches that `paint` draws on. Raises MissingExtraError."""
     try:
         import matplotlib as mpl
         from matplotlib.figure import Figure

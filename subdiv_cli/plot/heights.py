@@ -1,4 +1,4 @@
-"""A function of two variables drawn with letters: the darker the higher, and a sign of its own below zero."""
+"""Drawings of a function of two variables in letters: the darker the higher, and a sign of its own below zero."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from subdiv_cli.plot.terminal import MARGIN, framed
 _SHADES = {True: "·░▒▓█", False: ".:+*#"}
 _BELOW = "-"
 _FLAT = 100
-"""What is lower than so much of the top is left blank."""
+"""A value below the top divided by this is left blank."""
 _TALL = 2
-"""Height by width of a letter, about."""
+"""The height of a letter by its width, about."""
 
 
 def draw_heights(heights: Heights, *, width: int = 80, height: int = 30, unicode: bool = True) -> list[str]:
-    """A map at most so many columns wide and about so many rows high, both axes in one unit, and its key."""
+    """The lines of a map at most so many columns wide and about so many rows high, axes in one unit, with a key."""
     columns, rows = max(width - MARGIN - 3, 8), max(height, 4)
     _, box = sampled(heights, 1, 1)
     tall = ratio(box) / _TALL
@@ -35,7 +35,7 @@ def _letter(z: float, top: float, shades: str) -> str:
 
 
 def _key(heights: Heights, top: float, shades: str, width: int) -> list[str]:
-    """What the letters mean, in as many rows as it takes."""
+    """The lines that explain the letters, in as many rows as it takes."""
     low = min(map(float, heights.values.values()))
     parts = [f"{_BELOW} {low:.3g} to 0"] if low < 0 else []
     parts += [f"{shade} to {top * (i + 1) / len(shades):.3g}" for i, shade in enumerate(shades)]

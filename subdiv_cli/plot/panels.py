@@ -1,4 +1,4 @@
-"""Blocks of one or several masks made into panels: what stands on the same axes, and its title."""
+"""Panels made of blocks of one or several masks: what stands on the same axes, and its title."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from subdiv_cli.plot.sampled import Line, Panel, graph, plane
 from subdiv_cli.plot.terminal import draw
 
 _TALL, _TALLER = 18, 28
-"""Rows of lines and of a map in letters."""
+"""The rows of lines and of a map in letters."""
 
 
 class Drawn(NamedTuple):
     """A mask and the blocks of its picture."""
 
     title: str
-    """Where it stands alone."""
+    """The title where it stands alone."""
     label: str
-    """Among the lines of a panel."""
+    """The name among the lines of a panel."""
     blocks: tuple[Picture, ...]
 
 
 class Map(NamedTuple):
-    """A function of two variables."""
+    """A map: a function of two variables, with its title."""
 
     title: str
     heights: Heights
@@ -57,7 +57,7 @@ def panels(masks: Sequence[Drawn]) -> list[Panel | Map]:
 
 
 def rows(panel: Panel | Map, *, width: int, unicode: bool, height: int | None = None) -> list[str]:
-    """The panel drawn with letters, without its title; several lines in one are not told apart by colour."""
+    """The lines of the panel in letters, without its title; several lines in one are not told apart by colour."""
     if isinstance(panel, Map):
         return draw_heights(panel.heights, width=width, height=height or _TALLER, unicode=unicode)
     lines = panel.lines
@@ -67,7 +67,7 @@ def rows(panel: Panel | Map, *, width: int, unicode: bool, height: int | None = 
 
 
 def figure(found: Sequence[Panel | Map], form: str, style: str) -> bytes:
-    """The panels one above another. `form` is svg, png or pdf, `style` that of maps: surface or contour.
+    """The bytes of the panels one above another. `form` is svg, png or pdf, `style` of maps surface or contour.
 
     Raises MissingExtraError without matplotlib.
     """

@@ -12,17 +12,20 @@ Rows = tuple[tuple[float, ...], ...]
 
 
 class Relief(NamedTuple):
-    """Heights over a rectangle."""
+    """A relief: heights over a rectangle."""
 
     title: str
     x: tuple[float, ...]
     y: tuple[float, ...]
     z: Rows
-    """A row for each y."""
+    """The heights, a row for each y."""
 
 
 def relief(heights: Heights, title: str) -> Relief:
-    """The values and zeros around; where their grid is not rectangular, those next to the points of one that is."""
+    """The relief of the values and zeros around them.
+
+    Where their grid is not rectangular, the values next to the points of one that is.
+    """
     across, up = heights.unit
     if across[1] or up[0]:
         side = max(round(len(heights.values) ** 0.5), 2)
@@ -38,7 +41,7 @@ def relief(heights: Heights, title: str) -> Relief:
 
 
 def sampled(heights: Heights, columns: int, rows: int) -> tuple[list[list[float]], list[tuple[float, float]]]:
-    """Values in the cells of a raster of a box around the function, the uppermost row first; and the box.
+    """The rows × columns of values in a raster of a box around the function, the uppermost row first; and the box.
 
     Each is that of the grid point next to the middle of the cell.
     """
@@ -59,6 +62,6 @@ def sampled(heights: Heights, columns: int, rows: int) -> tuple[list[list[float]
 
 
 def ratio(box: Sequence[tuple[float, float]]) -> float:
-    """Height by width; 1 where there is no width."""
+    """The height of a box by its width; 1 where there is no width."""
     (left, right), (low, high) = box
     return (high - low) / (right - left) if right > left and high > low else 1.0

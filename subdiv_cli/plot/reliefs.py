@@ -16,11 +16,11 @@ _MAP = "viridis"
 _VIEW = {"elev": 34, "azim": -58}
 _SIZES = {"surface": (8, 6.4), "contour": (7, 5.6)}
 _HEIGHT = 0.6
-"""Of a surface, by the longer side of its support."""
+"""The height of a surface, by the longer side of its support."""
 
 
 def reliefs(panels: Sequence[Relief], form: str, style: str) -> bytes:
-    """The panels one above another, as `figure.picture` has them. Raises MissingExtraError."""
+    """The bytes of the panels one above another, as `figure.picture` has them. Raises MissingExtraError."""
 
     def paint(figure: Any) -> None:
         for place, panel in enumerate(panels, 1):
@@ -34,7 +34,7 @@ def reliefs(panels: Sequence[Relief], form: str, style: str) -> bytes:
 
 
 def _surface(axes: Any, panel: Relief) -> None:
-    """Lit from the left; an SVG or PDF has it as an image, as there are thousands of facets."""
+    """Draw a surface lit from the left; an SVG or PDF has it as an image, as there are thousands of facets."""
     import matplotlib as mpl
     import numpy as np
     from matplotlib.colors import LightSource
@@ -69,7 +69,7 @@ def _named(axes: Any, panel: Relief) -> None:
 
 
 def _levels(low: float, high: float) -> list[float]:
-    """Odd multiples of half a round step: none is zero, which φ is on all of the plane around its support."""
+    """The levels of contours, odd multiples of half a round step: none is zero, which φ is all around its support."""
     unit = 10.0 ** floor(log10((high - low) / _BANDS))
     step = next(unit * times for times in (1, 2, 2.5, 5, 10) if unit * times * _BANDS >= high - low)
     return [(i + 0.5) * step for i in range(floor(low / step - 0.5), ceil(high / step + 0.5))]

@@ -10,22 +10,22 @@ from subdiv_cli.model.blocks import Curve, Polygon
 
 
 class Line(NamedTuple):
-    """A polygon in the plane, and what it is called."""
+    """A polygon in the plane, with its name."""
 
     label: str
     x: tuple[float, ...]
     y: tuple[float, ...]
     polygon: bool = False
-    """A control polygon: its vertices are drawn as well."""
+    """Whether it is a control polygon, whose vertices are drawn as well."""
 
 
 class Panel(NamedTuple):
-    """One pair of axes."""
+    """The lines on one pair of axes."""
 
     title: str
     lines: tuple[Line, ...]
     plane: bool = False
-    """A curve in the plane: both axes with the same unit."""
+    """Whether it is about curves in the plane: both axes with the same unit."""
 
 
 def graph(curve: Curve, label: str) -> Line:
@@ -40,12 +40,12 @@ def graph(curve: Curve, label: str) -> Line:
 
 
 def line(label: str, points: Sequence[tuple[float, float]], *, polygon: bool = False) -> Line:
-    """The polygon through these points."""
+    """The line through these points, with its name."""
     return Line(label, tuple(x for x, _ in points), tuple(y for _, y in points), polygon)
 
 
 def plane(polygon: Polygon, label: str) -> Line:
-    """A polygon in the plane, a control polygon under its own name; a closed one returns to its first vertex."""
+    """The line of a polygon, a control polygon under its own name; a closed one returns to its first vertex."""
     points = [(float(u), float(v)) for u, v in zip(polygon.x, polygon.y, strict=True)]
     points += points[:1] if polygon.closed else []
     return line(polygon.control or label, points, polygon=polygon.control is not None)

@@ -1,4 +1,4 @@
-"""Curves drawn with letters: dots of Braille, two by four to a cell, or stars where there is ASCII only."""
+"""Drawings of curves in letters: dots of Braille, two by four to a cell, or stars where there is ASCII only."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ _DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
 """The bits of the eight dots of a Braille cell, by row and column."""
 _BLANK = 0x2800
 MARGIN = 10
-"""Columns for the numbers beside the picture."""
+"""The columns for the numbers beside the picture."""
 
 
 def draw(lines: Sequence[Line], *, width: int = 80, height: int = 16, unicode: bool = True) -> list[str]:
-    """The lines in one picture, at most so many columns wide and so many rows high, an axis of numbers around it."""
+    """The rows of one picture of all lines, at most so many columns and rows, an axis of numbers around it."""
     columns, rows = max(width - MARGIN - 3, 8), max(height, 4)
     xs, ys = [x for line in lines for x in line.x], [y for line in lines for y in line.y]
     left, right, low, high = *_range(xs), *_range(ys)
@@ -38,7 +38,7 @@ def _range(values: Sequence[float]) -> tuple[float, float]:
 def framed(
     cells: list[str], across: tuple[float, float], up: tuple[float, float], columns: int, unicode: bool
 ) -> list[str]:
-    """The picture with the numbers of its corners."""
+    """The rows of the picture with the numbers of its corners."""
     bar, corner, rule = ("│", "└", "─") if unicode else ("|", "+", "-")
     numbers = {0: f"{up[1]:.4g}", len(cells) - 1: f"{up[0]:.4g}"}
     rows = [f"{numbers.get(i, ''):>{MARGIN}} {bar}{row}".rstrip() for i, row in enumerate(cells)]
@@ -56,7 +56,7 @@ class _Canvas:
         self.dots: set[tuple[int, int]] = set()
 
     def trace(self, places: Sequence[tuple[float, float]]) -> None:
-        """A polygon through these places, with as many dots as its longer side needs."""
+        """Draw a polygon through these places, with as many dots as its longer side needs."""
         for (x, y), (u, v) in zip(places, places[1:] or places, strict=False):
             steps = max(round(max(abs(u - x), abs(v - y))), 1)
             for i in range(steps + 1):
@@ -73,7 +73,7 @@ class _Canvas:
         return rows
 
     def ascii(self) -> list[str]:
-        """`'` for a dot in the upper half of a cell, `.` in the lower one, `:` for both."""
+        """The rows in ASCII: `'` for a dot in the upper half of a cell, `.` in the lower one, `:` for both."""
         rows = []
         for top in range(0, self.height, 2):
             halves = (((x, top) in self.dots, (x, top + 1) in self.dots) for x in range(self.width))

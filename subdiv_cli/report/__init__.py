@@ -1,4 +1,4 @@
-"""One file per output format: results in, a string out.
+"""Output formats, one file each: results in, a string out.
 
 `json` is a contract (schema.json), `jsonl` its lines; `junit`, `sarif`, `github` and `markdown` are for CI servers and
 show what `notices` lists; `html` is a page of `cards` with curves by `svg`. `concise` is for grep; `text` is for
@@ -29,16 +29,16 @@ FORMATS = {
     "markdown": "subdiv_cli.report.markdown",
     "html": "subdiv_cli.report.html",
 }
-"""Format -> the module whose `render` makes it."""
+"""The module whose `render` makes each format."""
 
 SUFFIXES = {
     ".json": "json", ".jsonl": "jsonl", ".ndjson": "jsonl", ".xml": "junit", ".sarif": "sarif", ".md": "markdown",
     ".markdown": "markdown", ".html": "html", ".htm": "html",
 }  # fmt: skip
-"""File suffix -> the format it stands for; .txt and .log stand for none, as two of the formats are text."""
+"""The format of each file suffix; .txt and .log stand for none, as two of the formats are text."""
 
 FOR_PEOPLE = ("text", "concise")
-"""Formats in letters that the console can print; the others are UTF-8 wherever they go."""
+"""The formats in letters that the console can print; the others are UTF-8 wherever they go."""
 
 
 def renderer(name: str) -> Render:

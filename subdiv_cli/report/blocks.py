@@ -14,16 +14,16 @@ from subdiv_cli.report.numbers import interval
 from subdiv_cli.report.page import INDENT, Page
 
 Draw = Callable[[Picture], Sequence[str]]
-"""A picture in lines of letters."""
+"""A function that draws a picture in lines of letters."""
 _WIDE = 11
-"""Nodes beyond which the numbers of a row are told instead of drawn."""
+"""The nodes beyond which the numbers of a row are listed instead of drawn."""
 _LONG = 14
-"""Letters of a number beyond which they are, too."""
+"""The letters of a number beyond which they are listed, too."""
 _BRACKETS = (("⎡", "⎢", "⎣", "["), ("⎤", "⎥", "⎦", "]"))
 
 
 def worded(block: Block, result: Result) -> Iterator[Block]:
-    """A block with what the result says in words, its findings as sentences, and what is too wide to draw told."""
+    """The block in parts: results in words, findings as sentences, and what is too wide to draw as a list."""
     if isinstance(block, Words):
         yield from [Text(", ".join(words.facts(result)))] if block.about == "facts" else _exponents(result)
     elif isinstance(block, Statements):
@@ -35,7 +35,7 @@ def worded(block: Block, result: Result) -> Iterator[Block]:
 
 
 def tabled(block: Block, result: Result) -> Iterator[Block]:
-    """As `worded`, for formats that know tables and no axes."""
+    """The block in parts, as in `worded`, for formats that know tables and no axes."""
     for part in worded(block, result):
         yield from tables(part) if isinstance(part, Planes) else [part]
 
@@ -51,14 +51,14 @@ def _exponents(result: Result) -> Iterator[Text]:
 
 
 def _sentence(found: Finding) -> str:
-    """Verdict and code behind it."""
+    """The statement of a finding, with verdict and code behind it."""
     asks = found.verdict in (Verdict.UNDECIDED, Verdict.SKIPPED)
     why = f" {found.reason}" if asks and found.reason else ""
     return f"{found.statement}{why} ({found.verdict.value}, {found.code})"
 
 
 def _narrow(grid: Grid) -> Iterator[Block]:
-    """The grid if it is seen at a glance, else each of its rows by itself where that has numbers, else these told."""
+    """The grid if it is seen at a glance, else each row with numbers by itself, or these as a list."""
     longest = max((len(text) for _, numbers in grid.rows for text in numbers), default=0)
     if 0 < len(grid.nodes) <= _WIDE and longest <= _LONG:
         yield grid
@@ -79,7 +79,7 @@ def has_grids(section: Section) -> bool:
 
 
 def put(page: Page, blocks: Iterable[Block], result: Result, draw: Draw = lambda _: ()) -> None:
-    """Blocks on a page of text; pictures are left out unless something draws them."""
+    """Put blocks on a page of text; pictures are left out unless `draw` makes lines of them."""
     for block in blocks:
         if isinstance(block, Statements) and block.full:
             findings.show(page, page.look.shown(block.findings))
@@ -104,7 +104,7 @@ def _put(page: Page, block: Block, draw: Draw) -> None:
 
 
 def _grid(page: Page, grid: Grid) -> None:
-    """Nodes above numbers, each column as wide as its widest entry; in pieces where the page is narrow."""
+    """Put a grid on a page: nodes above numbers, columns as wide as their widest entries; in pieces if need be."""
     named = [(page.say(name), [page.say(x) for x in numbers]) for name, numbers in grid.rows]
     nodes = [page.say(node) for node in grid.nodes]
     lead = max(width(page.say(grid.corner)), *(width(name) for name, _ in named))

@@ -1,4 +1,4 @@
-"""A card for each mask of the HTML page: verdicts, exact numbers, stencils, the curve of φ, and the findings."""
+"""The cards of the HTML page, one for each mask: verdicts, exact numbers, stencils, the curve of φ, and findings."""
 
 from __future__ import annotations
 
@@ -31,18 +31,18 @@ from subdiv_cli.report.numbers import data, exact
 from subdiv_cli.report.page import Page, paint
 
 MOST_WEIGHTS = 40
-"""A stencil longer than this is left out: its numbers are in the mask."""
+"""The most weights of a stencil that is shown: the numbers of a longer one are in the mask."""
 _COLUMNS = 60
-"""Of the stencils in several variables: half of a wide page."""
+"""The columns of the stencils in several variables: half of a wide page."""
 
 
 def text(words_: str) -> str:
-    """Somebody's words as HTML."""
+    """A text from a file as HTML."""
     return escape(clean(words_))
 
 
 def card(number: int, result: Result, look: Look) -> str:
-    """Everything about one mask; its element is `mask-number`."""
+    """The HTML of everything about one mask; its element is `mask-number`."""
     parts = [
         f'<article class="card" id="mask-{number}">',
         f"<h2>{_mark(result.status)} {text(words.name(result))}</h2>",
@@ -71,7 +71,7 @@ def _mark(status: str) -> str:
 
 
 def _about(result: Result) -> str:
-    """File, kind, parameters, reference, then the facts."""
+    """The HTML of file, kind, parameters, reference, then the facts."""
     items = [f"<code>{text(result.file)}</code>"]
     items += [text(result.kind)] if result.kind else []
     items += [f'<span class="exact">{text(name)} = {exact(value)}</span>' for name, value in result.parameters.items()]
@@ -110,7 +110,7 @@ def _value(shown: str | None) -> str:
 
 
 def _section(section: Section, result: Result) -> str:
-    """Curves as pictures, stencils as tables, and words; as the text report has it what is none of these."""
+    """The HTML of a section: curves as pictures, stencils as tables, and the rest in the words of the text report."""
     whole = any(isinstance(block, _AS_TEXT) for block in section.blocks)
 
     def shown(block: Block) -> Callable[[Sequence[Block], Result], str]:
@@ -136,7 +136,7 @@ def _words(blocks: Sequence[Block], result: Result) -> str:
 
 
 def _figures(blocks: Sequence[Block], result: Result) -> str:
-    """Graphs; other pictures are not drawn here."""
+    """The HTML of graphs; other pictures are not drawn here."""
     parts = []
     for curve in (block for block in blocks if isinstance(block, Curve)):
         name = derivative("φ", curve.order)
@@ -146,7 +146,7 @@ def _figures(blocks: Sequence[Block], result: Result) -> str:
 
 
 def _rows(blocks: Sequence[Block], result: Result) -> str:
-    """One table of all grids."""
+    """The HTML of one table of all grids."""
     rows = []
     for grid in (block for block in blocks if isinstance(block, Grid)):
         for name, numbers in grid.rows:

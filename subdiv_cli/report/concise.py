@@ -1,6 +1,7 @@
-"""A line per finding, to grep in: `file: SD201 convergence proved: statement`, `file:3:19: error[SD003] message`.
+"""The concise report: a line per finding, for grep.
 
-After the findings the expectations: `file: expected smoothness = 3: refuted, found C^2, not C^3`.
+`file: SD201 convergence proved: statement`, `file:3:19: error[SD003] message`. After the findings the expectations:
+`file: expected smoothness = 3: refuted, found C^2, not C^3`.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def _lines(result: Result, look: Look) -> Iterator[str]:
 
 
 def _missed(result: Result) -> Iterator[str]:
-    """Why a mask did not pass."""
+    """The lines that tell why a mask did not pass."""
     yield from _problems(result)
     yield from _judged(result, (judged for judged in result.expectations if judged.verdict is not Verdict.PROVED))
     if not result.problems and not result.expectations:
@@ -71,6 +72,6 @@ def _finding(found: Finding) -> str:
 
 
 def problem_line(problem: Problem, file: str) -> str:
-    """`file:3:19: error[SD003] message (help)`, as much of the place as is known."""
+    """The line of a problem, as much of the place as is known: `file:3:19: error[SD003] message (help)`."""
     place = ":".join(str(part) for part in (problem.file or file, problem.line, problem.column) if part is not None)
     return f"{place}: error[{problem.code}] {problem.message}" + (f" ({problem.help})" if problem.help else "")

@@ -1,4 +1,4 @@
-"""The findings of the text report: each with its why and source; what says the same again is said once.
+"""The findings of the text report: each with its why and source; repetitions are printed once.
 
 Findings skipped for the same reason are one block, and of a long series with one code only its ends are shown.
 `-v` shows every one.
@@ -15,18 +15,18 @@ from subdiv_cli.report.numbers import data, interval
 from subdiv_cli.report.page import INDENT, Page, led, stacked
 
 NARROW = 60
-"""Below so many columns findings are indented less."""
+"""The columns below which findings are indented less."""
 LONG = 6
-"""A series longer than this is shortened."""
+"""The longest series that is shown in full."""
 ENDS = 2
-"""So many are shown at either end of a run of equal verdicts."""
+"""The number of findings that are shown at either end of a run of equal verdicts."""
 
 Block = Finding | list[Finding] | int
-"""One finding, several skipped for one reason, or how many are left out."""
+"""One finding, several skipped for one reason, or the number of those left out."""
 
 
 def show(page: Page, findings: Sequence[Finding]) -> None:
-    """All findings, in their order."""
+    """Put all findings on the page, in their order."""
     for block in findings if page.look.verbosity > 0 else blocks(findings):
         page.blank()
         if isinstance(block, int):
@@ -38,7 +38,7 @@ def show(page: Page, findings: Sequence[Finding]) -> None:
 
 
 def blocks(findings: Sequence[Finding]) -> Iterator[Block]:
-    """The findings, without repetition; a block of skipped ones stands where the first of them stands."""
+    """The findings without repetition; a block of skipped ones stands where the first of them stands."""
     told: set[str] = set()
     for _, run in groupby(findings, lambda found: found.code):
         members = list(run)
@@ -66,7 +66,7 @@ def _ends(run: list[Finding]) -> Iterator[Block]:
 
 
 def _alike(found: Finding, findings: Sequence[Finding]) -> list[Finding]:
-    """All that were skipped for the reason of this one; empty where it was not skipped, or nobody knows why."""
+    """All findings that were skipped for the reason of this one; empty where it was not skipped, or has no reason."""
     if found.verdict is not Verdict.SKIPPED or not found.reason:
         return []
     return [other for other in findings if other.verdict is Verdict.SKIPPED and other.reason == found.reason]
@@ -77,7 +77,7 @@ def _indent(page: Page) -> int:
 
 
 def _skipped(page: Page, findings: Sequence[Finding]) -> None:
-    """Several findings skipped for the same reason: their codes and the reason."""
+    """Put several findings skipped for the same reason on the page: their codes and the reason."""
     indent = _indent(page)
     codes = dict.fromkeys(found.code for found in findings)
     verdict = page.say(words.mark(Verdict.SKIPPED))

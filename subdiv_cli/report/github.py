@@ -1,6 +1,6 @@
-"""Workflow commands that GitHub shows as annotations of files: `::error file=…,line=…,title=…::message`.
+"""The report as workflow commands, which GitHub shows as annotations of files.
 
-What passed is not annotated; the last line counts the masks.
+`::error file=…,line=…,title=…::message`. What passed is not annotated; the last line counts the masks.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def _lines(result: Result, look: Look) -> Iterator[str]:
 
 
 def _place(result: Result, notice: Notice) -> dict[str, str]:
-    """Where it is shown: a file has a first line at least."""
+    """The properties of the place of a notice: a file has a first line at least."""
     if not is_file(result):
         return {}
     place = {"file": result.file, "line": str(notice.line or 1)}
@@ -44,5 +44,5 @@ def _message(text: str) -> str:
 
 
 def _property(text: str) -> str:
-    """In a property a colon and a comma would end it."""
+    """A text as a property, where a colon and a comma would end it."""
     return _message(text).replace(":", "%3A").replace(",", "%2C")

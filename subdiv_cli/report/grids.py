@@ -1,5 +1,7 @@
 """Planes of numbers as text: small grids on axes, beside each other.
 
+An example:
+
     coset (1, 0) at (1/2, 0), in 1/8
      0 │   ·  1
     -1 │   3  3
@@ -21,13 +23,13 @@ from subdiv_cli.report.page import INDENT, Page, wrap
 
 _GAP = 4
 _WIDE = 16
-"""Columns of a table beyond which its numbers are told."""
+"""The columns of a table beyond which its numbers are listed."""
 _LARGEST = 20_000
-"""Places beyond which they are, however wide the page is."""
+"""The places beyond which they are listed, however wide the page is."""
 
 
 def put_planes(page: Page, planes: Sequence[Plane]) -> None:
-    """Each under its title, as many in a row as fit."""
+    """Put the planes on a page, each under its title, as many in a row as fit."""
     room = page.look.width - 2 * INDENT
     row: list[list[str]] = []
     for title, cells in planes:
@@ -46,7 +48,7 @@ def put_planes(page: Page, planes: Sequence[Plane]) -> None:
 
 
 def tables(planes: Planes) -> Iterator[Text | Grid]:
-    """The planes as titles and tables; the numbers of a wide one are told."""
+    """The planes as titles and tables; the numbers of a wide one as a list."""
     for title, cells in planes.planes:
         if title:
             yield Text(title)
@@ -65,13 +67,13 @@ def _told(cells: Mapping[Place, str]) -> str:
 
 
 def _axes(cells: Mapping[Place, str]) -> tuple[range, range]:
-    """From left to right, and from above."""
+    """The first coordinates from left to right, and the second ones from above."""
     (left, right), (low, high) = ((min(side), max(side)) for side in zip(*cells, strict=True))
     return range(left, right + 1), range(high, low - 1, -1)
 
 
 def _flush(page: Page, row: list[list[str]]) -> None:
-    """Prints blocks beside each other, if there are any, and forgets them."""
+    """Put blocks on the page beside each other, if there are any, and forget them."""
     widths = [max(map(width, block)) for block in row]
     for i in range(max(map(len, row), default=0)):
         texts = [block[i] if i < len(block) else "" for block in row]

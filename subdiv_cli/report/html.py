@@ -14,12 +14,12 @@ from subdiv_cli.report.numbers import finite
 
 _ASSETS = Path(__file__).parent / "assets"
 _ALONE = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
-"""The page may load nothing at all."""
+"""The policy by which the page may load nothing at all."""
 _TITLES = ("status", "mask", "convergence", "smoothness", "Hölder exponent", "sum rules", "file")
 
 
 def render(results: Sequence[Result], look: Look) -> str:
-    """The page."""
+    """The HTML page."""
     page = "".join(_page(results, look))
     return page if page.isascii() else page.encode("utf-8", "backslashreplace").decode("utf-8")
 

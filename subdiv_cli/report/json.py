@@ -16,16 +16,16 @@ from subdiv_cli.report.numbers import exact, finite
 from subdiv_cli.report.words import found, summary
 
 _LONG = 10**4000
-"""Integers from here on are written as strings: Python does not print them as numbers."""
+"""The integers from which on they are written as strings: Python does not print them as numbers."""
 
 
 def render(results: Sequence[Result], look: Look) -> str:
-    """The report; how it is to look is of no matter here. ASCII only where a letter is not valid Unicode."""
+    """The report as JSON; `look` does not change how it looks. ASCII only where a letter is not valid Unicode."""
     return document([as_data(result, look) for result in results], summary(results), look)
 
 
 def document(results: Sequence[Mapping[str, Any]], counts: Mapping[str, int], look: Look) -> str:
-    """The report of results that are JSON data already: shards that are merged."""
+    """The report of results that are JSON data already: parts of a run that are merged."""
     report: dict[str, Any] = {
         "format": "subdiv-report",
         "version": 1,
@@ -146,7 +146,7 @@ def _value(value: Interval | None) -> dict[str, Any] | None:
 
 
 def plain(data: Data) -> Any:
-    """Exact data as JSON has it: a Fraction is the string `p/q`, a tuple a list."""
+    """Exact data as JSON has it: a Fraction as the string `p/q`, a tuple as a list."""
     if isinstance(data, Mapping):
         return {key: plain(value) for key, value in data.items()}
     if isinstance(data, tuple | list):

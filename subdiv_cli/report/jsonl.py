@@ -1,4 +1,4 @@
-"""A line of JSON for each mask, as in `results` of the JSON report: for streams, where no end is waited for."""
+"""The report as lines of JSON, one for each mask, as in `results` of the JSON report: for streams."""
 
 from __future__ import annotations
 

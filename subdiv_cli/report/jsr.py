@@ -19,7 +19,7 @@ _METHODS = {
 
 
 def render(radius: FamilyRadius, look: Look, *, file: str, name: str | None, proof: str | None) -> str:
-    """A few lines; mathematics in ASCII where nothing else can be written."""
+    """The lines on a joint spectral radius; mathematics in ASCII where nothing else can be written."""
     lines = [_first(radius), f"  {file} · {radius.letters} {_matrices(radius.letters)} of order {radius.order}"]
     if name:
         lines[1] = f"  {name} · {lines[1].strip()}"
@@ -52,7 +52,7 @@ def _first(radius: FamilyRadius) -> str:
 
 
 def _short(radius: FamilyRadius) -> bool:
-    """A rational that needs no decimals beside it."""
+    """Whether the radius is a rational that needs no decimals beside it."""
     return radius.exact is not None and radius.exact.isdigit()
 
 

@@ -20,11 +20,11 @@ _COUNTED = ("failure", "error", "skipped")
 
 
 class Case(NamedTuple):
-    """A test case: what was asked, and where it was not met how and why."""
+    """A test case: its name, and where it was not passed the outcome and the reason."""
 
     name: str
     outcome: str | None = None
-    """failure, error or skipped."""
+    """The outcome: failure, error or skipped; None where it passed."""
     kind: str = ""
     message: str = ""
 

@@ -33,7 +33,7 @@ _TABLE = str.maketrans({**_SIGNS, **_WORDS})
 def clean(text: str) -> str:
     """The text on one line, with what could move a cursor, turn a line around or not be encoded made visible.
 
-    Names and file names are somebody else's: an escape sequence in them must not reach a terminal.
+    Names and file names come from others: an escape sequence in them must not reach a terminal.
     """
     if text.isprintable():
         return text
@@ -55,7 +55,7 @@ def transliterate(text: str) -> str:
 
 
 def _part(found: re.Match[str]) -> str:
-    """½ as 1/2; in parentheses before a factor, and apart from a whole number."""
+    """A fraction in ASCII, ½ as 1/2; in parentheses before a factor, and apart from a whole number."""
     whole, part, factor = found.groups()
     text = f"({_PARTS[part]})" if factor else _PARTS[part]
     return f"{whole} {text}" if whole else text

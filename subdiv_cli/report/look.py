@@ -1,4 +1,4 @@
-"""How a report is to look: what the formats need to know beside the results."""
+"""The look of a report: what the formats need to know beside the results."""
 
 from __future__ import annotations
 
@@ -12,35 +12,35 @@ UNWRAPPED = 1_000_000
 
 
 class Look(NamedTuple):
-    """The place a report goes to, as far as a format minds, and what the reader asked to see.
+    """The place that a report goes to, as far as a format minds, and the options of the reader.
 
     A file is the default: UTF-8, no colour, 100 columns.
     """
 
     width: int = 100
-    """Columns; text is wrapped to it, never cut."""
+    """The columns; text is wrapped to them, never cut."""
     unicode: bool = True
-    """False where only ASCII can be written."""
+    """Whether other letters than ASCII can be written."""
     colour: bool = False
     verbosity: int = 0
     """-1: what failed; 0: a line each and what did not pass in full; 1: everything in full; 2: witnesses as well."""
     problems: bool = True
     """Whether the text report shows what is wrong with an invalid file; the command line puts it on stderr instead."""
     allow_undecided: bool = False
-    """Whether undecided counts as passed; it is said in the footer."""
+    """Whether undecided counts as passed; the footer says so."""
     select: tuple[str, ...] = ()
-    """Codes, or beginnings of codes, of the findings to be shown; none are all."""
+    """The codes, or beginnings of codes, of the findings to be shown; none are all."""
     ignore: tuple[str, ...] = ()
-    """Codes, or beginnings of codes, of findings not to be shown, among those selected."""
+    """The codes, or beginnings of codes, of findings not to be shown, among those selected."""
     shard: tuple[int, int] | None = None
-    """(i, n): this is part i of n, every n-th mask from the i-th on."""
+    """The pair (i, n): this is part i of n, every n-th mask from the i-th on."""
     missing: tuple[str, ...] = ()
-    """Masks of the baseline that this run has not."""
+    """The masks of the baseline that this run has not."""
     interrupted: bool = False
-    """Not all masks were checked."""
+    """Whether not all masks were checked."""
 
     def shown(self, findings: Sequence[Finding]) -> tuple[Finding, ...]:
-        """The findings the reader asked to see. What a verdict is and the exit code do not hang on it."""
+        """The findings to be shown. What a verdict is and the exit code do not depend on it."""
         if not self.select and not self.ignore:
             return tuple(findings)
         return tuple(

@@ -18,11 +18,11 @@ _SIGNS = {"passed": "✅", "failed": "❌", "undecided": "❔", "invalid": "🚫
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$@])")
 _TITLES = ("", "mask", "convergence", "smoothness", "Hölder exponent")
 MOST = 50_000
-"""Characters of the two lists together."""
+"""The most characters of the two lists together."""
 
 
 def render(results: Sequence[Result], look: Look) -> str:
-    """The comment."""
+    """The Markdown of the comment."""
     missed = [r for r in results if r.status != "passed" and not (look.allow_undecided and r.status == "undecided")]
     sign = _SIGNS["failed"] if missed else _SIGNS["passed"]
     parts = [f"### {sign} subdiv: {words.footer(results, allow_undecided=look.allow_undecided)}\n"]
@@ -42,7 +42,7 @@ def render(results: Sequence[Result], look: Look) -> str:
 
 
 def _failure(result: Result, look: Look) -> str:
-    """A mask that did not pass, and why."""
+    """The Markdown of a mask that did not pass, and why."""
     head = f"- {_SIGNS[result.status]} **{_text(words.name(result))}** ({_code(result.file)})\n"
     return head + "".join(f"  - {_notice(notice)}\n" for notice in notices(result, look))
 
@@ -62,7 +62,7 @@ def _row(result: Result) -> str:
 
 
 def _within(pieces: Iterable[str], room: int) -> str:
-    """As many pieces as there is room for, and how many are left out."""
+    """The text of as many pieces as there is room for, and the number of those left out."""
     kept, left = [], 0
     for piece in pieces:
         if room < len(piece) or left:

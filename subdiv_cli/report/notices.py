@@ -1,4 +1,4 @@
-"""What did not pass, as a list: the formats that annotate files or count failures are renderings of it."""
+"""Notices of what did not pass: the formats that annotate files or count failures are renderings of this list."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NOT_FILES = ("-", "--mask", "")
 
 
 class Notice(NamedTuple):
-    """One thing to be told about a mask: an error fails it, a warning leaves it undecided, a note does neither."""
+    """A notice about a mask: an error fails it, a warning leaves it undecided, a note does neither."""
 
     level: Level
     code: str
@@ -29,7 +29,7 @@ class Notice(NamedTuple):
 
 
 def notices(result: Result, look: Look) -> Iterator[Notice]:
-    """Everything that keeps a mask from passing, then what a reader should know besides."""
+    """The notices of everything that keeps a mask from passing, then those of what a reader should know besides."""
     for problem in result.problems:
         yield _problem(problem)
     if result.status != "invalid":
@@ -42,7 +42,7 @@ def notices(result: Result, look: Look) -> Iterator[Notice]:
 
 
 def _gate(result: Result, look: Look) -> Iterator[Notice]:
-    """Against the baseline where there is one, else what the mask is held to."""
+    """The notices against the baseline where there is one, else against what is expected of the mask."""
     if result.regressions is not None:
         for worse in result.regressions:
             yield Notice("error", worse.code, "worse than the baseline", worse.message)
@@ -62,7 +62,7 @@ def _problem(problem: Problem) -> Notice:
 
 
 def _missed(result: Result, judged: Judgement, look: Look) -> Notice:
-    """An expectation that is not proved."""
+    """The notice of an expectation that is not proved."""
     level: Level = "error" if judged.verdict is Verdict.REFUTED else _open(look)
     key = judged.expectation.key
     message = words.judged(result, judged, judged.verdict.value)
@@ -70,7 +70,7 @@ def _missed(result: Result, judged: Judgement, look: Look) -> Notice:
 
 
 def _code(result: Result, key: str) -> str:
-    """Of the finding that an expectation is about; where there is none, the key says it."""
+    """The code of the finding that an expectation is about; where there is none, one made of the key."""
     found = answering(result.findings, BY_KEY[key].question)
     return f"expect-{key}" if found is None else found.code
 

@@ -10,9 +10,9 @@ from subdiv_cli.model import Data, Exponent, Interval
 from subdiv_cli.model.closed import spelled
 
 PLACES = 10
-"""Decimal places at most, where a number is not known exactly."""
+"""The most decimal places, where a number is not known exactly."""
 LONGEST = 160
-"""Characters of a closed form that is still read with profit."""
+"""The most characters of a closed form that is still read with profit."""
 
 
 def exact(value: Fraction | int) -> str:
@@ -27,7 +27,7 @@ def exact(value: Fraction | int) -> str:
 
 
 def finite(bound: float | None) -> float | None:
-    """The bound, or None where it says nothing."""
+    """The bound, or None where it is infinite."""
     return bound if bound is not None and math.isfinite(bound) else None
 
 
@@ -50,7 +50,7 @@ def bound(value: Fraction, places: int, *, up: bool) -> str:
 
 
 def digits(lower: float, upper: float) -> str:
-    """What is certain of a number in [lower, upper].
+    """The certain digits of a number in [lower, upper]. Raises ValueError where lower is larger than upper.
 
     `2` or `1.5` where both bounds are that number; `2.8300749985…` where all the digits shown are digits of the
     number (cut, not rounded); otherwise `1.99 .. 2.01`, an interval that contains the given one.
@@ -71,17 +71,17 @@ def digits(lower: float, upper: float) -> str:
 
 
 def at_least(lower: float, places: int = 6) -> str:
-    """`≥ 1.833915`: rounded down."""
+    """A lower bound as text, rounded down: `≥ 1.833915`."""
     return f"≥ {bound(Fraction(lower), places, up=False)}"
 
 
 def at_most(upper: float, places: int = 6) -> str:
-    """`≤ 2.000001`: rounded up."""
+    """An upper bound as text, rounded up: `≤ 2.000001`."""
     return f"≤ {bound(Fraction(upper), places, up=True)}"
 
 
 def enclosed(lower: float | None, upper: float | None, closed: str | None = None) -> str | None:
-    """An exact number followed by its digits, or an interval, or a bound; None where nothing is known."""
+    """An exact number followed by its digits, or an interval, or a bound, as text; None where nothing is known."""
     lower, upper = finite(lower), finite(upper)
     if lower is not None and upper is not None:
         shown = digits(lower, upper)
@@ -122,7 +122,7 @@ def data(value: Data) -> str:
 
 
 def worth(lower: float, upper: float) -> int:
-    """How many decimal places an interval is worth: three digits of its length, and never too many."""
+    """The number of decimal places that an interval is worth: three digits of its length, and never too many."""
     spread, places = Fraction(upper) - Fraction(lower), 1
     while places < PLACES and spread * 10**places < 100:
         places += 1

@@ -23,7 +23,7 @@ INDENT = 2
 
 
 class Page:
-    """Lines gathered so far; every text goes through `say`, which knows what the console can print."""
+    """The lines so far; every text goes through `say`, which knows what the console can print."""
 
     def __init__(self, look: Look) -> None:
         self.look = look
@@ -38,20 +38,20 @@ class Page:
         return self.say(text or ""), role
 
     def put(self, text: str, role: str = "text", *, indent: int = 0, hanging: int = 0) -> None:
-        """A paragraph."""
+        """Add a paragraph."""
         self.lines += paragraph(self.say(text), self.look.width, role=role, indent=indent, hanging=hanging)
 
     def unbroken(self, text: str, *, indent: int = 0) -> None:
-        """A line to be copied whole: not wrapped, however long it is."""
+        """Add a line to be copied whole: not wrapped, however long it is."""
         self.lines.append([(" " * indent, ""), (self.say(text), "text")])
 
     def blank(self) -> None:
-        """An empty line, unless there is one."""
+        """Add an empty line, unless there is one."""
         if self.lines and self.lines[-1]:
             self.lines.append([])
 
     def table(self, header: Sequence[str], rows: Sequence[Sequence[Cell]]) -> None:
-        """A table, or lists where it does not fit."""
+        """Add a table, or lists where it does not fit."""
         header = [self.say(title) for title in header]
         self.lines += table(header, rows, self.look.width, rule=self.say("─"), indent=INDENT)
 
@@ -78,7 +78,7 @@ def wrap(text: str, columns: int) -> list[str]:
 
 
 def _fitting(word: str, columns: int) -> int:
-    """How many characters of a word fit, at least one, preferably up to a place where a formula may be broken."""
+    """The number of characters of a word that fit, at least one, preferably up to where a formula may be broken."""
     end = 1
     while end < len(word) and width(word[: end + 1]) <= columns:
         end += 1
@@ -89,7 +89,7 @@ def _fitting(word: str, columns: int) -> int:
 
 
 def led(lead: Line, text: str, columns: int, *, role: str = "text", hanging: int = 0) -> list[Line]:
-    """A lead and a wrapped text after it; `hanging` is how far the text's later lines are indented."""
+    """The lines of a lead and a wrapped text after it; `hanging` is how far the text's later lines are indented."""
     text = text.strip(" ")
     first = wrap(text, columns - sum(width(span) for span, _ in lead))[0]
     rest = text[len(first) :].lstrip(" ")
@@ -98,12 +98,12 @@ def led(lead: Line, text: str, columns: int, *, role: str = "text", hanging: int
 
 
 def paragraph(text: str, columns: int, *, role: str = "text", indent: int = 0, hanging: int = 0) -> list[Line]:
-    """A wrapped paragraph; `hanging` is how much further its second and later lines are indented."""
+    """The lines of a wrapped paragraph; `hanging` is how much further its second and later lines are indented."""
     return led([(" " * indent, "")], text, columns, role=role, hanging=indent + hanging)
 
 
 def joined(items: Sequence[str], separator: str, columns: int, *, indent: int = 0, role: str = "text") -> list[Line]:
-    """Items in a row, wrapped between them where that is possible."""
+    """The lines of items in a row, wrapped between them where that is possible."""
     lines: list[Line] = []
     row = ""
     for item in items:
@@ -118,7 +118,7 @@ def joined(items: Sequence[str], separator: str, columns: int, *, indent: int = 
 def table(
     header: Sequence[str], rows: Sequence[Sequence[Cell]], columns: int, *, rule: str, indent: int = 0
 ) -> list[Line]:
-    """Rows under a header, cells wrapped to fit; where even that cannot fit, each row as a short list."""
+    """The lines of rows under a header, cells wrapped to fit; where even that cannot fit, each row as a short list."""
     columns -= indent
     widths = _widths(header, rows, columns)
     if widths is None:
@@ -131,7 +131,7 @@ def table(
 
 
 def _widths(header: Sequence[str], rows: Sequence[Sequence[Cell]], columns: int) -> list[int] | None:
-    """A width for each column, or None where they do not fit without breaking words."""
+    """The width of each column, or None where they do not fit without breaking words."""
     texts = [[title, *(row[i][0] for row in rows)] for i, title in enumerate(header)]
     natural = [max(map(width, column)) for column in texts]
     least = [_least(column) for column in texts]
@@ -167,7 +167,7 @@ def _row(cells: Sequence[Cell], widths: Sequence[int], indent: int) -> list[Line
 
 
 def stacked(rows: Sequence[Sequence[Cell]], columns: int, indent: int) -> list[Line]:
-    """Each row as a list: its first two cells, beside each other if they fit, and under them the rest."""
+    """The lines of each row as a list: its first two cells, beside each other if they fit, and under them the rest."""
     lines: list[Line] = []
     for (title, role), *others in rows:
         lines += paragraph(title, columns + indent, role=role, indent=indent)

@@ -1,12 +1,14 @@
-"""What is wrong with a file: where, what, and how to mend it, with the line and a caret under the place.
+"""The problems of a file as text: where, what, and how to mend it, with the line and a caret under the place.
 
-error[SD003] TOML has no fractions
-  --> masks/four_point.toml:3:19 in mask.coefficients[0]
-  |
-3 | coefficients = [-1/16, 0, "9/16"]
-  |                   ^
-  = help: write exact coefficients as strings: "-1/16"
-  = more: subdiv explain SD003
+An example:
+
+    error[SD003] TOML has no fractions
+      --> masks/four_point.toml:3:19 in mask.coefficients[0]
+      |
+    3 | coefficients = [-1/16, 0, "9/16"]
+      |                   ^
+      = help: write exact coefficients as strings: "-1/16"
+      = more: subdiv explain SD003
 """
 
 from __future__ import annotations
@@ -19,11 +21,11 @@ from subdiv_cli.report.look import Look
 from subdiv_cli.report.page import Line, led, paint
 
 SNIPPET = 100
-"""Columns of a source line that are shown at most."""
+"""The most columns of a source line that are shown."""
 
 
 def render(problems: Iterable[Problem], look: Look) -> str:
-    """The problems one after another, an empty line between them."""
+    """The text of the problems one after another, an empty line between them."""
     lines: list[Line] = []
     for problem in problems:
         lines += [[], *problem_lines(problem, look)] if lines else problem_lines(problem, look)
@@ -31,7 +33,7 @@ def render(problems: Iterable[Problem], look: Look) -> str:
 
 
 def problem_lines(problem: Problem, look: Look) -> list[Line]:
-    """One problem."""
+    """The lines of one problem."""
     number = "" if problem.line is None else str(problem.line)
     margin = " " * max(len(number), 1)
     lines = _first(problem, look)
@@ -51,7 +53,7 @@ def problem_lines(problem: Problem, look: Look) -> list[Line]:
 
 
 def place(problem: Problem) -> str:
-    """`file:3:19 in mask.arity`, as much of it as is known; an option without a file stands in its place: `-p:1:5`."""
+    """The place of a problem, as much of it as is known: `file:3:19 in mask.arity`; of an option `-p:1:5`."""
     parts = [problem.file or problem.key or ""]
     if problem.line is not None:
         parts.append(str(problem.line))
@@ -67,7 +69,7 @@ def _first(problem: Problem, look: Look) -> list[Line]:
 
 
 def _noted(lead: str, text: str, look: Look) -> list[Line]:
-    """A note, its later lines under its first where there is room for that."""
+    """The lines of a note, its later ones under its first where there is room for that."""
     hanging = len(lead) if len(lead) < look.width // 3 else 4
     return led([(lead, "quiet")], text, look.width, hanging=hanging)
 

@@ -19,7 +19,7 @@ _LEVELS = {"error": "error", "warning": "warning", "note": "note"}
 
 
 def render(results: Sequence[Result], look: Look) -> str:
-    """A log with one run."""
+    """The JSON of a log with one run."""
     told = [(result, notice) for result in results for notice in notices(result, look)]
     rules = _rules(results, (notice for _, notice in told))
     index = {rule["id"]: number for number, rule in enumerate(rules)}
@@ -35,7 +35,7 @@ def render(results: Sequence[Result], look: Look) -> str:
 
 
 def _rules(results: Iterable[Result], told: Iterable[Notice]) -> list[dict[str, Any]]:
-    """One for each code that is told of, in their order."""
+    """The rules of the log, one for each code of a notice, in their order."""
     names = {found.code: found.name for result in results for found in result.findings}
     names |= {worse.code: "baseline" for result in results for worse in result.regressions or ()}
     rules = []
@@ -71,6 +71,6 @@ def _location(result: Result, notice: Notice) -> dict[str, Any]:
 
 
 def _fingerprint(result: Result, notice: Notice) -> str:
-    """The same while the mask fails in the same way, wherever in its file that stands."""
+    """A key that is the same while the mask fails in the same way, wherever in its file that stands."""
     parts = (result.file, notice.code, notice.title)
     return sha256("\0".join(parts).encode("utf-8", "surrogateescape")).hexdigest()[:32]

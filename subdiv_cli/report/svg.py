@@ -15,7 +15,7 @@ Points = Sequence[tuple[float, float]]
 
 
 def curve(values: Curve, title: str) -> str:
-    """A polyline over its axes, with the integers below it and the ends of its range beside it."""
+    """The SVG of a polyline over its axes, with the integers below it and the ends of its range beside it."""
     step = values.arity**values.level
     points = [((values.start + i) / step, float(y)) for i, y in enumerate(values.values)]
     (left, right), (low, high) = _range(points)
@@ -38,7 +38,7 @@ def curve(values: Curve, title: str) -> str:
 
 
 def _range(points: Points) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Of x and of y, neither empty, the latter with zero in it."""
+    """The ranges of x and of y, neither empty, the latter with zero in it."""
     left, right = points[0][0], points[-1][0]
     heights = [value for _, value in points]
     low, high = min(0.0, *heights), max(0.0, *heights)
@@ -46,13 +46,13 @@ def _range(points: Points) -> tuple[tuple[float, float], tuple[float, float]]:
 
 
 def _ticks(left: float, right: float) -> range:
-    """Integers, not too many."""
+    """The integers to be marked, not too many."""
     first, last = -int(-left // 1), int(right // 1)
     return range(first, last + 1, max(1, -(-(last - first) // MOST_TICKS)))
 
 
 def _values(low: float, high: float) -> list[float]:
-    """Zero and the ends of the range, those that do not stand upon each other."""
+    """The values to be marked: zero and the ends of the range, those that do not stand upon each other."""
     room = (high - low) / 10
     return [0.0, *(value for value in (low, high) if abs(value) > room)]
 
@@ -67,5 +67,5 @@ def _tick_beside(y: float, value: float) -> str:
 
 
 def _number(value: float) -> str:
-    """Three digits, with a minus sign that is one."""
+    """A number with three digits, and a minus sign that is one."""
     return f"{value:.3g}".replace("-", "−")

@@ -19,7 +19,7 @@ TITLES = ("property", "verdict", "value", "proof")
 
 
 def render(results: Sequence[Result], look: Look) -> str:
-    """The report on these masks, in this order."""
+    """The text of the report on these masks, in this order."""
     page = _Page(look)
     if look.verbosity < 0:
         page.failures(results)
@@ -32,12 +32,12 @@ def render(results: Sequence[Result], look: Look) -> str:
 
 
 class _Page(Page):
-    """The parts of the report, put onto a page."""
+    """The page of the report, with a method for each of its parts."""
 
     # several masks
 
     def failures(self, results: Sequence[Result]) -> None:
-        """Nothing but what did not pass."""
+        """Put nothing but what did not pass."""
         failing = [result for result in results if result.status != "passed"]
         failing = [r for r in failing if not (self.look.allow_undecided and r.status == "undecided")]
         for result in failing:
@@ -51,12 +51,12 @@ class _Page(Page):
             self.put(words.footer(results, allow_undecided=self.look.allow_undecided), "head")
 
     def missed(self, result: Result, judged: Judgement) -> None:
-        """An expectation that was not proved, in a line."""
+        """Put an expectation that was not proved, in a line."""
         text = words.judged(result, judged, words.mark(judged.verdict))
         self.put(text, words.ROLES[judged.verdict], indent=INDENT, hanging=INDENT)
 
     def overview(self, results: Sequence[Result]) -> None:
-        """A line each, then in full those that did not pass (or all, when asked), then the counts."""
+        """Put a line for each mask, then in full those that did not pass (or all, with -v), then the counts."""
         if results:
             self.table(("status", "mask", "convergence", "smoothness", "Hölder exponent"), list(map(self.row, results)))
         for result in results:
@@ -87,7 +87,7 @@ class _Page(Page):
     # one mask
 
     def full(self, result: Result) -> None:
-        """Everything about one mask."""
+        """Put everything about one mask."""
         self.headline(result)
         self.about(result)
         self.problems(result)
@@ -109,7 +109,7 @@ class _Page(Page):
         self.put(f"{sign} {words.name(result)}: {words.headline(result)}", role, hanging=2)
 
     def about(self, result: Result) -> None:
-        """File, kind, parameters, reference, then the facts."""
+        """Put file, kind, parameters, reference, then the facts."""
         items = [result.file] if result.name and result.file else []
         if result.kind:
             items.append(result.kind)
@@ -122,7 +122,7 @@ class _Page(Page):
         self.notes(result)
 
     def notes(self, result: Result) -> None:
-        """What a reader of the verdict must know besides: the run was stopped, the mask may be meant otherwise."""
+        """Put what a reader of the verdict must know besides: the run was stopped, the mask may be meant otherwise."""
         if result.stopped:
             self.put(f"stopped by the {result.stopped}: another run may find more or less", "open", indent=INDENT)
         for hint in result.hints:
@@ -138,11 +138,11 @@ class _Page(Page):
             self.lines += problem_lines(problem, self.look)
 
     def properties(self, result: Result) -> list[list[Cell] | None]:
-        """The rows of the table; None for a property nothing is known of and nobody asked about."""
+        """The rows of the table; None for a property nothing is known of and no question was about."""
         return [row for each in PROPERTIES for row in self.rows_of(result, each)]
 
     def rows_of(self, result: Result, row: Property) -> list[list[Cell] | None]:
-        """One row; of an exponent that is only enclosed one for each bound, both with the places they are worth."""
+        """The row of a property; of an exponent that is only enclosed one for each bound, both with the same places."""
         exponent = result.holder or Exponent()
         if row.key != "holder" or exponent.exact is not None:
             return [self.property(result, row)]
@@ -157,7 +157,7 @@ class _Page(Page):
         ]
 
     def property(self, result: Result, row: Property) -> list[Cell] | None:
-        """The row of a property: proved by one finding, and found sharp by others."""
+        """The row of a property: proved by one finding, and shown to be sharp by others."""
         found = answering(result.findings, row.question, *row.instead)
         verdict = getattr(result, row.key) if row.form == "verdict" else found.verdict if found else None
         also = (answering(result.findings, question) for question in row.more)
@@ -168,7 +168,7 @@ class _Page(Page):
     def line(
         self, title: str, verdict: Verdict | None, value: str | None, found: Finding | None, *also: Finding
     ) -> list[Cell] | None:
-        """Title, verdict, value or reason, and the codes of the findings; None where there is nothing to say."""
+        """The cells of title, verdict, value or reason, and codes of the findings; None where there is none of them."""
         if found is None and value is None and verdict in (None, Verdict.SKIPPED):
             return None
         if value is None and found is not None and verdict in (Verdict.SKIPPED, Verdict.UNDECIDED):
@@ -178,7 +178,7 @@ class _Page(Page):
         return [self.cell(title), self.cell(*shown), self.cell(value), self.cell(codes, "quiet")]
 
     def expectations(self, result: Result) -> None:
-        """What the mask is held to, each judged; where it was not proved, what was found instead."""
+        """Put the expectations of the mask, each judged; where it was not proved, with what holds instead."""
         if not result.expectations:
             return
         rows = []
@@ -192,7 +192,7 @@ class _Page(Page):
         self.table(header if header[2] else header[:2], [row if header[2] else row[:2] for row in rows])
 
     def stencils(self, result: Result) -> None:
-        """Where more is asked for: the sections that have grids of numbers."""
+        """Put the sections that have grids of numbers, with -v."""
         if self.look.verbosity < 1 or not result.sections:
             return
         from subdiv_cli.report.blocks import has_grids, put
@@ -203,7 +203,7 @@ class _Page(Page):
                 put(self, section.blocks, result)
 
     def closing(self, result: Result, *, indent: int = 0) -> None:
-        """Why the exit code is what it is."""
+        """Put the reason for the exit code."""
         if result.status == "invalid":
             return
         role = words.STATUS_ROLES[result.status]
@@ -215,7 +215,7 @@ class _Page(Page):
 
 
 def _once(rows: list[list[Cell]]) -> None:
-    """A reason why properties were skipped is said in the first of their rows only."""
+    """Keep the reason why properties were skipped in the first of their rows only."""
     told: set[str] = set()
     for row in rows:
         reason = row[2]

@@ -1,4 +1,4 @@
-"""What a result says, in words: the headline, the smoothness, the exponents, what was found of a property."""
+"""The words for a result: the headline, the smoothness, the exponents, the values of properties."""
 
 from __future__ import annotations
 
@@ -24,23 +24,26 @@ def mark(verdict: Verdict) -> str:
 
 
 def name(result: Result) -> str:
-    """What the mask is called: by itself, else by its file."""
+    """The name of the mask, else that of its file."""
     return result.name or result.file
 
 
 def convergence(result: Result) -> str:
-    """One word or two: whether the scheme converges."""
+    """The word or two on whether the scheme converges."""
     words = {Verdict.PROVED: "converges", Verdict.REFUTED: "not convergent", Verdict.UNDECIDED: "undecided"}
     return words.get(result.convergent, "not asked")
 
 
 def smoothness(result: Result) -> str | None:
-    """Of the limit functions: `C^1, not C^2`, `C^1 at least`, or None where convergence is not proved."""
+    """The smoothness of the limit functions as text: `C^1, not C^2`, `C^1 at least`; None without convergence.
+
+    Convergence must be proved.
+    """
     return _order(result.smoothness)
 
 
 def smoothness_or_that_of_phi(result: Result) -> str | None:
-    """That of the limit functions; of a divergent scheme with a smooth refinable function `φ: C^1, not C^2`."""
+    """The smoothness of the limit functions; of a divergent scheme with a smooth φ that of φ: `φ: C^1, not C^2`."""
     shown = smoothness(result)
     return shown if shown or result.refinable.order is None else f"φ: {_order(result.refinable)}"
 
@@ -64,7 +67,7 @@ def facts(result: Result) -> list[str]:
 
 
 def _fact(key: str, value: Data) -> str | None:
-    """None for what goes without saying."""
+    """A fact of a mask in words; None for one that goes without saying."""
     match key, value:
         case "arity" | "coefficients", int():
             return f"arity {value}" if key == "arity" else _count(value, "coefficient")
@@ -92,7 +95,7 @@ def _fact(key: str, value: Data) -> str | None:
 
 
 def _matrix(rows: tuple[Data, ...]) -> str:
-    """`2I`, or by rows `[[1,1],[1,-1]]`, as mask files have it."""
+    """A matrix as text: `2I`, or by rows `[[1,1],[1,-1]]`, as mask files have it."""
     square = [[x for x in row if isinstance(x, int)] for row in rows if isinstance(row, tuple)]
     if square == [[square[0][0] * (i == j) for j in range(len(square))] for i in range(len(square))]:
         return f"{square[0][0]}I"
@@ -100,12 +103,12 @@ def _matrix(rows: tuple[Data, ...]) -> str:
 
 
 def holder(result: Result) -> str | None:
-    """What is known of the Hölder exponent of φ, and what it means where it is not positive."""
+    """The Hölder exponent of φ as text, and what it means where it is not positive; None where it is unknown."""
     return value(result, BY_KEY["holder"])
 
 
 def figures(result: Result, *, digits: bool) -> Iterator[str]:
-    """Beside what is proved of exponents: the estimate of one that is only enclosed; many digits of exact ones."""
+    """The further numbers on exponents: the estimate of one that is only enclosed; many digits of exact ones."""
     holder, sobolev = result.holder, result.sobolev
     if holder is not None and holder.estimate is not None:
         yield f"Hölder exponent ≈ {holder.estimate}, extrapolated from norms: an estimate, which proves nothing"
@@ -115,7 +118,7 @@ def figures(result: Result, *, digits: bool) -> Iterator[str]:
 
 
 def labelled(shown: str, exponent: Exponent) -> str:
-    """The exponent as shown; not positive, it says what φ then is: a continuous φ has a positive one."""
+    """The exponent as shown; where it is not positive, with a note that φ is then not continuous."""
     upper = 0.0 if exponent.exact == 0 else exponent.upper
     if upper is None or upper > 0:
         return shown
@@ -139,7 +142,7 @@ def headline(result: Result) -> str:
 
 
 def errors(result: Result) -> str:
-    """`2 errors`: how many there are in an invalid mask."""
+    """The number of errors in an invalid mask as text: `2 errors`."""
     return _count(len(result.problems), "error")
 
 
@@ -154,7 +157,7 @@ def _convergent(result: Result) -> str:
 
 
 def _statement(result: Result, verdict: Verdict) -> str | None:
-    """Why: the most telling finding about convergence that has this verdict."""
+    """The statement of the most telling finding about convergence that has this verdict."""
     for question in (questions.CONVERGENCE, questions.SUMS, questions.EIGEN_CONDITION):
         found = answering(result.findings, question)
         if found is not None and found.verdict is verdict:
@@ -173,7 +176,7 @@ def _count(number: int, noun: str) -> str:
 def asked(expectation: Expectation) -> str:
     """An expectation as the file spells it: `smoothness = 1`, `holder >= 1.99`, `holder in 1.99 .. 2.01`.
 
-    Of one that takes lines only the beginning.
+    Where it takes lines, only the beginning.
     """
     text = expectation.text
     relation = "" if text.startswith((">", "<")) else "in " if ".." in text else "= "
@@ -181,7 +184,7 @@ def asked(expectation: Expectation) -> str:
 
 
 def found(result: Result, expectation: Expectation) -> str | None:
-    """What the run says of the property an expectation speaks of; None where it says nothing."""
+    """The value of the property that an expectation is about; None where the result has none."""
     if expectation.key == "convergent":
         return _decided(result)
     if expectation.key == "smoothness":
@@ -190,7 +193,7 @@ def found(result: Result, expectation: Expectation) -> str | None:
 
 
 def value(result: Result, row: Property, *, bare: bool = False) -> str | None:
-    """What is known of a property; None where nothing is, or where the verdict says it all.
+    """The value of a property as text; None where nothing is known, or where the verdict is all.
 
     `bare`: what stands behind the name of the property, a number without its noun, and `stable` for a verdict.
     """
@@ -206,24 +209,24 @@ def value(result: Result, row: Property, *, bare: bool = False) -> str | None:
 
 
 def _decided(result: Result) -> str | None:
-    """Whether the scheme converges, where that is known."""
+    """The words on whether the scheme converges, None where that is not known."""
     return convergence(result) if result.convergent in (Verdict.PROVED, Verdict.REFUTED) else None
 
 
 def found_instead(result: Result, judgement: Judgement) -> str | None:
-    """What was found of an expectation that was not proved."""
+    """The value of a property whose expectation was not proved."""
     return None if judgement.verdict is Verdict.PROVED else found(result, judgement.expectation)
 
 
 def judged(result: Result, judgement: Judgement, verdict: str) -> str:
-    """`expected smoothness = 3: refuted, found C^2, not C^3`; the verdict as the format writes it."""
+    """A judged expectation as text: `expected smoothness = 3: refuted, found C^2, not C^3`; `verdict` as given."""
     instead = found_instead(result, judgement)
     text = f"expected {asked(judgement.expectation)}: {verdict}"
     return f"{text}, found {instead}" if instead else text
 
 
 def verdict_sentence(result: Result, *, allow_undecided: bool = False) -> str:
-    """Why the exit code is what it is, for one mask."""
+    """The sentence that explains the exit code, for one mask."""
     if result.status == "invalid":
         return "invalid: the mask was not checked"
     if result.regressions is not None:
@@ -253,7 +256,7 @@ def _judged(result: Result) -> str:
 
 
 def summary(results: Iterable[Result]) -> dict[str, int]:
-    """How many masks there are, and how many of each status."""
+    """The number of masks, and the number of each status."""
     counts = {"files": 0, "passed": 0, "failed": 0, "undecided": 0, "invalid": 0}
     for result in results:
         counts["files"] += 1
@@ -262,7 +265,7 @@ def summary(results: Iterable[Result]) -> dict[str, int]:
 
 
 def footer(results: Iterable[Result], *, allow_undecided: bool = False) -> str:
-    """`30 masks: 28 passed, 2 failed`."""
+    """The counts as text: `30 masks: 28 passed, 2 failed`."""
     counts = summary(results)
     total = counts.pop("files")
     shown = [f"{number} {status}" for status, number in counts.items() if number]

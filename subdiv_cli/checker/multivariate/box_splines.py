@@ -1,6 +1,6 @@
 """Box splines, recognised by their mask and decided by their directions. See FORMAT.md.
 
-de Boor, Höllig & Riemenschneider, Box Splines (1993); Dahmen & Micchelli 1983.
+Sources: de Boor, Höllig & Riemenschneider, Box Splines (1993); Dahmen & Micchelli 1983.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from subdiv_cli.checker.multivariate.masks import mask_of
 from subdiv_cli.checker.reading import require
 
 _MINOR = 24
-"""Products in a determinant of order 4."""
+"""The products in a determinant of order 4."""
 
 
 def box_spline(c: Claim) -> None:
@@ -59,7 +59,7 @@ def _require_directions(directions: tuple[Index, ...], s: int) -> None:
 
 
 def _orbit(c: Claim, scale: int) -> list[Sparse]:
-    """a(z), a(z^M), …, a(z^(M^(r-1))), for M^r = cI."""
+    """The symbols a(z), a(z^M), …, a(z^(M^(r-1))), for M^r = cI."""
     a, r = mask_of(c), c.witness["power"]
     require(1 <= r <= MAX_POWER, f"the power is not one of 1, …, {MAX_POWER}")
     c.spend(r * (len(a.terms) + 64), 0)
@@ -72,7 +72,7 @@ def _orbit(c: Claim, scale: int) -> list[Sparse]:
 
 
 def _multiplied(c: Claim, factors: list[Sparse], done: int, bits: int) -> tuple[int, Sparse]:
-    """The product of all, and how many products of two terms there are then with those that are done."""
+    """The product of all factors, and how many products of two terms there are then with those that are done."""
     product = factors[0]
     for factor in factors[1:]:
         done += len(product) * len(factor)
@@ -117,7 +117,7 @@ def _breadth(c: Claim) -> int:
 
 
 def breadth(c: Claim, directions: Sequence[Index]) -> int:
-    """d, the least number of directions whose removal leaves a set that does not span R^s; 0 if they do not span it.
+    """The least number d of directions whose removal leaves a set that does not span R^s; 0 if they do not span it.
 
     That is how many there are less the largest number in a hyperplane through 0. If they span R^s, a hyperplane with
     the largest number is spanned by s - 1 of them: otherwise another direction could be added to those in it.
@@ -131,7 +131,7 @@ def breadth(c: Claim, directions: Sequence[Index]) -> int:
 
 
 def _normal(rows: Sequence[Index]) -> Index:
-    """Perpendicular to s - 1 vectors; zero iff they are dependent."""
+    """A vector perpendicular to s - 1 vectors; zero iff they are dependent."""
     s = len(rows) + 1
     return tuple((-1) ** i * determinant([[*row[:i], *row[i + 1 :]] for row in rows]) for i in range(s))
 

@@ -86,14 +86,14 @@ def holder_root(c: Claim) -> None:
 
 
 def _highest_differences(c: Claim, used: Statement) -> None:
-    """The family is that of differences of the order of the sum rules, and φ is stable."""
+    """Check that the family is that of differences of the order of the sum rules, and that φ is stable."""
     family = c.use("family", family=used["family"]).statement
     c.use("total-sum-rules", order=family["order"])
     c.use("stable", holds=True)
 
 
 def _decay(c: Claim, n: int = 0) -> tuple[int, Fraction]:
-    """ℓ and x with ρ^ℓ <= x, for differences of an order above n: of a family or a norm, or ρ² <= m Λ of mean squares.
+    """The pair (ℓ, x) with ρ^ℓ <= x, for differences of an order above n: of a family, a norm, or mean squares.
 
     In the mean ‖T_w v‖² is at most the sum over all words w of one length, so ρ² <= m Λ; their order is that of the sum
     rules, and it is above n where m Λ < λ^-2n, as Λ >= λ^-2k.
@@ -114,7 +114,7 @@ def _same(c: Claim, length: int, bound: Fraction) -> None:
 
 
 def _bound_below(s: Statement) -> Fraction:
-    """y with JSR^length >= y, of a claim that bounds a radius from below."""
+    """The bound y with JSR^length >= y, of a claim that bounds a radius from below."""
     bound: Fraction = s["bound" if s["property"] == "radius-lower" else "low"]
     return bound
 
@@ -124,7 +124,7 @@ def _isotropic(c: Claim) -> None:
 
 
 def _scaled(c: Claim, x: Fraction, exponent: int) -> Fraction:
-    """(x λ^exponent)^s, which is rational and compares with 1 as x λ^exponent does for x >= 0."""
+    """The number (x λ^exponent)^s, which is rational and compares with 1 as x λ^exponent does for x >= 0."""
     dilation = mask_of(c).dilation
     s, m = dilation.dimension, dilation.cosets
     c.spend(1, s * fraction_bits(x) + exponent * m.bit_length())

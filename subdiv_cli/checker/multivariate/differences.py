@@ -22,7 +22,7 @@ from subdiv_cli.checker.roots import fraction_bits
 Rows = Sequence[Sequence[int]]
 _PRIME = (1 << 61) - 1
 _MAX_PAIRS = 1_000_000
-"""Of a term of the mask and an index of the window."""
+"""The most pairs of a term of the mask and an index of the window."""
 
 
 def differences(c: Claim) -> None:
@@ -65,7 +65,7 @@ def _positions(window: Sequence[Index], s: int) -> dict[Index, int]:
 
 
 def _annihilate(basis: Rows, window: Sequence[Index], k: int) -> None:
-    """Σ b(α) α^μ = 0 for |μ| < k."""
+    """Check that Σ b(α) α^μ = 0 for |μ| < k, for each row b of the basis."""
     for degree in range(k):
         for mu in monomials(len(window[0]), degree):
             values = [power(index, mu) for index in window]
@@ -74,7 +74,7 @@ def _annihilate(basis: Rows, window: Sequence[Index], k: int) -> None:
 
 
 def _independent(basis: Rows) -> None:
-    """Full rank modulo a prime: then over Q as well."""
+    """Check that the basis has full rank modulo a prime: then over Q as well."""
     reduced: list[tuple[int, list[int]]] = []
     for i, row in enumerate(basis):
         rest = [x % _PRIME for x in row]
@@ -88,7 +88,7 @@ def _independent(basis: Rows) -> None:
 
 
 def _generate(basis: Rows, positions: dict[Index, int], generators: Sequence[Sequence[Fraction]], k: int) -> None:
-    """Σ_i c_i b_i = ∇^μ δ, for all |μ| = k in lexicographic order."""
+    """Check that Σ_i c_i b_i = ∇^μ δ, for all |μ| = k in lexicographic order."""
     columns = list(zip(*basis, strict=True))
     asked = list(monomials(len(next(iter(positions))), k))
     require(len(generators) == len(asked), "there are not as many generators as monomials of degree k")
@@ -105,7 +105,7 @@ def _generate(basis: Rows, positions: dict[Index, int], generators: Sequence[Seq
 
 
 def difference(mu: Index) -> Sparse:
-    """∇^μ δ = Π_j (1 - τ_j)^μ_j δ: Π_j (-1)^α_j C(μ_j, α_j) at 0 <= α <= μ."""
+    """The difference ∇^μ δ = Π_j (1 - τ_j)^μ_j δ: Π_j (-1)^α_j C(μ_j, α_j) at 0 <= α <= μ."""
     corner = product(*(range(n + 1) for n in mu))
     return {index: (-1) ** sum(index) * prod(map(comb, mu, index)) for index in corner}
 
@@ -113,7 +113,7 @@ def difference(mu: Index) -> Sparse:
 def _invariant(
     a: SparseMask, cosets: Sequence[Index], basis: Rows, positions: dict[Index, int], family: MatrixFamily
 ) -> None:
-    """T_(ε_e) b_i = Σ_j M_e[j][i] b_j, at all indices."""
+    """Check that T_(ε_e) b_i = Σ_j M_e[j][i] b_j, at all indices."""
     size = len(positions)
     operators, slots = _operators(a, cosets, positions)
     columns = list(zip(*basis, strict=True))
@@ -134,7 +134,7 @@ def _invariant(
 def _operators(
     a: SparseMask, cosets: Sequence[Index], positions: dict[Index, int]
 ) -> tuple[list[list[tuple[int, int]]], int]:
-    """For every β of the window the slots and numerators a(x-β), and how many slots there are.
+    """The slots and numerators a(x-β) for every β of the window, and the number of slots.
 
     x = ε_e + Mα has the slot of e and α: letter by letter the window, and then slots for the α outside of it.
     """
@@ -158,7 +158,7 @@ def _operators(
 
 
 def _letters(dilation: DilationMatrix, cosets: Sequence[Index]) -> dict[Index, tuple[int, Index]]:
-    """The residue of each representative, its number and itself."""
+    """The number of each representative and the representative itself, by its residue."""
     require(len(cosets) == dilation.cosets, "the representatives are not m")
     require(all(len(index) == dilation.dimension for index in cosets), "a representative has another dimension")
     letters = {dilation.residue(index): (number, index) for number, index in enumerate(cosets)}

@@ -18,8 +18,9 @@ from subdiv_cli.checker.scalar.symbols import MAX_LEVEL, MAX_PACKED, MAX_PRODUCT
 
 
 def directional_norm(c: Claim) -> None:
-    """‖S_d^L‖∞ = x with a(z) = d(z) (1 + z^θ + … + z^((c-1)θ)), the largest absolute coset sum mod c^L of
-    Π_(i<L) d(z^(c^i)). ∇_θ S f = S_d ∇_θ f, because (1 - z^θ) a(z) = d(z) (1 - z^(cθ)).
+    """‖S_d^L‖∞ = x with a(z) = d(z) (1 + z^θ + … + z^((c-1)θ)), by coset sums mod c^L of Π_(i<L) d(z^(c^i)).
+
+    The norm is the largest absolute one. ∇_θ S f = S_d ∇_θ f, because (1 - z^θ) a(z) = d(z) (1 - z^(cθ)).
     """
     quotient_norm(c, (c.statement["direction"],))
 
@@ -47,7 +48,7 @@ def quotient_norm(c: Claim, directions: Sequence[Index]) -> None:
 
 
 def largest_class_sum(c: Claim, d: Sparse, p: int, level: int) -> int:
-    """max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(i<L) d(z^(p^i)), numerators only.
+    """The largest class sum max_γ Σ_β |F_(γ + p^L β)| for F(z) = Π_(i<L) d(z^(p^i)), numerators only.
 
     An index becomes one integer, its coordinates the digits: the last one counts for 1, those before for the products
     of the widths of the ones after, which the whole F needs. So F becomes a polynomial in one variable.
@@ -73,7 +74,7 @@ def largest_class_sum(c: Claim, d: Sparse, p: int, level: int) -> int:
 
 
 def _largest_sum(magnitudes: list[int], widths: list[int], modulus: int) -> int:
-    """Over the indices of a class; the magnitudes are in lexicographic order, but for zeros at the end."""
+    """The largest sum over the indices of a class; magnitudes in lexicographic order, but for zeros at the end."""
     width = widths[-1]
     rows: dict[tuple[int, ...], list[list[int]]] = {}
     for number, first in enumerate(range(0, len(magnitudes), width)):

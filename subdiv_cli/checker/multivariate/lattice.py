@@ -19,9 +19,9 @@ Index = tuple[int, ...]
 Sparse = dict[Index, int]
 
 MAX_POWER = 24
-"""Of a dilation that is looked at."""
+"""The highest power of a dilation that is looked at."""
 MAX_TERMS = 500_000
-"""Of a product of sparse polynomials."""
+"""The most terms of a product of sparse polynomials."""
 
 
 class DilationMatrix(NamedTuple):
@@ -33,30 +33,30 @@ class DilationMatrix(NamedTuple):
 
     @property
     def dimension(self) -> int:
-        """s."""
+        """The number s of variables."""
         return len(self.rows)
 
     @property
     def cosets(self) -> int:
-        """m = |det M|, how many cosets Z^s has modulo M Z^s."""
+        """The number m = |det M| of cosets of M Z^s in Z^s."""
         return abs(self.scale)
 
     @property
     def factor(self) -> int:
-        """c where M = cI, c >= 2, otherwise 0."""
+        """The factor c where M = cI, c >= 2, otherwise 0."""
         return factor_of(self.rows)
 
     def residue(self, x: Sequence[int]) -> Index:
-        """The same for two indices iff they are congruent: iff M^-1 (x - y) is integral."""
+        """A key that is the same for two indices iff they are congruent: iff M^-1 (x - y) is integral."""
         m = abs(self.scale)
         return tuple(sum(map(mul, row, x)) % m for row in self.inverse)
 
     def divided(self, x: Sequence[int]) -> Index:
-        """M^-1 x for x in M Z^s."""
+        """The index M^-1 x for x in M Z^s."""
         return tuple(sum(map(mul, row, x)) // self.scale for row in self.inverse)
 
     def image(self, x: Sequence[int]) -> Index:
-        """M x."""
+        """The index M x."""
         return tuple(sum(map(mul, row, x)) for row in self.rows)
 
     def is_isotropic(self) -> bool:
@@ -77,24 +77,25 @@ class DilationMatrix(NamedTuple):
 
 
 def over_one(terms: Sequence[tuple[Index, Fraction]]) -> tuple[Sparse, int]:
-    """Numerators and their common denominator."""
+    """The numerators of a sparse polynomial, and their common denominator."""
     common = lcm(*(value.denominator for _, value in terms))
     return {index: value.numerator * (common // value.denominator) for index, value in terms}, common
 
 
 def factor_of(matrix: Matrix) -> int:
-    """c where the matrix is cI with c >= 2, otherwise 0."""
+    """The factor c where the matrix is cI with c >= 2, otherwise 0."""
     c = matrix[0][0]
     is_scalar = all(x == (c if i == j else 0) for i, row in enumerate(matrix) for j, x in enumerate(row))
     return c if is_scalar and c >= 2 else 0
 
 
 def add(x: Sequence[int], y: Sequence[int]) -> Index:
+    """The sum of two indices."""
     return tuple([i + j for i, j in zip(x, y, strict=True)])
 
 
 def multiply(f: Mapping[Index, int], g: Mapping[Index, int]) -> Sparse:
-    """f(z) g(z), without zeros."""
+    """The product f(z) g(z), without zeros."""
     product: Sparse = {}
     for x, p in f.items():
         for y, q in g.items():
@@ -105,12 +106,12 @@ def multiply(f: Mapping[Index, int], g: Mapping[Index, int]) -> Sparse:
 
 
 def geometric(direction: Index, count: int) -> Sparse:
-    """1 + z^θ + … + z^((count-1)θ), θ ≠ 0."""
+    """The polynomial 1 + z^θ + … + z^((count-1)θ), θ ≠ 0."""
     return {tuple(j * t for t in direction): 1 for j in range(count)}
 
 
 def monomials(s: int, degree: int) -> Iterator[Index]:
-    """All μ in s variables with |μ| = degree, in lexicographic order."""
+    """All multi-indices μ in s variables with |μ| = degree, in lexicographic order."""
     if s == 1:
         yield (degree,)
         return
@@ -120,7 +121,7 @@ def monomials(s: int, degree: int) -> Iterator[Index]:
 
 
 def power(x: Sequence[int], mu: Sequence[int]) -> int:
-    """x^μ."""
+    """The power x^μ = Π_j x_j^μ_j."""
     value = 1
     for i, n in zip(x, mu, strict=True):
         value *= i**n
@@ -128,7 +129,7 @@ def power(x: Sequence[int], mu: Sequence[int]) -> int:
 
 
 def determinant(rows: Sequence[Sequence[int]]) -> int:
-    """By its first row (Laplace); 1 for no rows."""
+    """The determinant of a square integer matrix, by its first row (Laplace); 1 for no rows."""
     if not rows:
         return 1
     return sum(

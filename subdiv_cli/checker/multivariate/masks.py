@@ -16,7 +16,7 @@ from subdiv_cli.checker.reading import Rejected, require
 MAX_COSETS = 4096
 _INDEX = re.compile(r"(0|-?[1-9][0-9]{0,8})(,(0|-?[1-9][0-9]{0,8})){1,3}")
 _MAX_DEPTH = 4
-"""Of nested coefficients: a mask has no more variables."""
+"""The most levels of nested coefficients: a mask has no more variables."""
 
 
 class SparseMask(NamedTuple):
@@ -28,6 +28,7 @@ class SparseMask(NamedTuple):
 
     @property
     def bits(self) -> int:
+        """The bits of the longest numerator and of the denominator together."""
         return max(map(abs, self.terms.values())).bit_length() + self.denominator.bit_length()
 
     def sum_is_m(self) -> bool:
@@ -43,7 +44,7 @@ class SparseMask(NamedTuple):
 
 
 def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]]) -> SparseMask:
-    """Rejects what is no mask on Z^s with an expanding M."""
+    """The mask with these rows of M and these terms. Raises Rejected where M is not expanding or shapes differ."""
     s = len(rows)
     require(
         2 <= s <= 4 and all(len(row) == s for row in rows), "the dilation is not a square matrix of order 2, 3 or 4"
@@ -59,6 +60,7 @@ def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]])
 
 
 def subject(parts: dict[str, Any]) -> Subject:
+    """The mask of a document, from its parts. Raises Rejected where it is none."""
     mask = lattice_mask(parts["dilation"], parts["terms"])
     return Subject(mask.dilation.cosets, mask)
 
@@ -70,12 +72,12 @@ def mask_of(c: Claim) -> SparseMask:
 
 
 def plain(dilation: Iterable[Iterable[int]], terms: Iterable[tuple[Iterable[int], Fraction]]) -> PlainMask:
-    """Sorted; without zeros if the terms are."""
+    """The mask in its normal form: sorted; without zeros if the terms are."""
     return PlainMask("multivariate", (tuple(map(tuple, dilation)), tuple(sorted((tuple(x), c) for x, c in terms))))
 
 
 def of_file(document: Mapping[str, Any]) -> PlainMask | None:
-    """`terms = {"0,1" = 1}`, or `start` and `coefficients` nested as deep as there are variables."""
+    """The mask of a file: `terms = {"0,1" = 1}`, or `start` and `coefficients` nested by the number of variables."""
     table = document.get("mask")
     if type(table) is not dict:
         return None
@@ -103,7 +105,10 @@ def _is_index(value: object) -> bool:
 
 
 def _entries(nested: object, start: Index) -> Iterator[tuple[Index, Fraction]]:
-    """a_(start + (i, j, …)) = nested[i][j]…; ValueError where lists side by side are not of one length."""
+    """The pairs of an index and a number: a_(start + (i, j, …)) = nested[i][j]… for nested lists.
+
+    Raises ValueError where lists side by side are not of one length.
+    """
     if not start:
         yield (), literal(nested)
         return
@@ -117,4 +122,5 @@ def _entries(nested: object, start: Index) -> Iterator[tuple[Index, Fraction]]:
 
 
 def of_certificate(mask: Mapping[str, Any]) -> PlainMask:
+    """The mask in its normal form, from the part of a verified certificate under `mask`."""
     return plain(mask["dilation"], ((index, Fraction(c)) for index, c in mask["terms"]))

@@ -16,14 +16,14 @@ from subdiv_cli.checker.reading import Rejected, require, require_few
 from subdiv_cli.checker.scalar.symbols import MAX_LEVEL
 
 MAX_COMPONENTS = 35
-"""How many ν with |ν| = k there may be."""
+"""The most ν with |ν| = k."""
 MAX_COEFFICIENTS = 40_000
-"""Of the matrix."""
+"""The most coefficients of the matrix."""
 MAX_MODULUS = 1 << 24
-"""m^level."""
+"""The largest m^level."""
 
 Entries = list[list[Sparse]]
-"""Numerators of a square matrix of Laurent polynomials."""
+"""The numerators of a square matrix of Laurent polynomials."""
 
 
 def matrix_norm(c: Claim) -> None:
@@ -57,7 +57,7 @@ def matrix_norm(c: Claim) -> None:
 
 
 def _entries(rows: Sequence[Sequence[tuple[Index, Fraction]]], s: int, size: int) -> tuple[Entries, int]:
-    """The matrix by rows, over one denominator."""
+    """The matrix of Laurent polynomials by rows, over one denominator."""
     require(len(rows) == size**2, f"the matrix has not {size}^2 entries")
     require_few(sum(map(len, rows)) <= MAX_COEFFICIENTS, "the matrix has too many coefficients")
     common = 1
@@ -73,7 +73,7 @@ def _entries(rows: Sequence[Sequence[tuple[Index, Fraction]]], s: int, size: int
 
 
 def _reduces(c: Claim, orders: list[Index], q: Entries, denominator: int, steps: Sequence[matrices.Matrix]) -> int:
-    """The identity, for all μ; how many products of two terms it takes."""
+    """The number of products of two terms that it takes to check the identity, for all μ."""
     a, power = mask_of(c), len(steps) - 1
     symbol, done = a.terms, 0
     for i in range(1, power):
@@ -93,7 +93,7 @@ def _reduces(c: Claim, orders: list[Index], q: Entries, denominator: int, steps:
 
 
 def _spread(f: Mapping[Index, int], matrix: matrices.Matrix) -> Sparse:
-    """f(z^M)."""
+    """The polynomial f(z^M)."""
     return {tuple(matrices.apply(matrix, x)): value for x, value in f.items()}
 
 
@@ -112,7 +112,7 @@ def _multiplied(a: Entries, b: Entries) -> Entries:
 
 
 def _largest_sum(entries: Entries, matrix: matrices.Matrix) -> int:
-    """Of absolute values in a row over a coset modulo the matrix."""
+    """The largest sum of absolute values in a row over a coset modulo the matrix."""
     if (found := matrices.inverse(matrix)) is None:
         raise Rejected("the dilation is singular")
     modulus = DilationMatrix(matrix, *found)
@@ -128,6 +128,6 @@ def _largest_sum(entries: Entries, matrix: matrices.Matrix) -> int:
 
 
 def _bits(entries: Entries) -> int:
-    """Of the sums of products of these numerators, less those of the other factor."""
+    """The bits of the sums of products of these numerators, less those of the other factor."""
     values = [abs(value) for row in entries for f in row for value in f.values()]
     return max(values, default=0).bit_length() + len(values).bit_length()

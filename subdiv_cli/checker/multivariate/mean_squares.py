@@ -41,12 +41,12 @@ def sobolev(c: Claim) -> None:
 
 
 class _Operator(NamedTuple):
-    """m G, times the denominator of b, on a window that it does not leave."""
+    """The operator m G, times the denominator of b, on a window that it does not leave."""
 
     window: list[Index]
-    """0 comes first."""
+    """The indices of the window, 0 first."""
     columns: list[list[tuple[int, int]]]
-    """For every index of the window the places and numerators of its image."""
+    """The places and numerators of the image for every index of the window."""
 
     @property
     def pairs(self) -> int:
@@ -62,7 +62,7 @@ class _Operator(NamedTuple):
 
 
 def _operator(c: Claim, a: SparseMask, start: Mapping[Index, int]) -> _Operator:
-    """On the least window with the support of the start that G does not leave."""
+    """The operator G on the least window with the support of the start that it does not leave."""
     residue, divided = a.dilation.residue, a.dilation.divided
     by_residue: dict[Index, list[tuple[Index, int]]] = {}
     for index, numerator in multiply(a.terms, {tuple(-i for i in x): value for x, value in a.terms.items()}).items():
@@ -87,7 +87,7 @@ def _operator(c: Claim, a: SparseMask, start: Mapping[Index, int]) -> _Operator:
 
 
 def _laplacian_power(s: int, k: int) -> Sparse:
-    """The coefficients of w."""
+    """The coefficients of w(z) = (Σ_j (2 - z_j - 1/z_j))^k."""
     units = [tuple(int(i == j) for i in range(s)) for j in range(s)]
     once = {(0,) * s: 2 * s} | dict.fromkeys([*units, *(tuple(-i for i in x) for x in units)], -1)
     power = {(0,) * s: 1}

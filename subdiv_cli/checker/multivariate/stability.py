@@ -21,7 +21,7 @@ from subdiv_cli.checker.polynomials import cyclotomic_divides, polynomial
 from subdiv_cli.checker.reading import require, require_few
 
 MAX_SIZE = 100_000
-"""Coefficients of a polynomial on a box."""
+"""The most coefficients of a polynomial on a box."""
 
 
 def interpolatory_stable(c: Claim) -> None:
@@ -62,7 +62,7 @@ def gram_unstable(c: Claim) -> None:
 
 
 def _gram(c: Claim) -> tuple[Sparse, int]:
-    """Numerators of g over one denominator; S converges. And the work that this takes."""
+    """The numerators of g over one denominator, and the work that it takes; S converges."""
     a = mask_of(c)
     c.use("convergent", holds=True)
     g, denominator = over_one(c.witness["gram"])
@@ -92,7 +92,7 @@ def _minus(alpha: Index) -> Index:
 
 
 def _require_positive(c: Claim, values: list[int], lengths: Sequence[int], nodes: Iterator[int]) -> None:
-    """A tree of boxes in preorder: the variable that is halved, or -1 where all coefficients are positive."""
+    """Check positivity by a tree of boxes in preorder: the variable that is halved, or -1 where all is positive."""
     waiting = [values]
     while waiting:
         values, axis = waiting.pop(), next(nodes, len(lengths))
@@ -106,9 +106,10 @@ def _require_positive(c: Claim, values: list[int], lengths: Sequence[int], nodes
 
 
 def _bernstein(c: Claim, g: Mapping[Index, int], reach: Sequence[int], odd: Sequence[int]) -> list[int]:
-    """Coefficients of Φ Π (1 + t_j²)^n_j, up to a factor, in lexicographic order: ω_j = 2 arctan t_j + π odd_j.
+    """The Bernstein coefficients of Φ Π (1 + t_j²)^n_j, up to a factor, in lexicographic order.
 
-    -1 <= t_j <= 1, but 0 <= t_0, as Φ is even: these arcs cover the torus. The last variable comes first.
+    ω_j = 2 arctan t_j + π odd_j, -1 <= t_j <= 1, but 0 <= t_0, as Φ is even: these arcs cover the torus. The last
+    variable comes first.
     """
     values = {alpha: [[-x if sum(map(mul, alpha, odd)) % 2 else x], [0]] for alpha, x in g.items()}
     bits = max(map(abs, g.values())).bit_length()
@@ -152,7 +153,10 @@ def _row(n: int, alpha: int, whole: bool) -> tuple[list[int], list[int]]:
 
 
 def _halves(values: list[int], length: int, width: int) -> tuple[list[int], list[int]]:
-    """On both halves of a box, times a power of two (de Casteljau): the coefficients of a variable are width apart."""
+    """The coefficients on both halves of a box, times a power of two (de Casteljau).
+
+    The coefficients of a variable are `width` apart.
+    """
     left, right = [], []
     for first in range(0, len(values), length * width):
         row, ends = values[first : first + length * width], []

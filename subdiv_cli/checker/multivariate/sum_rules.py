@@ -17,9 +17,9 @@ from subdiv_cli.checker.reading import require
 from subdiv_cli.checker.roots import fraction_bits
 
 INDEX_BITS = 15
-"""Of an index and its sign."""
+"""The bits of an index and its sign."""
 POWER_BITS = 33
-"""Of a coordinate of M j - δ with its sign, and of a binomial coefficient, for each degree."""
+"""The bits of a coordinate of M j - δ with its sign, and of a binomial coefficient, for each degree."""
 
 
 def coset_sums(c: Claim) -> None:
@@ -111,13 +111,13 @@ def quasi_interpolation(c: Claim) -> None:
 
 
 def _moments(terms: Iterable[tuple[Index, int]], powers: Iterable[Index]) -> dict[Index, int]:
-    """Σ_j x_j j^μ for each μ."""
+    """The moments Σ_j x_j j^μ for each μ."""
     kept = list(terms)
     return {mu: sum(x * power(j, mu) for j, x in kept) for mu in powers}
 
 
 def _of_product(f: Mapping[Index, int], g: Mapping[Index, int], mu: Index) -> int:
-    """Σ_i Σ_j x_i y_j (i + j)^μ, by the moments of x and of y."""
+    """The moment Σ_i Σ_j x_i y_j (i + j)^μ, by the moments of x and of y."""
     total = 0
     for nu in product(*(range(i + 1) for i in mu)):
         rest = tuple(i - j for i, j in zip(mu, nu, strict=True))

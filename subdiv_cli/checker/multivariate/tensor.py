@@ -19,7 +19,7 @@ from subdiv_cli.checker.roots import fraction_bits
 from subdiv_cli.checker.scalar.masks import Symbols
 
 MAX_BETWEEN = 1000
-"""A number between exponents, and its denominator."""
+"""The largest number between exponents, and its largest denominator."""
 
 
 _EXPONENTS: tuple[Fields, ...] = (
@@ -34,7 +34,10 @@ _EXPONENTS: tuple[Fields, ...] = (
 
 
 def exponent(value: object) -> Statement:
-    """Reads a statement on an exponent; which ones there are, the rule knows."""
+    """The statement on an exponent that a value is; which ones there are, the rule knows.
+
+    Raises UnreadableError for any other value.
+    """
     if type(value) is not dict or type(value.get("property")) is not str:
         raise UnreadableError("is no statement")
     keys = value.keys() - {"property"}
@@ -49,9 +52,9 @@ class _Factor(NamedTuple):
     variables: tuple[int, ...]
     certificate: int
     goal: list[Statement]
-    """What its certificate proves."""
+    """The statements that its certificate proves."""
     cosets: int
-    """m_j."""
+    """The number m_j of its cosets."""
 
     def says(self, name: str, holds: Callable[[Statement], bool]) -> bool:
         return any(s["property"] == name and holds(s) for s in self.goal)
@@ -94,7 +97,7 @@ def tensor_product(c: Claim) -> list[_Factor]:
 
 
 def _stated_work(document: object) -> int:
-    """Of all claims of a certificate, whether it is one or not."""
+    """The work that all claims of a certificate state, whether it is one or not."""
     claims = document.get("claims") if type(document) is dict else None
     if type(claims) is not list or any(type(claim) is not dict for claim in claims):
         raise Rejected("a certificate is none")
@@ -111,7 +114,7 @@ def _verified(c: Claim, number: int, document: object) -> tuple[Subject, list[St
 
 
 def _mask(subject: Subject) -> tuple[Sparse, int, list[list[int]]]:
-    """Numerators and their denominator, and the rows of the dilation."""
+    """The numerators of a factor's mask, their denominator, and the rows of its dilation."""
     about = subject.about
     if isinstance(about, SparseMask):
         return about.terms, about.denominator, about.dilation.rows
@@ -157,7 +160,7 @@ def not_smooth(c: Claim) -> None:
 
 
 def of_factor(c: Claim) -> None:
-    """What is said of the exponent of φ_j, or of it from below, holds of that of φ: it is positive, and the least."""
+    """The exponent of φ, or its bound from below, is that of φ_j: it is positive, and the least."""
     factors, said = _factors(c), c.statement["statement"]
     factor = _speaker(c, factors)
     require(said["property"] in _HOLDER + _SOBOLEV, "the statement is not on an exponent, or only from above")
@@ -169,7 +172,7 @@ def of_factor(c: Claim) -> None:
 
 
 def at_most_factor(c: Claim) -> None:
-    """α is at most the number that is said of φ_j, as the exponent of φ is never larger than that of φ_j."""
+    """α is at most the number that is claimed of φ_j, as the exponent of φ is never larger than that of φ_j."""
     _speaker(c, _factors(c))
     require(c.statement["statement"]["property"] in _ABOVE, "the statement does not bound a Hölder exponent from above")
 
@@ -189,7 +192,7 @@ _SOBOLEV = ("sobolev", "sobolev-lower", "sobolev-value")
 
 
 def _require_least(c: Claim, said: Statement, factor: _Factor, others: Sequence[_Factor]) -> None:
-    """The exponent of the factor is at most r, those of the others at least."""
+    """Check that the exponent of the factor is at most r, and those of the others are at least r."""
     r = c.witness["between"]
     require(0 < r <= MAX_BETWEEN and r.denominator <= MAX_BETWEEN, "the number between is out of range")
     require(_is_at_most(c, said, factor, r), "the exponent is not seen to be at most the number between")
@@ -218,7 +221,7 @@ def _is_at_most(c: Claim, s: Statement, factor: _Factor, r: Fraction) -> bool:
 
 
 def _ends(s: Statement) -> tuple[Fraction, Fraction, int]:
-    """low <= x <= high and ℓ of a statement on -log_λ(x)/ℓ."""
+    """The numbers low, high and ℓ of a statement on -log_λ(x)/ℓ, low <= x <= high."""
     if "low" in s:
         return s["low"], s["high"], s.get("length", 2)
     x = s["norm"] if "norm" in s else s["bound"]
@@ -226,7 +229,7 @@ def _ends(s: Statement) -> tuple[Fraction, Fraction, int]:
 
 
 def _power(c: Claim, x: Fraction, length: int, factor: _Factor, r: Fraction) -> Fraction:
-    """(x λ^(ℓr))^(v s) for r = u/v and λ^s = m: rational, and <= 1 iff -log_λ(x)/ℓ >= r."""
+    """The number (x λ^(ℓr))^(v s) for r = u/v and λ^s = m: rational, and <= 1 iff -log_λ(x)/ℓ >= r."""
     u, v = r.as_integer_ratio()
     s, m = len(factor.variables), factor.cosets
     c.spend(2, v * s * fraction_bits(x) + u * length * m.bit_length())

@@ -42,6 +42,7 @@ _PHRASES = {
 
 
 def in_words(statement: Mapping[str, Any], dilation: DilationMatrix) -> str:
+    """A verified statement on a mask on Z^s as a phrase."""
     if statement["property"] not in _PHRASES:
         return on_radii(statement, f"family {statement['family']}")
     holds = statement.get("holds", True)
@@ -58,13 +59,13 @@ def in_words(statement: Mapping[str, Any], dilation: DilationMatrix) -> str:
 
 
 def _variables(statement: Mapping[str, Any]) -> str:
-    """`(z1), (z2, z3)`."""
+    """The variables as text: `(z1), (z2, z3)`."""
     parts = statement.get("parts") or [statement.get("variables", ())]
     return ", ".join(f"({', '.join(f'z{i + 1}' for i in part)})" for part in parts)
 
 
 def _said(statement: Mapping[str, Any], variables: tuple[int, ...], dilation: DilationMatrix) -> str:
-    """What a statement on the exponent of a factor says, as of φ."""
+    """A statement on the exponent of a factor, in the words of one on φ."""
     rows = [[dilation.rows[i][j] for j in variables] for i in variables]
     if len(rows) == 1:
         return scalar.in_words(statement, rows[0][0])
@@ -73,7 +74,7 @@ def _said(statement: Mapping[str, Any], variables: tuple[int, ...], dilation: Di
 
 
 def _base(dilation: DilationMatrix) -> tuple[int, Fraction]:
-    """b and f with log_λ = f log_b, λ = m^(1/s): b the least integer of which m is a power."""
+    """The pair (b, f) with log_λ = f log_b, λ = m^(1/s): b the least integer of which m is a power."""
     s, m = dilation.dimension, dilation.cosets
     base, power = next((b, k) for b in range(2, m + 1) for k in range(1, 13) if b**k == m)
     return base, Fraction(s, power)

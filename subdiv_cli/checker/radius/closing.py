@@ -48,7 +48,7 @@ def closing(c: Claim) -> None:
 
 
 def monotone_closing(c: Claim) -> None:
-    """The same with the monotone hull P of the v >= 0: |M_i z| <= M_i |z| is in σ P for all z in P.
+    """JSR^ℓ = Λ, by the monotone hull P of the v >= 0: |M_i z| <= M_i |z| is in σ P for all z in P.
 
     Every M_i v_u / σ is a vertex, a leader, enclosed inside P, or a tie: at most Σ c_k v_k with c >= 0, Σ c_k <= 1, in
     every coordinate, exactly so or certainly.
@@ -63,7 +63,7 @@ def monotone_closing(c: Claim) -> None:
 
 
 class _Polytope:
-    """Tree, returns, ties, leaders and enclosures of the vertices: what is checked of them all."""
+    """A closed polytope with its tree, returns, ties, leaders and enclosures of the vertices, as they are checked."""
 
     def __init__(self, c: Claim) -> None:
         self._c, self._family, self._root = c, c.family(), isolated_root(c)
@@ -85,13 +85,16 @@ class _Polytope:
         return enclosed(x, at, self._c.witness["bits"])
 
     def require_nonnegative_leaders(self) -> None:
-        """Each coordinate is certainly positive, or zero: m, of a degree above that of its polynomial, divides it."""
+        """Check that each coordinate of a leader is certainly positive, or zero.
+
+        It is zero where m, of a degree above that of its polynomial, divides it.
+        """
         for x, v, error in zip(self._leaders, self._hull, self._errors, strict=False):
             positive = (y > error or not any(power[i] for power in x.powers) for i, y in enumerate(v))
             require(all(positive), "a coordinate of a leader may be negative")
 
     def check_insides(self, make: Callable[..., SymmetricBody | MonotoneBody]) -> None:
-        """All images but edges, returns and ties lie inside, by their weights."""
+        """Check that all images but edges, returns and ties lie inside, by their weights."""
         w = self._c.witness
         hull = make(self._c, self._hull, self._errors, w["basis"], w["weight_bits"], w["bits"] + HEADROOM)
         for u, letter, weights in weighted(self._c, self._tree, {*self._tree.children, *self._returns, *self._ties}):
@@ -174,7 +177,7 @@ def _copies(c: Claim, family: MatrixFamily, vertices: list[list[int]]) -> list[l
 
 
 def _check_complex_insides(c: Claim, family: MatrixFamily, vertices: Vertices, tree: Tree, taken: set[int]) -> None:
-    """All images but those taken lie inside, by their weights."""
+    """Check that all images but those taken lie inside, by their weights."""
     w, n = c.witness, family.order
     copies = _copies(c, family, vertices.vectors)
     errors = vertices.errors * (len(copies) // len(vertices.errors))
@@ -193,7 +196,10 @@ class _Hull(NamedTuple):
     vertices: int
 
     def contains(self, image: Sequence[int], error: int, weights: Sequence[int]) -> bool:
-        """As of `SymmetricBody`, weights k, Re c, Im c, …: c v = Re c · v + Im c · iv has the size |c| and no more."""
+        """Whether an image is inside, as in `SymmetricBody`, by weights k, Re c, Im c, ….
+
+        c v = Re c · v + Im c · iv has the size |c| and no more.
+        """
         numbers, re, im, w = weights[::3], weights[1::3], weights[2::3], self.body.weight_bits
         require(len(numbers) == len(re) == len(im) == len(set(numbers)), "a weight is not complete, or stands twice")
         require(all(0 <= k < self.vertices for k in numbers), "a weight is for a vertex that is not there")

@@ -14,20 +14,20 @@ from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import RealRoot, fraction_bits
 
 MAX_CONJUGATES = 12
-"""Of μ: the polynomial of all products of two of them has half the square of this degree."""
+"""The most conjugates of μ: the polynomial of all products of two of them has half the square of this degree."""
 
 Complex = tuple[Fraction, Fraction]
 
 
 class Disc(NamedTuple):
-    """μ, the only root of the polynomial in |z - center| <= distance; not real."""
+    """A complex number μ, the only root of the polynomial in |z - center| <= distance; not real."""
 
     polynomial: tuple[int, ...]
     center: Complex
     distance: Fraction
 
     def enclosed(self, c: Claim, x: Vector, bits: int) -> tuple[list[int], int]:
-        """Integers v, those of Re x and then those of Im x, and ε with |2^bits x_i - v_i| <= ε for all of them.
+        """The integers v, those of Re x and then those of Im x, and ε with |2^bits x_i - v_i| <= ε for all of them.
 
         At the center the value is exact; the true one differs by at most distance Σ_k k |x_k| (|center| +
         distance)^(k-1), because |μ^k - z^k| <= |μ - z| k max(|μ|, |z|)^(k-1). One unit more for the rounding down.
@@ -52,10 +52,10 @@ class Disc(NamedTuple):
 
 
 def read_disc(c: Claim, factor: Sequence[int], center: Sequence[Fraction], distance: Fraction) -> Disc:
-    """Rouché: with the Taylor coefficients t_k of f at the center, |t_0| + Σ_(k>1) |t_k| r^k < |t_1| r on the circle
-    makes
+    """The disc around an eigenvalue. Raises Rejected unless it isolates one root, which is not real (Rouché).
 
-    f and t_1 (z - center) have equally many zeros in it: one. Moduli are at least the larger and at most the sum of the
+    With the Taylor coefficients t_k of f at the center, |t_0| + Σ_(k>1) |t_k| r^k < |t_1| r on the circle makes f and
+    t_1 (z - center) have equally many zeros in it: one. Moduli are at least the larger and at most the sum of the
     absolute values of real and imaginary part.
     """
     f, d, r = tuple(factor), len(factor) - 1, distance
@@ -72,7 +72,7 @@ def read_disc(c: Claim, factor: Sequence[int], center: Sequence[Fraction], dista
 
 
 def _taylor(f: Sequence[int], z: Complex, k: int) -> Complex:
-    """f^(k)(z)/k!, by Horner's rule."""
+    """The Taylor coefficient f^(k)(z)/k!, by Horner's rule."""
     x, y = Fraction(0), Fraction(0)
     for j in range(len(f) - 1, k - 1, -1):
         x, y = x * z[0] - y * z[1] + comb(j, k) * f[j], x * z[1] + y * z[0]
@@ -100,7 +100,7 @@ def modulus_is(c: Claim, disc: Disc, root: RealRoot) -> bool:
 
 
 def products_of_pairs(f: Sequence[int]) -> list[Fraction]:
-    """Σ_k P_k z^k with the zeros x_i x_j, i < j, x_i those of f, by Newton's identities.
+    """The coefficients of P = Σ_k P_k z^k with the zeros x_i x_j, i < j, x_i those of f, by Newton's identities.
 
     With the power sums p_k of the x_i those of the products are (p_k² - p_(2k))/2.
     """
@@ -121,7 +121,7 @@ def products_of_pairs(f: Sequence[int]) -> list[Fraction]:
 
 
 def quotient(f: Sequence[Fraction], g: Sequence[int]) -> list[Fraction]:
-    """f/g where g divides f."""
+    """The quotient f/g, lowest power first. Raises Rejected where g does not divide f."""
     common = lcm(*(x.denominator for x in f))
     if remainder([x.numerator * (common // x.denominator) for x in f], g):
         raise Rejected("the root's polynomial does not divide that of the products of conjugates")

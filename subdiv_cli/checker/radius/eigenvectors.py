@@ -16,12 +16,12 @@ from subdiv_cli.checker.roots import Enclosure
 def size_of_leader(
     start: Sequence[int], letters: int, family_bits: int, g: Sequence[int], scale: Fraction, m: Sequence[int]
 ) -> list[tuple[int, int]]:
-    """What a product and its `leading_eigenvector` take: operations, and the bits of their numbers.
+    """The operations of a product and its `leading_eigenvector`, with the bits of their numbers.
 
-    start: y; g: the numerators of the annihilator, of degree n, and then their common denominator. A step of the
-    product lengthens its numbers by those of the family, one of the eigenvector by those of the product, one modulo m
-    by those of m. Powers of E take as much as multiplying by them; in the end each number is divided by a common
-    divisor.
+    The argument start is y; g has the numerators of the annihilator, of degree n, and then their common denominator. A
+    step of the product lengthens its numbers by those of the family, one of the eigenvector by those of the product,
+    one modulo m by those of m. Powers of E take as much as multiplying by them; in the end each number is divided by a
+    common divisor.
     """
     order, n, d, steps = len(start), len(g) - 2, len(m) - 1, max(0, len(g) - len(m))
     product = letters * (family_bits + order.bit_length())
@@ -45,24 +45,30 @@ def size_of_leader(
 
 
 def _mean(x: int, y: int) -> int:
-    """The product of a number of x bits and one of y takes what the square of one of so many bits takes."""
+    """A length such that its square takes what the product of a number of x bits and one of y takes."""
     return isqrt((512 + x) * (512 + y)) - 512
 
 
 class Vector(NamedTuple):
-    """Σ_k Λ^k powers[k] / denominator with integer vectors for 0 <= k < d, d the degree of m; denominator > 0."""
+    """The vector Σ_k Λ^k powers[k] / denominator with integer vectors for 0 <= k < d, d the degree of m.
+
+    The denominator is positive.
+    """
 
     powers: list[list[int]]
     denominator: int
 
     @property
     def bits(self) -> int:
+        """The bits of the longest coordinate and of the denominator together."""
         return max(max(map(abs, v)) for v in self.powers).bit_length() + self.denominator.bit_length()
 
     def image(self, matrix: Matrix, denominator: int) -> Vector:
+        """The image of the vector under the matrix over this denominator."""
         return Vector([apply(matrix, v) for v in self.powers], self.denominator * denominator)
 
     def reflected(self) -> Vector:
+        """The vector J x, its coordinates in reverse."""
         return Vector([v[::-1] for v in self.powers], self.denominator)
 
 
@@ -74,7 +80,7 @@ def leading_eigenvector(
     scale: Fraction,
     m: Sequence[int],
 ) -> Vector | None:
-    """x = scale h(Π) y from the start y, h(z) = (g(z) - g(μ))/(z - μ), μ = sign Λ, g(μ) = 0.
+    """The vector x = scale h(Π) y from the start y, h(z) = (g(z) - g(μ))/(z - μ), μ = sign Λ, g(μ) = 0.
 
     None unless (Π - μ) x = scale g(Π) y is zero. Π = P/E. (g(z) - g(t))/(z - t) = Σ_k t^k w_k(z) with w_(n-1) = g_n,
     w_(k-1) = z w_k + g_k, and w_(-1) would be g. Kept are the vectors c E^(n-1-k) w_k(Π) y, c the common denominator
@@ -95,7 +101,7 @@ def leading_eigenvector(
 
 
 def _reduced(powers: list[list[int]], denominator: int, m: Sequence[int]) -> Vector:
-    """Modulo m: Λ^k = -(m_0 Λ^(k-d) + … + m_(d-1) Λ^(k-1)) / m_d."""
+    """The vector modulo m: Λ^k = -(m_0 Λ^(k-d) + … + m_(d-1) Λ^(k-1)) / m_d."""
     d, lead = len(m) - 1, m[-1]
     while len(powers) > d:
         top = powers.pop()
@@ -108,14 +114,17 @@ def _reduced(powers: list[list[int]], denominator: int, m: Sequence[int]) -> Vec
 
 
 def slope_bits(x: Vector, high: Fraction) -> int:
-    """Bits of Σ_k k |x_k| high^(k-1), an upper bound: so many more than a coordinate has Λ to be known to."""
+    """The bits of an upper bound of Σ_k k |x_k| high^(k-1).
+
+    Λ must be known to so many bits more than a coordinate.
+    """
     per_power = max(0, high.numerator.bit_length() - high.denominator.bit_length() + 1)
     largest = [max(map(abs, v)).bit_length() + k.bit_length() + k * per_power for k, v in enumerate(x.powers) if k]
     return max(0, max(largest, default=0) + len(largest).bit_length() - x.denominator.bit_length() + 1)
 
 
 def enclosed(x: Vector, at: Enclosure, bits: int) -> tuple[list[int], int]:
-    """Integers v and ε with |2^bits x_i - v_i| <= ε for all i.
+    """The integers v and ε with |2^bits x_i - v_i| <= ε for all i.
 
     With Λ in [a, a + w]/q the value at a/q is exact, Σ_k x_k a^k q^(d-1-k) / (denominator q^(d-1)), and the true one
     differs by at most w/q Σ_k k |x_k| ((a + w)/q)^(k-1) / denominator. One unit more for each rounding down.
@@ -134,12 +143,12 @@ Terms = Sequence[tuple[Sequence[Fraction], Vector]]
 
 
 def common_denominator(terms: Terms) -> int:
-    """Of all products of a coefficient and a coordinate."""
+    """The common denominator of all products of a coefficient and a coordinate."""
     return lcm(*(c.denominator * x.denominator for cs, x in terms for c in cs))
 
 
 def nonzero_coordinates(terms: Terms, m: Sequence[int]) -> list[int]:
-    """Which coordinates of Σ c(z) x(z), over terms (c, x), m does not divide: the others are zero at Λ."""
+    """The coordinates of Σ c(z) x(z), over terms (c, x), that m does not divide: the others are zero at Λ."""
     unequal, common = [], common_denominator(terms)
     length = max(len(cs) for cs, _ in terms) + len(m)
     factors = [([c.numerator * (common // (c.denominator * x.denominator)) for c in cs], x) for cs, x in terms]

@@ -15,7 +15,10 @@ UPPER = ("radius-upper", "radius", "bounded")
 
 
 def blocks(c: Claim) -> None:
-    """P^-1 M_i P are block triangular, so products have the products of the blocks: JSR is the largest of them."""
+    """P^-1 M_i P are block triangular, so products have the products of the blocks: JSR is the largest of them.
+
+    Raises Rejected where P is singular.
+    """
     family, parts, sizes = c.family(), c.statement["parts"], c.witness["sizes"]
     order, basis = family.order, c.witness["basis"]
     require(len(parts) == len(sizes) >= 2 and min(sizes) >= 1, "there are not two blocks, or not as many as parts")
@@ -52,7 +55,7 @@ def distinct(c: Claim) -> None:
 
 
 def of_distinct(c: Claim) -> None:
-    """What the norms and eigenvalues of products up to sign say is the same for both families."""
+    """The norms and eigenvalues of products up to sign, and so the bounds, are the same for both families."""
     c.count(1)
     part = c.use("distinct", family=c.statement["family"]).statement["part"]
     said = {key: value for key, value in c.statement.items() if key != "property"}
@@ -111,7 +114,7 @@ def lower_of_blocks(c: Claim) -> None:
 
 
 def bound_of(s: Statement) -> Fraction:
-    """x with JSR^length <= x, of a claim that bounds a radius from above."""
+    """The bound x with JSR^length <= x, of a claim that bounds a radius from above."""
     bound: Fraction = s["bound" if s["property"] == "radius-upper" else "high"]
     return bound
 
@@ -142,7 +145,7 @@ def _apply(a: Matrix, y: list[Fraction] | tuple[Fraction, ...]) -> list[Fraction
 
 
 def _product(c: Claim, more_bits: int, fourth_power: bool) -> tuple[Matrix, int]:
-    """The product of the witness's word, of as many letters as the statement's length."""
+    """The N×N product of the witness's word, of as many letters as the statement's length, and its denominator."""
     family, letters = c.family(), c.witness["word"]
     require(len(letters) == c.statement["length"], "the word is of another length")
     require(max(letters) < len(family.matrices), "a letter is not there")

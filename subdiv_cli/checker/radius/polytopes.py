@@ -18,13 +18,13 @@ from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import fraction_bits
 
 _PLACES = 64
-"""Of quotients that are rounded up."""
+"""The binary places of quotients that are rounded up."""
 _FIRST_PLACES = 64
-"""Of long coordinates: with fewer digits a matrix is inverted faster, and κ is known as well as anybody needs."""
+"""The first places to which long coordinates are cut: a matrix is inverted faster, and κ is known well enough."""
 
 
 class SymmetricBody(NamedTuple):
-    """P, the convex hull of all ±v, where every |vertices[k][i] - v_k[i]| <= errors[k], in some unit of length.
+    """The convex hull P of all ±v, where every |vertices[k][i] - v_k[i]| <= errors[k], in some unit of length.
 
     Every vector r lies in factor ‖r‖₁ P.
     """
@@ -37,8 +37,8 @@ class SymmetricBody(NamedTuple):
     def contains(self, image: Sequence[int], over: int, error: int, weights: Sequence[int]) -> bool:
         """Whether a vector is in P that differs from image/over by at most error/over in every coordinate.
 
-        weights is k_1, c_1, k_2, c_2, …: with r = image/over - Σ (c_k/2^w) v_k, up to the errors of all of them, it is
-        in (Σ |c_k|/2^w + factor ‖r‖₁) P. All is multiplied by over 2^w.
+        The weights are k_1, c_1, k_2, c_2, …: with r = image/over - Σ (c_k/2^w) v_k, up to the errors of all of them,
+        it is in (Σ |c_k|/2^w + factor ‖r‖₁) P. All is multiplied by over 2^w.
         """
         numbers, cs, w = weights[::2], weights[1::2], self.weight_bits
         require(len(numbers) == len(cs) == len(set(numbers)), "a weight has no vertex, or a vertex has two")
@@ -55,11 +55,12 @@ class SymmetricBody(NamedTuple):
 def body(
     c: Claim, vertices: list[list[int]], errors: list[int], basis: Sequence[int], weight_bits: int, bits: int
 ) -> SymmetricBody:
-    """From the numbers of N vertices that span, known as well as they are.
+    """The symmetric body of these vertices, with a basis of N of them that span, known as well as they are.
 
     With V the matrix of these columns, cut to their first binary places if that is enough, κ = ‖V^-1‖₁, and V + Δ the
     true one, |Δ_ij| <= ε, the column sums of V^-1 Δ are at most η = κ N ε. If η < 1, V + Δ = V (1 + V^-1 Δ) is
-    invertible and ‖(V + Δ)^-1‖₁ <= κ/(1 - η). Here η <= 1/2.
+    invertible and ‖(V + Δ)^-1‖₁ <= κ/(1 - η). Here η <= 1/2. Raises Rejected where the basis does not span or is not
+    known well enough.
     """
     order = len(vertices[0])
     require(len(basis) == order, "the basis has not as many vertices as coordinates")
@@ -77,7 +78,7 @@ def body(
 
 
 class MonotoneBody(NamedTuple):
-    """P, all x with |x| <= Σ c_k v_k, c >= 0, Σ c_k <= 1, where v_k >= 0 and |vertices[k][i] - v_k[i]| <= errors[k].
+    """The set P of all x with |x| <= Σ c_k v_k, c >= 0, Σ c_k <= 1, v_k >= 0, |vertices[k][i] - v_k[i]| <= errors[k].
 
     Coordinate i of some vertex b is at least floors[i] > 0: P is the unit ball of a norm, and an r >= 0 is below
     Σ_i r_i/floors[i] v_b.
@@ -91,9 +92,9 @@ class MonotoneBody(NamedTuple):
     def contains(self, image: Sequence[int], over: int, error: int, weights: Sequence[int]) -> bool:
         """Whether a vector >= 0 is in P that differs from image/over by at most error/over in every coordinate.
 
-        weights is k_1, c_1, k_2, c_2, …: with r_i the positive parts of image/over - Σ (c_k/2^w) v_k, up to the errors
-        of all of them, it is below Σ c_k/2^w + Σ_i r_i/floors[i] times a convex combination. All is multiplied by
-        over 2^w, and each quotient rounded up.
+        The weights are k_1, c_1, k_2, c_2, …: with r_i the positive parts of image/over - Σ (c_k/2^w) v_k, up to the
+        errors of all of them, it is below Σ c_k/2^w + Σ_i r_i/floors[i] times a convex combination. All is multiplied
+        by over 2^w, and each quotient rounded up.
         """
         numbers, cs, w = weights[::2], weights[1::2], self.weight_bits
         require(len(numbers) == len(cs) == len(set(numbers)), "a weight has no vertex, or a vertex has two")
@@ -111,7 +112,10 @@ class MonotoneBody(NamedTuple):
 def monotone_body(
     c: Claim, vertices: list[list[int]], errors: list[int], basis: Sequence[int], weight_bits: int, bits: int
 ) -> MonotoneBody:
-    """Of vertices that are known not to be negative; `basis` has a vertex for each coordinate, positive there."""
+    """The monotone body of vertices that are known not to be negative.
+
+    `basis` has a vertex for each coordinate, positive there.
+    """
     order = len(vertices[0])
     require(len(basis) == order, "the basis has not as many vertices as coordinates")
     require(max(basis) < len(vertices), "the basis has a vertex that is not there")
@@ -122,7 +126,7 @@ def monotone_body(
 
 
 def require_nonnegative(family: MatrixFamily) -> None:
-    """No matrix of the family has a negative entry."""
+    """Raise Rejected where a matrix of the family has a negative entry."""
     entries = (x for matrix in family.matrices for row in matrix for x in row)
     require(all(x >= 0 for x in entries), "a matrix has a negative entry")
 
@@ -136,6 +140,7 @@ def reflected(c: Claim, family: MatrixFamily, vertices: list[list[int]]) -> list
 
 
 def weight_count(c: Claim) -> int:
+    """The number of pairs of a vertex and a weight, over all images."""
     return sum(map(len, c.witness["images"])) // 2
 
 
@@ -152,7 +157,7 @@ def monotone_polytope(c: Claim) -> None:
 
 
 def check_images(c: Claim, make: Callable[..., SymmetricBody | MonotoneBody]) -> None:
-    """All images of the vertices, divided by x, lie in the body that `make` makes of them."""
+    """Check that all images of the vertices, divided by x, lie in the body that `make` makes of them."""
     family, x, w = c.family(), c.statement["bound"], c.witness
     given, images, p, order = w["vertices"], w["images"], len(family.matrices), family.order
     require(c.statement["length"] == 1 and x > 0, "the length is not 1, or the bound is not positive")

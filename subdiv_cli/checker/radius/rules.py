@@ -14,18 +14,18 @@ from subdiv_cli.checker.radius import closing, families, polytopes
 from subdiv_cli.checker.reading import MAX_DEGREE, MAX_ORDER, MAX_VERTICES, Fields, reader, record, several
 
 MAX_COORDINATE = 40
-"""Decimal digits of a coordinate."""
+"""The most decimal digits of a coordinate."""
 
 
 def _column(value: object) -> int | tuple[int, ...]:
-    """A number, or the coefficients of a combination of columns."""
+    """The number of a column, or the coefficients of a combination of columns."""
     kind = several("integer", MAX_ORDER) if type(value) is list else reader("natural")
     column: int | tuple[int, ...] = kind(value)
     return column
 
 
 def _element(value: object) -> tuple[Fraction, ...]:
-    """A number, or a polynomial in Λ, the constant first."""
+    """The coefficients of a polynomial in Λ, the constant first; a number is one."""
     return several(fraction, MAX_DEGREE)(value) if type(value) is list else (fraction(value),)
 
 
@@ -80,11 +80,12 @@ _RULES = {
 
 
 def of_matrices(statement: Mapping[str, Any]) -> str:
-    """The family of the document needs no name."""
+    """A statement on the family of the document, which needs no name, as a phrase."""
     return on_radii(statement, f"family {statement['family']}" if statement["family"] else "")
 
 
 def on_radii(statement: Mapping[str, Any], name: str) -> str:
+    """A statement on the joint spectral radius of the family with this name, as a phrase."""
     s = {key: shown(value) for key, value in statement.items()}
     power = f"^{s['length']}" if statement.get("length", 1) > 1 else ""
     s["jsr"] = f"JSR{'(' if name else ''}{name}{')' if name else ''}{power}"
@@ -101,7 +102,7 @@ def on_radii(statement: Mapping[str, Any], name: str) -> str:
 
 
 def root(s: Mapping[str, Any]) -> str:
-    """The root of a polynomial, or the number where the polynomial is of degree 1."""
+    """The root of a polynomial as text, or the number where the polynomial is of degree 1."""
     m = s["polynomial"]
     if len(m) == 2 and m[1]:
         return shown(Fraction(-m[0], m[1]))
@@ -114,7 +115,7 @@ def root(s: Mapping[str, Any]) -> str:
 
 
 def shown(value: object) -> str:
-    """Short, whatever the size: Python refuses to write long integers."""
+    """A value as short text, whatever its size: Python refuses to write long integers."""
     if isinstance(value, tuple):
         return ", ".join(map(shown, value[:8])) + (", …" if len(value) > 8 else "")
     if isinstance(value, Fraction | int) and max(abs(value.numerator), value.denominator) >= 10**40:

@@ -1,6 +1,6 @@
 """Ties of a closed polytope: images that are combinations of vertices exactly, by numbers in Q[Λ].
 
-These are polynomials in Λ with the constant first; what m divides is zero, m(Λ) = 0.
+These numbers are polynomials in Λ with the constant first; what m divides is zero, m(Λ) = 0.
 """
 
 from __future__ import annotations
@@ -20,11 +20,14 @@ from subdiv_cli.checker.roots import Enclosure, RealRoot, fraction_bits
 
 Element = Sequence[Fraction]
 Smaller = Callable[[dict[str, Any], Sequence[tuple[Fraction, Fraction]], int], bool]
-"""Whether a coordinate of a tie's image is certainly at most that of the combination, whose weights are enclosed."""
+"""A function that decides whether a coordinate of a tie's image is certainly at most that of the combination.
+
+The weights of the combination are enclosed.
+"""
 
 
 def ties_work(c: Claim, family: MatrixFamily, root: RealRoot, tree: Tree) -> int:
-    """n d N², and for each tie N g (g + its weights), g = d + the span of 0 and its e_k + the longest weight.
+    """The work n d N², and for each tie N g (g + its weights), g = d + the span of 0 and its e_k + the longest weight.
 
     With σ besides d² for every product: ℓ, and (1 + its weights) (the span of its e_k) for each tie.
     """
@@ -40,9 +43,9 @@ def ties_work(c: Claim, family: MatrixFamily, root: RealRoot, tree: Tree) -> int
 
 
 def _exponents(c: Claim, tree: Tree, tie: dict[str, Any]) -> list[int]:
-    """The e_k with M_i X_u = Σ c_k Λ^(e_k) X_k where v = X/σ^depth: depth(u) + 1 - depth(k) = ℓ e_k; with σ for Λ
+    """The exponents e_k with M_i X_u = Σ c_k Λ^(e_k) X_k where v = X/σ^depth.
 
-    where that is given, and then 1 for ℓ.
+    They satisfy depth(u) + 1 - depth(k) = ℓ e_k; with σ for Λ where that is given, and then 1 for ℓ.
     """
     n, exponents = len(tree.parents), []
     length = 1 if "sigma" in c.witness else c.statement["length"]
@@ -87,7 +90,7 @@ class ExactTies:
         return bounds(x, self._at)
 
     def check(self, tie: dict[str, Any], smaller: Smaller | None) -> None:
-        """M_i v_u / σ = Σ c_k v_k and Σ |c_k| <= 1.
+        """Check that M_i v_u / σ = Σ c_k v_k and Σ |c_k| <= 1.
 
         With `smaller` c_k >= 0, and the image may be smaller in a coordinate.
         """
@@ -103,7 +106,7 @@ class ExactTies:
         require(all(smaller(tie, ranges, i) for i in unequal), f"the tie of {where} does not hold")
 
     def _check_sum(self, weights: Sequence[Element], ranges: Sequence[tuple[Fraction, Fraction]]) -> None:
-        """Σ |c_k| - 1 is zero at Λ, or enclosed below."""
+        """Check that Σ |c_k| - 1 is zero at Λ, or enclosed below."""
         require(all(low >= 0 or high <= 0 for low, high in ranges), "a weight of a tie may have both signs")
         excess = [Fraction(-1)] + [Fraction(0)] * (max(map(len, weights), default=1) - 1)
         for weight, (low, _) in zip(weights, ranges, strict=True):
@@ -114,7 +117,7 @@ class ExactTies:
         require(few, "the weights of a tie are more than 1")
 
     def _terms(self, tie: dict[str, Any], weights: Sequence[Element]) -> list[tuple[Element, Vector]]:
-        """Both sides times a power of Λ, or of σ, where some e_k < 0; the left one with a minus."""
+        """The terms of both sides times a power of Λ, or of σ, where some e_k < 0; the left one with a minus."""
         c, n = self._c, len(self._tree.parents)
         exponents = _exponents(c, self._tree, tie)
         shift = -min([0, *exponents])
@@ -139,7 +142,7 @@ class ExactTies:
 
 
 def _exact(c: Claim, family: MatrixFamily, tree: Tree, leaders: list[Vector]) -> dict[int, Vector]:
-    """X_u for the vertices in ties and those they come from, X a leader or M_letter X_parent."""
+    """The exact vectors X_u of the vertices in ties and those they come from, X a leader or M_letter X_parent."""
     n, needed = len(tree.parents), set()
     for tie in c.witness["ties"]:
         needed |= {tie["vertex"], *(share["vertex"] % n for share in tie["weights"])}
@@ -158,15 +161,17 @@ def _exact(c: Claim, family: MatrixFamily, tree: Tree, leaders: list[Vector]) ->
 
 
 def element_bits(x: Element) -> int:
+    """The bits of all coefficients of a polynomial in Λ."""
     return sum(map(fraction_bits, x))
 
 
 def longest_numerator(x: Element) -> int:
-    """In bits."""
+    """The bits of the longest numerator of a polynomial in Λ."""
     return max((c.numerator.bit_length() for c in x), default=0)
 
 
 def times(x: Element, y: Element) -> Element:
+    """The product of two polynomials in Λ, not reduced modulo m."""
     product = [Fraction(0)] * (len(x) + len(y) - 1)
     for i, a in enumerate(x):
         for j, b in enumerate(y):
@@ -175,7 +180,7 @@ def times(x: Element, y: Element) -> Element:
 
 
 def power(x: Element, n: int, m: Sequence[int]) -> Element:
-    """x^n, of a degree below that of m where n >= 1."""
+    """The power x^n, of a degree below that of m where n >= 1."""
     result: Element = [Fraction(1)]
     for _ in range(n):
         result = _reduced(times(result, x), m)
@@ -201,7 +206,7 @@ def is_zero(x: Element, m: Sequence[int]) -> bool:
 
 
 def bounds(x: Element, at: Enclosure) -> tuple[Fraction, Fraction]:
-    """low <= x(Λ) <= high: the value at the lower end a/q, and Λ is at most w/q away.
+    """The bounds low <= x(Λ) <= high: the value at the lower end a/q, and Λ is at most w/q away.
 
     |x'| is at most Σ_k k |x_k| ((a + w)/q)^(k-1) between.
     """

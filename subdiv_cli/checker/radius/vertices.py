@@ -19,26 +19,27 @@ from subdiv_cli.checker.reading import MAX_VERTICES, Rejected, require, require_
 from subdiv_cli.checker.roots import RealRoot, enclose, fraction_bits, inverse_scale
 
 HEADROOM = 64
-"""A coordinate is below 2^64."""
+"""The bits of a coordinate, which is below 2^64."""
 EXTRA_BITS = 30
-"""An extra vertex is integers / 2^30."""
+"""The binary places of an extra vertex, integers / 2^30."""
 
 
 class Tree(NamedTuple):
-    """How the vertices arise, reflections aside: leaders first, then what comes of them and of extra vertices."""
+    """The origins of the vertices, reflections aside: leaders first, then what comes of them and of extra vertices."""
 
     letters: int
     parents: list[int]
-    """-1 for a leader or an extra vertex."""
+    """The parent of each vertex; -1 for a leader or an extra vertex."""
     by: list[int]
     """The letter that makes the vertex of its parent; of an extra vertex its number."""
     depths: list[int]
-    """Edges from the leader; below zero for extra vertices and what comes of them."""
+    """The edges from the leader; below zero for extra vertices and what comes of them."""
     children: dict[int, int]
-    """By image."""
+    """The vertex that each image is, by the number of the image."""
 
 
 def read_tree(c: Claim, family: MatrixFamily) -> Tree:
+    """The tree of the claim's witness. Raises Rejected for one that is not well formed, Exhausted for a large one."""
     leaders, pairs, extras, p = len(c.witness["leaders"]), c.witness["tree"], c.witness["extras"], len(family.matrices)
     require(leaders > 0, "there is no leader")
     require(len(pairs) % 2 == 0, "there is half an edge")
@@ -78,10 +79,10 @@ def returns_of(c: Claim, tree: Tree, length: int) -> set[int]:
 
 
 def leader_of(c: Claim, family: MatrixFamily, leader: dict[str, Any], sign: int, m: Sequence[int]) -> Vector:
-    """x with Π x = sign γ x, exactly, γ any zero of m: g(Π) y = 0 and m(z) divides g(sign z), y = e_j or as given.
+    """The vector x with Π x = sign γ x, exactly, γ any zero of m: g(Π) y = 0 and m(z) divides g(sign z).
 
-    The word has been looked at. Where the leader is reflected, Π is J times the word's product, and Π² = ± the product
-    of the mirrored word times that.
+    y = e_j or as given. The word has been looked at. Where the leader is reflected, Π is J times the word's product,
+    and Π² = ± the product of the mirrored word times that. Raises Rejected where x is not such a vector.
     """
     order, g = family.order, leader["annihilator"]
     require(sign != 0 and leader["scale"] > 0, "the sign of a leader is not 1 or -1, or its scale not positive")
@@ -105,7 +106,7 @@ def leader_of(c: Claim, family: MatrixFamily, leader: dict[str, Any], sign: int,
 
 
 def _start(column: int | tuple[int, ...], order: int) -> Sequence[int]:
-    """e_j, or the combination of these that is given."""
+    """The unit vector e_j, or the combination of these that is given, with N coordinates."""
     if isinstance(column, int):
         require(column < order, "the column of a leader is not there")
         return [int(i == column) for i in range(order)]
@@ -114,10 +115,10 @@ def _start(column: int | tuple[int, ...], order: int) -> Sequence[int]:
 
 
 class Vertices:
-    """Vertices as integers / 2^bits, each with one error for all its coordinates, in units of 2^-bits."""
+    """The vertices as integers / 2^bits, each with one error for all its coordinates, in units of 2^-bits."""
 
     def __init__(self, c: Claim, family: MatrixFamily, root: RealRoot, more_bits: int = 0) -> None:
-        """Λ is enclosed in `at`, with so many more bits than the vertices have."""
+        """Enclose Λ in `at`, with so many more bits than the vertices have."""
         bits = c.witness["bits"]
         tiny = max(0, root.low.denominator.bit_length() - root.low.numerator.bit_length() + 1)
         self.at = enclose(c, root, bits + 2 * tiny + 2 + more_bits)
@@ -130,7 +131,7 @@ class Vertices:
         self.errors: list[int] = []
 
     def grow(self, tree: Tree, leaders: Iterable[tuple[list[int], int]]) -> None:
-        """The leaders, none of which may be zero, and then the tree."""
+        """Compute the leaders, none of which may be zero, and then the tree."""
         for v, error in leaders:
             require(max(map(abs, v)) > error, "a leader may be zero")
             self._add(v, error)
@@ -151,7 +152,7 @@ class Vertices:
         self.errors.append(error)
 
     def image(self, u: int, letter: int) -> tuple[list[int], int]:
-        """M_letter v_u / σ, rounded down, and its error.
+        """The vector M_letter v_u / σ, rounded down, and its error.
 
         With g = 1/σ in [G, G + γ]/2^bits, v = w + δ, |δ_i| <= ε: g M v - (G/2^bits) M w = g M δ + (g - G/2^bits) M w is
         at most g ‖M‖∞ ε + (γ/2^bits) max |M w|. One unit more for each of the two roundings.
@@ -163,7 +164,7 @@ class Vertices:
 
 
 def weighted(c: Claim, tree: Tree, taken: set[int]) -> Iterator[tuple[int, int, list[int]]]:
-    """(u, letter, weights) of all images but those taken, in order; there must be weights for each of them."""
+    """The triples (u, letter, weights) of all images but those taken, in order; each of them must have weights."""
     insides = [image for image in range(len(tree.parents) * tree.letters) if image not in taken]
     given = c.witness["images"]
     require(len(insides) == len(given), f"there are {len(insides)} images inside, not as many as weights")

@@ -17,7 +17,7 @@ def error_bound(c: Claim) -> None:
     """‖S_ν^∞ g - S_ν^k g‖∞ <= C μ^⌊k/L⌋ ‖Δg‖∞ for all g and k, S_ν^k g the polygon with its vertices at i p^-k.
 
     S_ν - U = e(Δ·) with U the linear spline and E the norm of e; the terms of Σ_(i>=k) E ‖((1/p)S_(ν+1))^i‖ are at most
-    E M μ^⌊i/L⌋, M the largest norm below L. So C = E L/(1-μ) M.
+    E M μ^⌊i/L⌋, M the largest norm below L. So C = E L/(1-μ) M. Raises Rejected where the sum rules have no quotient.
     """
     nu, level, p = c.statement["nu"], c.statement["level"], c.p
     used = c.use("sum-rules", mask=0)
@@ -40,7 +40,10 @@ def error_bound(c: Claim) -> None:
 
 
 def _distance(symbol: Polynomial, p: int) -> Fraction:
-    """E, the largest class sum of |e|, with symbol - z^-(p-1) σ²/p = (1-z^p) z^-p e: running sums of each class."""
+    """The norm E, the largest class sum of |e|, with symbol - z^-(p-1) σ²/p = (1-z^p) z^-p e.
+
+    By running sums of each class.
+    """
     spline = times_sigma(Polynomial(1 - p, (1,), p), p, 2)
     d = add(symbol, times(spline, -1))
     largest = 0

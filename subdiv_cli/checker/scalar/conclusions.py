@@ -119,7 +119,7 @@ def holder_exact(c: Claim) -> None:
 
 
 def contracts(c: Claim, norm: Statement, nu: int) -> None:
-    """That (1/p)S_ν contracts, from ‖S_(Δ^ν')^L‖ < p^(-(ν-1)L), ν' >= ν; the norm is that of p^((ν'-1)L) S_(Δ^ν')^L.
+    """Check that (1/p)S_ν contracts, from ‖S_(Δ^ν')^L‖ < p^(-(ν-1)L), ν' >= ν; the norm is of p^((ν'-1)L) S_(Δ^ν')^L.
 
     The joint spectral radius of S_(Δ^ν) is the largest of p^-ν, …, p^(1-ν') and that of S_(Δ^ν').
     """
@@ -129,5 +129,6 @@ def contracts(c: Claim, norm: Statement, nu: int) -> None:
 
 
 def power(c: Claim, x: Fraction, exponent: int) -> Fraction:
+    """The power x^exponent, whose work is counted."""
     c.count(1, (x.numerator.bit_length() + x.denominator.bit_length()) * exponent)
     return Fraction(x**exponent)

@@ -1,4 +1,4 @@
-"""What joint spectral radii say of a scalar mask: the families of S_(Δ^ν), and the Hölder exponent α by their radius.
+"""Rules on joint spectral radii of a scalar mask: the families of S_(Δ^ν), and the Hölder exponent α by their radius.
 
 φ, p, k, q, D as in `symbols` and `conclusions`. Attained: with n the largest integer below α, n >= 0, the n-th
 derivative of φ has the Hölder exponent α - n itself.
@@ -28,7 +28,10 @@ from subdiv_cli.checker.scalar.masks import symbol_of, use_reductions
 
 
 def transition(c: Claim) -> None:
-    """The new family is that of the transition matrices of S_(Δ^ν), symbol σ^(k-ν) q = a/σ^ν."""
+    """The new family is that of the transition matrices of S_(Δ^ν), symbol σ^(k-ν) q = a/σ^ν.
+
+    Raises Rejected where the sum rules have no quotient.
+    """
     nu, p = c.statement["nu"], c.p
     symbol_of(c)
     used = c.use("sum-rules", mask=c.statement["mask"])
@@ -53,7 +56,7 @@ def positive_symbol(c: Claim) -> None:
     times it; the rows of C^L are rows of D^L. G is C on symmetric sequences, so (C^L)_00 = (G^L)_00 and ρ(G) <= ρ(C).
     Σ (G^L)_00 x^L has coefficients >= 0, so by Pringsheim's theorem its first pole, 1/ρ(G), is positive, and ρ(G) is
     the largest real root of f = det(z - G). Where all its roots of modulus Λ are simple, G^L is at most a constant
-    times Λ^L.
+    times Λ^L. Raises Rejected where the sum rules have no quotient, or the length is not 1.
     """
     m, low, _ = isolated_root(c)
     family = c.use("family", family=c.statement["family"]).statement
@@ -80,7 +83,7 @@ def positive_symbol(c: Claim) -> None:
 
 
 def _positive_on_circle(c: Claim, q: Polynomial, h: int) -> None:
-    """q_c(z) = H(z + 1/z) with H(y) = (y+2)^e s(y)² r(y), r > 0 on [-2, 2]."""
+    """Check that q_c(z) = H(z + 1/z) with H(y) = (y+2)^e s(y)² r(y), r > 0 on [-2, 2]."""
     s, r, e = c.witness["squares"], c.witness["rest"], c.witness["power"]
     require(min(s.start, r.start) >= 0, "a factor has negative powers")
     require(s.length <= h + 1 and r.length <= h + 1, "a factor is of too high a degree")
@@ -132,7 +135,7 @@ def attained_bounded(c: Claim) -> None:
 
 
 def attained_norm(c: Claim) -> None:
-    """The same, from one norm that is p^(-αL) or less: α = ν and ‖((1/p)S_ν)^L‖∞ <= p^-L, or ‖D^L‖∞ = p^(-αL)."""
+    """p^(αL) ‖S_(Δ^ν)^L‖ is bounded, by one norm: α = ν and ‖((1/p)S_ν)^L‖∞ <= p^-L, or ‖D^L‖∞ = p^(-αL)."""
     c.count(1)
     norm = c.use("norm").statement
     used = c.use("holder", "holder-root").statement
@@ -165,7 +168,7 @@ def not_attained(c: Claim) -> None:
 
 
 def _rational_exponent(holder: Statement) -> tuple[Fraction, int]:
-    """x and L with α = -log_p(x)/L."""
+    """The numbers x and L of α = -log_p(x)/L."""
     if holder["property"] == "holder":
         return holder["norm"], holder["level"]
     exact = root_of(holder).rational

@@ -19,6 +19,7 @@ class Symbols(list[Polynomial]):
 
 
 def subject(parts: dict[str, Any]) -> Subject:
+    """The mask of a document, from its parts. Raises Rejected for an arity out of bounds and for zero."""
     require(2 <= parts["arity"] <= MAX_ARITY, f"the arity is not one of 2, …, {MAX_ARITY}")
     symbol = read("polynomial", {key: parts[key] for key in ("start", "coefficients")}, "the mask")
     require(bool(symbol.numerators), "the mask is zero")
@@ -26,6 +27,7 @@ def subject(parts: dict[str, Any]) -> Subject:
 
 
 def symbols_of(c: Claim) -> Symbols:
+    """The symbols of the document that the claim is in."""
     symbols: Symbols = c.about
     return symbols
 
@@ -39,19 +41,19 @@ def symbol_of(c: Claim) -> Polynomial:
 
 
 def use_reductions(c: Claim, mask: int) -> list[Polynomial]:
-    """0 -> 1, …, mask-1 -> mask, and their factors."""
+    """The factors of the reductions 0 -> 1, …, mask-1 -> mask, which the claim uses."""
     used = [c.use("reduction", **{"from": i, "to": i + 1}) for i in range(mask)]
     return [proved.result for proved in used if proved.result is not None]
 
 
 def plain(arity: int, start: int, coefficients: list[Fraction]) -> PlainMask:
-    """Without zeros at its ends."""
+    """The mask in its normal form, without zeros at its ends."""
     support = [i for i, c in enumerate(coefficients) if c] or [0]
     return PlainMask("scalar", (arity, start + support[0], tuple(coefficients[support[0] : support[-1] + 1])))
 
 
 def of_file(document: Mapping[str, Any]) -> PlainMask | None:
-    """`arity`, which may be left out, `start` and `coefficients`."""
+    """The mask of a file: `arity`, which may be left out, `start` and `coefficients`."""
     table = document.get("mask")
     if type(table) is not dict or not {"start", "coefficients"} <= table.keys() <= {"arity", "start", "coefficients"}:
         return None
@@ -62,4 +64,5 @@ def of_file(document: Mapping[str, Any]) -> PlainMask | None:
 
 
 def of_certificate(mask: Mapping[str, Any]) -> PlainMask:
+    """The mask in its normal form, from the part of a verified certificate under `mask`."""
     return plain(mask["arity"], mask["start"], [Fraction(c) for c in mask["coefficients"]])

@@ -1,4 +1,4 @@
-"""The rule on the Sobolev exponent s of φ, and how fast powers of a matrix grow, exactly, which masks on Z^s ask too.
+"""The rule on the Sobolev exponent s of φ, and exact growth rates of the powers of a matrix, for masks on Z^s too.
 
 q is the quotient of the sum-rules claim, n its degree, b(z) = q(z) q(1/z), and N_L = p^-L Σ_i |q^[L]_i|² with
 q^[L](z) = Π_(j<L) q(z^(p^j)). For stable φ, s = -log_p(λ)/2 with λ = lim sup N_L^(1/L).
@@ -27,7 +27,7 @@ from subdiv_cli.checker.scalar.masks import symbols_of, use_reductions
 def sobolev(c: Claim) -> None:
     """s = -log_p(λ)/2, λ the only zero of f in [x, y].
 
-    N_L = (G^L e_0)_0 with G as in `_transfer`.
+    N_L = (G^L e_0)_0 with G as in `_transfer`. Raises Rejected where the sum rules have no quotient.
     """
     p = c.p
     mask = c.use("stable", holds=True).statement["mask"]
@@ -46,9 +46,10 @@ def sobolev(c: Claim) -> None:
 
 
 def _transfer(q: Polynomial, p: int, order: int) -> Matrix:
-    """The numerators of G: b_(pi-j) + b_(pi+j) for j > 0, and b_(pi), over p times the denominator of b.
+    """The order×order numerators of G: b_(pi-j) + b_(pi+j) for j > 0, and b_(pi), over p times the denominator of b.
 
-    That of f -> (1/p) Σ_j b_(pi-j) f_j on symmetric sequences over -(order-1), …, order-1, which it maps to such.
+    G is the matrix of f -> (1/p) Σ_j b_(pi-j) f_j on symmetric sequences over -(order-1), …, order-1, which it maps to
+    such.
     """
     numerators = q.numerators
     b = [sum(map(mul, numerators, numerators[t:])) for t in range(len(numerators))]
@@ -63,7 +64,7 @@ _PRIMES = ((1 << 61) - 1, (1 << 89) - 1)
 
 
 def degree_of_annihilator(c: Claim) -> int:
-    """That of g."""
+    """The degree of g."""
     f, cofactor = c.statement["polynomial"], c.witness["cofactor"]
     require(f.start == 0 and f.length > 1, "the polynomial is constant or vanishes at 0")
     require(cofactor.start >= 0 and cofactor.length > 0, "the cofactor is no polynomial, or zero")
@@ -71,7 +72,7 @@ def degree_of_annihilator(c: Claim) -> int:
 
 
 def count_growth(c: Claim, operations: int, degree: int, step: int) -> None:
-    """Counts operations on entries that grow by `step` bits at each of `degree` steps, and on the polynomials."""
+    """Count operations on entries that grow by `step` bits at each of `degree` steps, and on the polynomials."""
     f, cofactor, x, y = c.statement["polynomial"], c.witness["cofactor"], c.statement["low"], c.statement["high"]
     longest = (degree + 1) * (step + fraction_bits(x) + fraction_bits(y)) + f.bits + cofactor.bits
     c.count(operations, isqrt((512 + step) * (512 + longest)) - 512)  # long times short numbers
@@ -79,7 +80,7 @@ def count_growth(c: Claim, operations: int, degree: int, step: int) -> None:
 
 
 def require_growth(c: Claim, image: Callable[[list[int]], list[int]], v: list[int], denominator: int) -> None:
-    """That lim sup N_L^(1/L) is the only zero of f in [x, y]; `image` gives the numerators of G v."""
+    """Check that lim sup N_L^(1/L) is the only zero of f in [x, y]; `image` gives the numerators of G v."""
     f, cofactor, x, y = c.statement["polynomial"], c.witness["cofactor"], c.statement["low"], c.statement["high"]
     require(0 < x <= y, "the interval is not one of positive numbers")
     _check_zeros(f.numerators, [0] * cofactor.start + list(cofactor.numerators), x, y)
@@ -99,7 +100,10 @@ def require_growth(c: Claim, image: Callable[[list[int]], list[int]], v: list[in
 
 
 def _check_zeros(f: Sequence[int], cofactor: Sequence[int], x: Fraction, y: Fraction) -> None:
-    """f increases from x on, f(x) <= 0 <= f(y), and the cofactor is positive from x on, by Taylor coefficients at x."""
+    """Check that f increases from x on, f(x) <= 0 <= f(y), and the cofactor is positive from x on.
+
+    By Taylor coefficients at x.
+    """
     at_f, at_c = _taylor(f, x), _taylor(cofactor, x)
     require(f[-1] > 0 and min(at_f[1:]) >= 0, "the polynomial is not seen to increase from the lower end on")
     require(at_f[0] <= 0 <= _taylor(f, y)[0], "the polynomial has no change of sign in the interval")
@@ -117,9 +121,9 @@ def _taylor(f: Sequence[int], x: Fraction) -> list[int]:
 
 
 def _coprime_modulo(f: Sequence[int], g: Sequence[int], prime: int) -> bool:
-    """Whether f and g have no common factor modulo a prime that does not divide the leading coefficient of f: then
+    """Whether f and g have no common factor modulo a prime that does not divide the leading coefficient of f.
 
-    they have none over Q, as it would be one modulo the prime, of the same degree.
+    Then they have none over Q, as it would be one modulo the prime, of the same degree.
     """
     a, b = [c % prime for c in f], [c % prime for c in g]
     if not a[-1]:

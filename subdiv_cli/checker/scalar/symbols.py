@@ -34,11 +34,11 @@ from subdiv_cli.checker.roots import fraction_bits
 from subdiv_cli.checker.scalar.masks import symbol_of, symbols_of
 
 MAX_LEVEL = 64
-"""Of a norm: a longer iterated symbol is too long anyway, unless the symbol is constant."""
+"""The highest level of a norm: a longer iterated symbol is too long anyway, unless the symbol is constant."""
 MAX_PRODUCT = 5_000_000
-"""Coefficients of an iterated symbol."""
+"""The most coefficients of an iterated symbol."""
 MAX_PACKED = 1 << 30
-"""Bits of all of them together."""
+"""The most bits of all of them together."""
 
 
 def residue_sums(c: Claim) -> None:
@@ -156,7 +156,7 @@ def independent(c: Claim) -> None:
 
 
 def dependent(c: Claim) -> None:
-    """They are not: the components have a common factor, or a has a cycle."""
+    """The translates of φ are not linearly independent: the components have a common factor, or a has a cycle."""
     a = symbol_of(c)
     c.count(a.length**2, a.bits)
     require(a.sum_is(c.p), "a(1) is not the arity")
@@ -184,7 +184,7 @@ def stable(c: Claim) -> None:
 
 
 def unstable(c: Claim) -> None:
-    """They are not: a common factor of the components vanishes somewhere on |z| = 1, or a has a cycle."""
+    """The translates of φ are not stable: a common factor of the components vanishes on |z| = 1, or a has a cycle."""
     a = symbol_of(c)
     c.count(a.length**3, a.bits)
     require(a.sum_is(c.p), "a(1) is not the arity")
@@ -210,7 +210,7 @@ def reduction(c: Claim) -> Polynomial:
 
 
 def _order_at_least(c: Claim, order: int) -> tuple[Polynomial, int]:
-    """(q, k) from the sum-rules claim that is used next; k >= order >= 1."""
+    """The pair (q, k) from the sum-rules claim that is used next; k >= order >= 1."""
     symbol_of(c)
     used = c.use("sum-rules", mask=c.statement.get("mask", 0))
     k = used.statement["order"]
@@ -221,7 +221,7 @@ def _order_at_least(c: Claim, order: int) -> tuple[Polynomial, int]:
 
 
 def _combination(c: Claim) -> Polynomial:
-    """Σ_r u_r a_r."""
+    """The combination Σ_r u_r a_r of the polyphase components with the witness's cofactors."""
     a, cofactors = symbol_of(c), c.witness["cofactors"]
     require(len(cofactors) == c.p, "there are not p cofactors")
     require(all(u.length <= 2 * a.length for u in cofactors), "a cofactor is too long")
@@ -247,7 +247,10 @@ def _has_cycle(a: Polynomial, n: int, p: int) -> None:
 
 
 def _no_cycle(a: Polynomial, p: int) -> None:
-    """The factor of a cycle has degree (p-1)φ(n), and φ(n) >= n/10 for all n below the product of the primes to 250."""
+    """Check that a has no cycle of any order n.
+
+    The factor of a cycle has degree (p-1)φ(n), and φ(n) >= n/10 for all n below the product of the primes to 250.
+    """
     most = (a.length - 1) // (p - 1)
     for n, totient in enumerate(totients(10 * most)):
         if n > 1 and totient <= most and gcd(n, p) == 1:

@@ -13,7 +13,7 @@ from subdiv_cli.checker.scalar.conclusions import contraction
 from subdiv_cli.checker.scalar.masks import symbols_of, use_reductions
 
 MAX_ORDER = 200
-"""Of a derivative, and of a power of an index."""
+"""The highest order of a derivative, and power of an index."""
 
 
 def values(c: Claim) -> None:

@@ -10,6 +10,7 @@ from subdiv_cli.checker.radius.rules import on_radii, root, shown
 
 
 def in_words(statement: Mapping[str, Any], p: int) -> str:
+    """A verified statement on a scalar mask as a phrase."""
     s = {key: shown(value) for key, value in statement.items()}
     holds = "" if statement.get("holds", True) else "not "
     phrases = {
@@ -51,7 +52,7 @@ def in_words(statement: Mapping[str, Any], p: int) -> str:
 
 
 def exponent(s: Mapping[str, Any], p: int, factor: Fraction | int = 1) -> str:
-    """-factor log_p(x)/L as a rational where x is a small power of p."""
+    """The number -factor log_p(x)/L as text, as a rational where x is a small power of p."""
     x, length = s.get("norm", s.get("radius", s.get("bound"))), s.get("level", s.get("length"))
     times = Fraction(factor) / length if length else Fraction(0)
     before = "" if times.numerator == 1 else f"{times.numerator} "
@@ -73,7 +74,7 @@ def exponent(s: Mapping[str, Any], p: int, factor: Fraction | int = 1) -> str:
 
 
 def sobolev(s: Mapping[str, Any], p: int, factor: Fraction | int = 1) -> str:
-    """-factor log_p(λ)/2 for λ in [low, high]."""
+    """The number -factor log_p(λ)/2 for λ in [low, high] as text."""
     if s["property"] not in ("sobolev", "sobolev-lower"):
         return ""
     if s["low"] == s["high"]:

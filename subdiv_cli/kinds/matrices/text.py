@@ -24,13 +24,13 @@ Matrix = tuple[tuple[Fraction, ...], ...]
 
 @dataclass(frozen=True, slots=True)
 class MatrixFamily:
-    """Square matrices of one order, by rows; at least one."""
+    """A family of square matrices of one order, by rows; at least one."""
 
     matrices: tuple[Matrix, ...]
 
     @property
     def kind(self) -> str:
-        """`matrices`."""
+        """The name of the kind, `matrices`."""
         return "matrices"
 
 
@@ -43,7 +43,7 @@ class Matrices(NamedTuple):
         return (entry for matrix in self.matrices for row in matrix for entry in row)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MatrixFamily | None:
-        """SD007 to SD011."""
+        """The family with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
         found = [
             [[number_of(entry, values, problems, work) for entry in row] for row in matrix] for matrix in self.matrices
         ]
@@ -67,7 +67,7 @@ def body_of(family: MatrixFamily) -> Matrices:
 
 
 def spell(body: Matrices) -> list[str]:
-    """The lines of the file that say it."""
+    """The lines of the file with this family."""
     return listed("matrices", map(nested, body.matrices))
 
 
@@ -78,7 +78,7 @@ def canonical(family: MatrixFamily) -> Mapping[str, Any]:
 
 
 class _Reader:
-    """Lists of lists of lists; what is wrong is recorded."""
+    """A reader of lists of lists of lists; what is wrong is recorded."""
 
     def __init__(self, names: Collection[str], problems: Collector) -> None:
         self._names, self._problems, self._work = names, problems, Work()

@@ -10,11 +10,11 @@ from itertools import count, product
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, characteristic_polynomial
 
 MOST_PERIODS = 24
-"""Powers of M that are looked at for a multiple of the identity."""
+"""The most powers of M that are looked at for a multiple of the identity."""
 
 
 class Lattice:
-    """M Z^s for an integer matrix M with det M ≠ 0; with the adjugate A, M A = det(M) I, all is in integers."""
+    """The lattice M Z^s of an integer s×s matrix M with det M ≠ 0, in integers: the adjugate A has M A = det(M) I."""
 
     def __init__(self, dilation: IntMatrix) -> None:
         self.dilation = dilation
@@ -24,26 +24,26 @@ class Lattice:
 
     @property
     def index(self) -> int:
-        """m = |det M|, the number of cosets."""
+        """The index m = |det M|, the number of cosets."""
         return abs(self.determinant)
 
     def image(self, alpha: Index) -> Index:
-        """M α."""
+        """The index M α."""
         return tuple(sum(x * y for x, y in zip(row, alpha, strict=True)) for row in self.dilation)
 
     def preimage(self, alpha: Index) -> Index | None:
-        """M^-1 α where that is an integer vector."""
+        """The index M^-1 α where that is an integer vector, else None."""
         scaled = self._scaled(alpha)
         if any(x % self.determinant for x in scaled):
             return None
         return tuple(x // self.determinant for x in scaled)
 
     def place(self, alpha: Index) -> tuple[Fraction, ...]:
-        """M^-1 α."""
+        """The rational point M^-1 α."""
         return tuple(Fraction(x, self.determinant) for x in self._scaled(alpha))
 
     def coset(self, alpha: Index) -> Index:
-        """A key of α + M Z^s: equal for two indices iff they differ by an element of M Z^s."""
+        """A key of the coset α + M Z^s: equal for two indices iff they differ by an element of M Z^s."""
         return tuple(x % self.index for x in self._scaled(alpha))
 
     def inverse_power(self, n: int) -> tuple[tuple[Fraction, ...], ...]:
@@ -61,7 +61,7 @@ class Lattice:
 
     @cached_property
     def representatives(self) -> tuple[Index, ...]:
-        """One index >= 0 of each coset, the smallest ones, 0 first."""
+        """The m representatives, one index >= 0 of each coset, the smallest ones, 0 first."""
         found: dict[Index, Index] = {}
         for total in range(self.index * self.dimension):
             for alpha in indices_of_degree(self.dimension, total):
@@ -72,7 +72,7 @@ class Lattice:
 
     @cached_property
     def corner(self) -> tuple[Index, ...]:
-        """One index of each coset from a box at 0, that of the Hermite normal form of M: small sums first.
+        """The m representatives from a box at 0, that of the Hermite normal form of M: small sums first.
 
         The i-th side is the smallest h > 0 with h e_i in MZ^s + Z e_1 + … + Z e_(i-1); a direct sum of these is
         Z^s/MZ^s.
@@ -87,7 +87,7 @@ class Lattice:
 
     @cached_property
     def scalar_power(self) -> tuple[int, int] | None:
-        """(r, c) with M^r = c I and the smallest such r; None where there is no r <= MOST_PERIODS."""
+        """The pair (r, c) with M^r = c I and the smallest such r; None where there is no r <= MOST_PERIODS."""
         power, unit = self.dilation, [[int(i == j) for j in range(self.dimension)] for i in range(self.dimension)]
         for r in range(1, MOST_PERIODS + 1):
             c = power[0][0]
@@ -111,7 +111,7 @@ class Lattice:
 
 
 def indices_of_degree(dimension: int, total: int) -> Iterator[Index]:
-    """All μ >= 0 with |μ| = total, in lexicographic order."""
+    """All multi-indices μ >= 0 with |μ| = total, in lexicographic order."""
     if dimension == 1:
         yield (total,)
         return

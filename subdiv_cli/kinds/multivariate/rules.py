@@ -1,4 +1,4 @@
-"""The codes of schemes in several variables: a row for each, as those of scalar schemes have it."""
+"""The codes of schemes in several variables: a row for each, in the form of those of scalar schemes."""
 
 from __future__ import annotations
 

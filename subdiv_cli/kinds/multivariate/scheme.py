@@ -20,13 +20,13 @@ class MultivariateScheme:
     """
 
     dilation: IntMatrix
-    """Rows; column j is M e_j."""
+    """The s rows of M; column j is M e_j."""
     terms: Mapping[Index, Fraction]
-    """α -> a_α."""
+    """The coefficients: α -> a_α."""
 
     @property
     def kind(self) -> str:
-        """`multivariate`."""
+        """The name of the kind, `multivariate`."""
         return "multivariate"
 
     def __post_init__(self) -> None:
@@ -41,24 +41,24 @@ class MultivariateScheme:
 
     @property
     def dimension(self) -> int:
-        """s."""
+        """The number s of variables."""
         return len(self.dilation)
 
     def bounds(self) -> tuple[Index, Index]:
-        """The smallest box that contains the support: its lowest and its highest corner."""
+        """The corners of the smallest box that contains the support: the lowest and the highest."""
         columns = list(zip(*self.terms, strict=True))
         return tuple(map(min, columns)), tuple(map(max, columns))
 
 
 def base(mask: Mapping[str, Any], variables: Sequence[int] | None) -> tuple[int, int]:
-    """(|det M|, s) of a canonical mask, or of its factor in these variables."""
+    """The pair (|det M|, s) of a canonical mask, or of its factor in these variables."""
     rows = mask["dilation"]
     block = rows if variables is None else [[rows[i][j] for j in variables] for i in variables]
     return abs(characteristic_polynomial(block)[0]), len(block)
 
 
 def multiple_of_identity(factor: int, dimension: int) -> IntMatrix:
-    """The rows of cI."""
+    """The rows of the s×s matrix cI."""
     return tuple(tuple(factor * (i == j) for j in range(dimension)) for i in range(dimension))
 
 
@@ -83,7 +83,7 @@ def characteristic_polynomial(matrix: Sequence[Sequence[int]]) -> list[int]:
 
 
 def _roots_lie_outside(f: Sequence[int]) -> bool:
-    """Whether all zeros of f lie in |z| > 1: those of the reverse lie inside (Schur & Cohn)."""
+    """Whether all zeros of f lie in |z| > 1: then those of the reverse lie inside (Schur & Cohn)."""
     g = list(f)[::-1]
     while len(g) > 1:
         low, top = g[0], g[-1]

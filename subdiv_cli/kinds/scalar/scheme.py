@@ -20,7 +20,7 @@ class ScalarScheme:
 
     @property
     def kind(self) -> str:
-        """`scalar`."""
+        """The name of the kind, `scalar`."""
         return "scalar"
 
     def __post_init__(self) -> None:
@@ -35,5 +35,5 @@ class ScalarScheme:
 
     @property
     def degree(self) -> int:
-        """n: the length of the support minus one."""
+        """The degree n: the length of the support minus one."""
         return len(self.coefficients) - 1

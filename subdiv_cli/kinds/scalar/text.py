@@ -34,7 +34,7 @@ _ELSEWHERE = {
 
 
 class Coefficients(NamedTuple):
-    """a_start, a_(start+1), …, one expression without z each; at least one."""
+    """The coefficients a_start, a_(start+1), … of a mask, one expression without z each; at least one."""
 
     arity: int
     start: int
@@ -44,7 +44,7 @@ class Coefficients(NamedTuple):
         return self.entries
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
-        """SD007 to SD011."""
+        """The scheme with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
         numbers = [number_of(entry, values, problems, work) for entry in self.entries]
         if None in numbers:
             return None
@@ -53,7 +53,7 @@ class Coefficients(NamedTuple):
 
 
 class Symbol(NamedTuple):
-    """a(z) = Σ a_k z^k as one expression in z."""
+    """The symbol a(z) = Σ a_k z^k of a mask as one expression in z."""
 
     arity: int
     expression: Expression
@@ -62,7 +62,7 @@ class Symbol(NamedTuple):
         return (self.expression,)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
-        """SD007 to SD011."""
+        """The scheme with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
         polynomial = polynomial_of(self.expression, values, problems, work)
         if polynomial is None:
             return None
@@ -176,12 +176,12 @@ def body_of(scheme: ScalarScheme) -> Coefficients:
 
 
 def spell(body: Coefficients | Symbol) -> list[str]:
-    """The lines of [mask]."""
+    """The lines of the [mask] table."""
     return ["[mask]", *spelled_entries(body)]
 
 
 def spelled_entries(body: Coefficients | Symbol) -> list[str]:
-    """The keys of [mask], or of a factor of a tensor product."""
+    """The lines for the keys of [mask], or of a factor of a tensor product."""
     lines = [f"arity = {body.arity}"]
     if isinstance(body, Coefficients):
         return [*lines, f"start = {body.start}", *listed("coefficients", map(number, body.entries))]

@@ -1,4 +1,4 @@
-"""`subdiv show` in its formats: `text`, `markdown` and `latex` set the sections of a portrait, `json` has its data.
+"""The formats of `subdiv show`: `text`, `markdown` and `latex` set the sections of a portrait, `json` has its data.
 
 A format's module is imported when it is asked for.
 """
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from subdiv_cli.report.blocks import Draw
 
 Show = Callable[[Result, "Portrait", "Draw", Look], str]
-"""The result, the mask taken apart, what draws a picture with letters, and the place it goes to -> the page."""
+"""A function from the result, the portrait, what draws a picture with letters, and the look to the page."""
 
 FORMATS = ("text", "json", "markdown", "latex")
 

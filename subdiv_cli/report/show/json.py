@@ -1,4 +1,4 @@
-"""`subdiv show` as JSON, `"format": "subdiv-show"`, version 1: keys are added, never changed.
+"""The page of `subdiv show` as JSON, `"format": "subdiv-show"`, version 1: keys are added, never changed.
 
 `report` is the mask's entry in the report of `check`, with the findings that only `show` has; what follows it is the
 data of the kind. Numbers are strings `"p/q"`.
@@ -17,7 +17,7 @@ from subdiv_cli.report.look import Look
 
 
 def render(result: Result, portrait: Portrait, draw: Draw, look: Look) -> str:
-    """The page; how it is to look is of no matter here."""
+    """The page as JSON; `look` does not change how it looks."""
     page = {
         "format": "subdiv-show",
         "version": 1,

@@ -1,4 +1,4 @@
-"""`subdiv show` as a LaTeX document (amsmath, booktabs, tikz): it compiles as it is."""
+"""The page of `subdiv show` as a LaTeX document (amsmath, booktabs, tikz): it compiles as it is."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from subdiv_cli.report.show.tex import formula, label, sentence
 from subdiv_cli.report.show.tikz import picture
 
 _LONG = 90
-"""Letters of a formula beyond which it is set ragged right, to be broken."""
+"""The letters of a formula beyond which it is set ragged right, to be broken."""
 
 _HEAD = r"""\documentclass{article}
 \usepackage[T1]{fontenc}

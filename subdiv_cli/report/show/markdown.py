@@ -1,4 +1,4 @@
-"""`subdiv show` as Markdown: tables for stencils, code for formulas and matrices."""
+"""The page of `subdiv show` as Markdown: tables for stencils, code for formulas and matrices."""
 
 from __future__ import annotations
 

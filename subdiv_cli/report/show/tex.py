@@ -22,26 +22,26 @@ _ESCAPES = {
 }  # fmt: skip
 _RATIONAL = re.compile(r"(?<![\w/.^)])(\d+)/(\d+)(?![\w/.])")
 _VARIABLE = re.compile(r"\bz(\d)\b")
-"""Of a symbol in several variables."""
+"""A variable of a symbol in several variables."""
 _PARTIAL = re.compile(r"_([xyzw]{2,})(?!\w)")
-"""Of a partial derivative."""
+"""The index of a partial derivative."""
 _SCRIPT = re.compile(r"([\^_])(\(([^()]*)\)|(-?\w|∞))")
 
 
 def formula(text: str) -> str:
-    """For math mode: fractions, exponents and indices set as such."""
+    """A formula for math mode: fractions, exponents and indices set as such."""
     text = _RATIONAL.sub(r"\\tfrac{\1}{\2}", _VARIABLE.sub(r"z_\1", clean(text).replace("_(i)", "_i")))
     text = _SCRIPT.sub(lambda found: _script(found), _numbers(text))
     return "".join(f"{_COMMANDS[c]} " if c in _COMMANDS else c for c in _other(text))
 
 
 def _numbers(text: str) -> str:
-    """z^-12 -> z^(-12), f_xy -> f_(xy)."""
+    """The text with parentheses where TeX needs them: z^-12 -> z^(-12), f_xy -> f_(xy)."""
     return re.sub(r"([\^_])(-?\d{2,}|-\d)(?!\d)", r"\1(\2)", _PARTIAL.sub(r"_(\1)", text))
 
 
 def _script(found: re.Match[str]) -> str:
-    """An exponent or an index; a derivative or a derived mask keeps its parentheses."""
+    """An exponent or an index in TeX; a derivative or a derived mask keeps its parentheses."""
     inside = found[3] if found[3] is not None else found[4]
     before = found.string[found.start() - 1 : found.start()]
     derived = found[1] == "^" and found[3] is not None and inside.isdecimal() and before in ("f", "φ", "a")
@@ -49,7 +49,7 @@ def _script(found: re.Match[str]) -> str:
 
 
 def sentence(text: str) -> str:
-    """For text mode: letters of mathematics in math mode one by one, exponents and indices as such."""
+    """A sentence for text mode: letters of mathematics in math mode one by one, exponents and indices as such."""
     out, at, text = "", 0, clean(text)
     while at < len(text):
         if (found := _SCRIPT.match(_numbers(text[at:]))) is not None and at:
@@ -65,7 +65,7 @@ def sentence(text: str) -> str:
 
 
 def label(text: str) -> str:
-    """For text mode, where no letter is mathematics: a name of a file."""
+    """A label for text mode, where no letter is mathematics: a name of a file."""
     return "".join(_ESCAPES.get(c, c if c.isascii() else plain(c)) for c in clean(text))
 
 
@@ -75,5 +75,5 @@ def plain(text: str) -> str:
 
 
 def _other(text: str) -> str:
-    """Letters that are not in the tables, in ASCII."""
+    """The letters that are not in the tables, in ASCII."""
     return "".join(c if c.isascii() or c in _COMMANDS else transliterate(c) for c in text)

@@ -1,4 +1,4 @@
-"""`subdiv show` for a terminal: stencils drawn as stencils, matrices as matrices, φ with letters."""
+"""The page of `subdiv show` for a terminal: stencils drawn as stencils, matrices as matrices, φ with letters."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from subdiv_cli.report.page import INDENT, Page, joined, paint
 
 
 def render(result: Result, portrait: Portrait, draw: Draw, look: Look) -> str:
-    """The page."""
+    """The text of the page."""
     page = Page(look)
     page.put(f"{words.name(result)}: {words.headline(result)}", "head", hanging=2)
     items = [result.file, result.kind or "", *(f"{name} = {exact(x)}" for name, x in result.parameters.items())]

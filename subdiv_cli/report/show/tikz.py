@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from subdiv_cli.model.blocks import Curve, Heights, Picture
 
 _WIDTH, _HEIGHT = 12, 5
-"""Centimetres of the picture."""
+"""The centimetres of the picture."""
 _SIDE = 7
-"""Centimetres of the longer side of a surface."""
+"""The centimetres of the longer side of a surface."""
 _POINTS = 200
-"""Of a curve, about."""
+"""The number of points of a curve, about."""
 _CELLS = 1_500
-"""Of a surface, about."""
+"""The number of cells of a surface, about."""
 
 
 def picture(block: Picture) -> Iterator[str]:
@@ -25,7 +25,7 @@ def picture(block: Picture) -> Iterator[str]:
 
 
 def _curve(values: Curve) -> Iterator[str]:
-    """φ and the axis of x, scaled to the page."""
+    """The lines of φ and the axis of x, scaled to the page."""
     first, last = map(float, values.support)
     step = 1.0 / values.arity**values.level
     every = max(1, len(values.values) // _POINTS)
@@ -41,7 +41,7 @@ def _curve(values: Curve) -> Iterator[str]:
 
 
 def _relief(surface: Heights) -> Iterator[str]:
-    """A surface from above, one cell for each of some values: the darker the higher, what is negative in red."""
+    """The lines of a surface from above, one cell for each of some values: the darker the higher, negative in red."""
     every = 1
     while len(surface.values) > _CELLS * every**2:
         every += 1

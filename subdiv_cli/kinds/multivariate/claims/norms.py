@@ -14,7 +14,7 @@ from subdiv_cli.model.closed import rational
 
 
 def matrix_norm(claims: Claims, finding: Finding, sum_rules: int) -> int:
-    """The number of the claim on it; `sum_rules` is that of the claim on their order."""
+    """The number of the claim on the matrix norm; `sum_rules` is that of the claim on their order."""
     found = finding.witness
     statement = {
         "property": "matrix-norm",
@@ -54,7 +54,7 @@ def pairs(claims: Claims, finding: Finding, order: int, coset_sums: int, s: int,
 
 
 def _length(quotient: Data, c: int, level: int) -> int:
-    """Indices in the box of the iterated mask Π_(i<level) q(z^(c^i)), q a tuple of terms."""
+    """The number of indices in the box of the iterated mask Π_(i<level) q(z^(c^i)), q a tuple of terms."""
     indices = [as_tuple(as_tuple(term)[0]) for term in as_tuple(quotient)]
     growth = (c**level - 1) // (c - 1)
     spans = [cast(int, max(column)) - cast(int, min(column)) for column in zip(*indices, strict=True)]
@@ -62,7 +62,10 @@ def _length(quotient: Data, c: int, level: int) -> int:
 
 
 def gram_sequence(claims: Claims, finding: Finding, statement: Json, convergent: int, terms: int) -> int:
-    """The number of the claim on it, from the number of that on convergence and of the terms of the mask."""
+    """The number of the claim on the Gram sequence.
+
+    `convergent` is the number of the claim that S converges, `terms` how many terms the mask has.
+    """
     proof, uses = finding.proof, [convergent]
     g = as_tuple(proof["gram"])
     columns = list(zip(*(cast("tuple[tuple[int, ...], Fraction]", term)[0] for term in g), strict=True))

@@ -17,7 +17,7 @@ from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV
 
 
 class BoxSplineClaims:
-    """Those of one certificate, by its finding SD603. Each method returns the number of a claim."""
+    """The claims of one certificate on box splines, by its finding SD603. Each method returns the number of a claim."""
 
     def __init__(self, claims: Claims, finding: Finding | None, terms: int) -> None:
         self._claims, self._finding, self._terms = claims, finding, terms
@@ -28,11 +28,11 @@ class BoxSplineClaims:
 
     @property
     def _directions(self) -> list[list[int]]:
-        """Different ones."""
+        """The different directions, without their multiplicities."""
         return [list(cast("tuple[int, ...]", xi)) for xi in as_tuple(self._found("directions"))]
 
     def spline(self) -> int:
-        """φ is the box spline of these directions."""
+        """The claim that φ is the box spline of these directions."""
         counts = [as_integer(n) for n in as_tuple(self._found("multiplicities"))]
         directions = sorted(xi for xi, n in zip(self._directions, counts, strict=True) for _ in range(n))
         c, r, n = as_integer(self._found("scale")), as_integer(self._found("power")), len(directions)
@@ -50,30 +50,30 @@ class BoxSplineClaims:
         return self._claims.prove(rule, statement, None, [self.spline()], self._breadth())
 
     def stable(self, statement: Json) -> int:
-        """The statement says whether the directions are unimodular."""
+        """The claim on stability; the statement is that the directions are unimodular, or are not."""
         different = self._directions
         work = 24 * len(different[0]) * comb(len(different), len(different[0]))
         return self._claims.prove("box-stable", statement, None, [self.spline()], work)
 
     def smooth(self, n: int) -> int:
-        """φ is C^n."""
+        """The claim that φ is C^n."""
         return self._say("box-smooth", {"property": "smooth", "order": n})
 
     def not_smooth(self, n: int) -> int:
-        """It is not."""
+        """The claim that φ is not C^n."""
         return self._say("box-not-smooth", {"property": "not-smooth", "order": n})
 
     def holder(self, value: Fraction) -> int:
-        """Its Hölder exponent."""
+        """The claim that states the Hölder exponent of φ."""
         return self._say("box-holder", {"property": "holder-value", "value": int(value)})
 
     def sobolev(self, value: Fraction) -> int:
-        """Its Sobolev exponent."""
+        """The claim that states the Sobolev exponent of φ."""
         return self._say("box-sobolev", {"property": "sobolev-value", "value": rational(value)})
 
 
 class PartCertificate(NamedTuple):
-    """The certificate of a factor."""
+    """The certificate of a factor, with its statements by question."""
 
     variables: tuple[int, ...]
     document: Json
@@ -82,7 +82,7 @@ class PartCertificate(NamedTuple):
 
 
 class Factors:
-    """The claims of one certificate that come of its factors."""
+    """The claims of one certificate that follow from its factors."""
 
     def __init__(self, claims: Claims, parts: Sequence[PartCertificate | None], work: int) -> None:
         self._claims, self._work = claims, work
@@ -109,11 +109,11 @@ class Factors:
         return [self._claims.prove(f"tensor-{rule}", statement, None, [self.product(), *more], len(self._parts))]
 
     def holder_lower(self, finding: Finding) -> list[int]:
-        """The exponent, or the bound from below, of the factor that the finding names."""
+        """The claims on the exponent, or on its bound from below, by the factor that the finding names."""
         return self._of_one("of-factor", finding, HOLDER_LOWER)
 
     def holder_upper(self, finding: Finding, below: Finding) -> list[int]:
-        """By the exponent itself, where that is what the finding from below says."""
+        """The claims on the exponent from above: by the exponent itself, where the finding from below states it."""
         if below.closed is not None and below.witness["variables"] == finding.witness["variables"]:
             claims = self.holder_lower(below)
             said = [self._claims.statement(number)["statement"]["property"] for number in claims]
@@ -122,11 +122,11 @@ class Factors:
         return self._of_one("at-most-factor", finding, HOLDER_UPPER)
 
     def sobolev(self, finding: Finding) -> list[int]:
-        """As `holder_lower`."""
+        """The claims on the Sobolev exponent, or on its bound from below, by the factor that the finding names."""
         return self._of_one("of-factor", finding, SOBOLEV)
 
     def _of_one(self, rule: str, finding: Finding, question: Question) -> list[int]:
-        """Nothing where a certificate that is asked does not say it."""
+        """The claims by one factor's answer to a question; none where a certificate it needs does not state it."""
         between = finding.witness.get("between")
         said = {part.variables: part.stated.get(question, ()) for part in self._parts}
         variables = cast("tuple[int, ...]", finding.witness["variables"])
@@ -138,7 +138,7 @@ class Factors:
 
 
 def _is_enough(said: Json, statement: Json) -> bool:
-    """Of one factor: the same, or more smoothness, or that there is not even less."""
+    """Whether a factor's statement implies the other: the same, or more smoothness, or that there is not even less."""
     name = statement["property"]
     if said["property"] != name:
         return False

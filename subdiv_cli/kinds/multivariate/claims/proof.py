@@ -62,7 +62,7 @@ class _Proof:
         self._radius_claim: int | None = None
 
     def claims_of(self, finding: Finding) -> list[int]:
-        """Those that say what a decided finding says; none where the certificate of a factor leaves it out."""
+        """The claims that state a decided finding; none where the certificate of a factor leaves it out."""
         if finding.witness.get("by") == rules.TENSOR_PRODUCT.code:
             return self._of_factors(finding)
         makers: dict[str, Callable[[Finding], list[int]]] = {
@@ -88,7 +88,7 @@ class _Proof:
         return makers[finding.code](finding)
 
     def _of_factors(self, finding: Finding) -> list[int]:
-        """What follows of a tensor product."""
+        """The claims of a finding on a tensor product that follow from its factors."""
         code, holds = finding.code, finding.verdict is Verdict.PROVED
         if code in (rules.SMOOTHNESS.code, rules.NEXT_SMOOTHNESS.code):
             smooth = code == rules.SMOOTHNESS.code and holds
@@ -135,7 +135,7 @@ class _Proof:
         return self.claims.prove("positive-converges", {"property": "convergent", "holds": True}, uses=uses, work=work)
 
     def _factor(self) -> int:
-        """c of a dilation c I."""
+        """The factor c of a dilation c I."""
         c = exact_root(self.m, self.s)
         assert c is not None
         return c
@@ -155,7 +155,7 @@ class _Proof:
         return self._family
 
     def _radius(self) -> int:
-        """The claim on its joint spectral radius from above, or on the number itself."""
+        """The claim on ρ_k, the joint spectral radius on V_k: from above, or the number itself."""
         if self._radius_claim is None:
             proof = self.found[rules.DIFFERENCE_RADIUS].proof
             self._differences()
@@ -216,7 +216,7 @@ class _Proof:
         return self.claims.prove("smooth", {"order": n}, uses=self._decay(finding))
 
     def _decay(self, finding: Finding) -> list[int]:
-        """What bounds the radius from above: that of a family, or mean squares."""
+        """The claims that bound ρ_k from above: by the radius of a family, or by mean squares."""
         if finding.witness["by"] == rules.SOBOLEV.code:
             return [self._mean_squares(finding, lower=True)]
         if finding.witness["by"] == rules.MATRIX_NORMS.code:
@@ -234,7 +234,7 @@ class _Proof:
         return self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])
 
     def _reaching(self, n: int) -> int:
-        """ρ_k >= λ^-n: by the number itself where it is known and tells, else by a product."""
+        """The claim ρ_k >= λ^-n: by the number itself where that is known and large enough, else by a product."""
         found = self.found[rules.DIFFERENCE_RADIUS].witness
         root = cast("Map | None", found.get("root"))
         if root is not None and as_rational(root["low"]) ** self.s * self.m ** (n * as_integer(found["length"])) >= 1:
@@ -315,7 +315,7 @@ class _Proof:
 
 
 def _terms(data: Data) -> list[Any]:
-    """Pairs of an index and a number, as those of a mask."""
+    """The terms of a mask as plain data: pairs of an index and a number."""
     return [[spelled(as_tuple(pair)[0]), rational(as_rational(as_tuple(pair)[1]))] for pair in as_tuple(data)]
 
 

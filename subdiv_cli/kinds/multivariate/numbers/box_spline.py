@@ -22,21 +22,21 @@ from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
 
 _MOST_TERMS = 20_000
-"""Of the mask of S^r."""
+"""The most terms of the mask of S^r."""
 _MOST_DIRECTIONS = 40
 
 Terms = Mapping[Index, Fraction]
 
 
 class BoxSpline(NamedTuple):
-    """S^r has the dilation c I and the mask c^(s-n) z^shift Π_j (1 + z^ξ_j + … + z^((c-1)ξ_j))."""
+    """A box spline φ: S^r has the dilation c I and the mask c^(s-n) z^shift Π_j (1 + z^ξ_j + … + z^((c-1)ξ_j))."""
 
     directions: tuple[Index, ...]
-    """ξ_1, …, ξ_n, sorted, each greater than 0 in lexicographic order."""
+    """The directions ξ_1, …, ξ_n, sorted, each greater than 0 in lexicographic order."""
     power: int
-    """r."""
+    """The power r of S."""
     scale: int
-    """c."""
+    """The factor c of the dilation c I."""
     shift: Index
 
     @property
@@ -45,7 +45,7 @@ class BoxSpline(NamedTuple):
 
     @property
     def depth(self) -> int:
-        """d: as many directions must go until the others do not span; those in one hyperplane may stay."""
+        """The number d of directions that must go until the others do not span; those in one hyperplane may stay."""
         s = len(self.shift)
         planes = combinations(sorted({*self.directions}), s - 1)
         return len(self.directions) - max(
@@ -102,7 +102,7 @@ def multiplied(a: Terms, b: Terms) -> dict[Index, Fraction]:
 
 
 def divided(a: Terms, xi: Index, c: int) -> dict[Index, Fraction] | None:
-    """a(z) / (1 + z^ξ + … + z^((c-1)ξ)), ξ > 0 in lexicographic order; None where that is no Laurent polynomial.
+    """The quotient a(z) / (1 + z^ξ + … + z^((c-1)ξ)), ξ > 0 lexicographically; None where it is no Laurent polynomial.
 
     Long division, the smallest index first. The quotient's indices, (c-1)ξ added, stay in the smallest box around a's.
     """

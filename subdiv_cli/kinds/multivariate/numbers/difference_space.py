@@ -1,5 +1,6 @@
-"""V_k: the smallest space of sequences that holds all differences ∇^μ δ, |μ| = k, and is mapped into itself by the
+"""The space V_k of differences of order k, and the transition operators T_ε on it.
 
+V_k is the smallest space of sequences that holds all differences ∇^μ δ, |μ| = k, and is mapped into itself by the
 transition operators (T_ε v)(α) = Σ_β a(ε+Mα-β) v(β) (Jia 1998; Han & Jia 1998).
 
 Written for what the joint spectral radius ρ_k of the T_ε on V_k decides:
@@ -29,29 +30,29 @@ from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
 LARGEST_WINDOW = 1000
 LARGEST_DIMENSION = 120
 _LONGEST = 1000
-"""Bits of the numbers of a space; those of the masks of papers have 20."""
+"""The most bits of the numbers of a space; those of the masks of papers have 20."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DifferenceSpace:
-    """A basis b_1, …, b_N of V_k, and the matrices of the T_ε in it."""
+    """A basis b_1, …, b_N of V_k, and the N×N matrices of the T_ε in it."""
 
     order: int
     """k."""
     cosets: tuple[Index, ...]
     """The coset representatives ε."""
     window: tuple[Index, ...]
-    """Where some b_i is not zero."""
+    """The indices where some b_i is not zero."""
     basis: fmpq_mat
-    """Integers, N × window: row i is b_i."""
+    """The basis as an N × window matrix of integers: row i is b_i."""
     matrices: tuple[fmpq_mat, ...]
-    """For each coset representative ε: T_ε b_i = Σ_j matrix[j, i] b_j."""
+    """An N×N matrix for each coset representative ε: T_ε b_i = Σ_j matrix[j, i] b_j."""
     generators: fmpq_mat
-    """Row μ, |μ| = k in lexicographic order: ∇^μ δ in coordinates."""
+    """The differences ∇^μ δ, |μ| = k in lexicographic order, as rows of N coordinates."""
 
 
 def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> DifferenceSpace | None:
-    """V_k; None where it, or its window, is larger than is looked at, or has numbers too long for a short basis."""
+    """The space V_k; None where it, or its window, is larger than is looked at, or has no short basis."""
     starts = [difference(mu) for mu in indices_of_degree(lattice.dimension, k)]
     at = [min(max(0, low), high) for low, high in zip(*scheme.bounds(), strict=True)]
     cosets = tuple(tuple(map(sum, zip(epsilon, at, strict=True))) for epsilon in lattice.representatives)
@@ -78,7 +79,7 @@ def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> Di
 
 
 def difference(mu: Index) -> dict[Index, int]:
-    """∇^μ δ, ∇_j v = v - v(· - e_j)."""
+    """The difference ∇^μ δ with ∇_j v = v - v(· - e_j)."""
     v = {(0,) * len(mu): 1}
     for j, times in enumerate(mu):
         for _ in range(times):
@@ -112,7 +113,7 @@ def _invariant_window(
 def transition_matrix(
     scheme: MultivariateScheme, lattice: Lattice, epsilon: Index, window: Sequence[Index]
 ) -> fmpq_mat:
-    """T_ε on sequences over the window: entry (α, β) is a(ε+Mα-β)."""
+    """The square matrix of T_ε on sequences over the window: entry (α, β) is a(ε+Mα-β)."""
     common = lcm(*(x.denominator for x in scheme.terms.values()))
     numerators = {gamma: int(x * common) for gamma, x in scheme.terms.items()}
     rows = []
@@ -130,7 +131,7 @@ def _row(v: Mapping[Index, int], places: Mapping[Index, int]) -> list[int]:
 
 
 def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat]) -> fmpq_mat | None:
-    """Rows that span the smallest space that holds the given ones and is mapped into itself; None as above."""
+    """A basis of the smallest space that holds the given rows and is mapped into itself, as rows; None as above."""
     transposed = [t.transpose() for t in operators]
     span, rank = _echelon(rows), 0
     while rank < span.nrows():
@@ -143,7 +144,7 @@ def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat]) -> fmpq_mat | None:
 
 
 def _longest(rows: fmpq_mat) -> int:
-    """Bits of the longest numerator or denominator."""
+    """The bits of the longest numerator or denominator."""
     return max(max(abs(int(x.p)).bit_length(), int(x.q).bit_length()) for x in rows.entries())
 
 

@@ -26,11 +26,11 @@ from subdiv_cli.model import Effort
 HIGHEST_LEVEL = 6
 _MOST_DIRECTIONS = 2000
 _LARGEST = 3
-"""Entries of a direction that is tried."""
+"""The largest entry, in modulus, of a direction that is tried."""
 
 
 class Contraction(NamedTuple):
-    """‖S_d^level‖∞ = norm < 1 for the quotient d of the mask by the factor of the direction."""
+    """A contraction ‖S_d^level‖∞ = norm < 1 for the quotient d of the mask by the factor of the direction."""
 
     direction: Index
     quotient: Mapping[Index, Fraction]
@@ -39,9 +39,9 @@ class Contraction(NamedTuple):
 
 
 def directional_factors(scheme: MultivariateScheme, c: int) -> dict[Index, dict[Index, Fraction]]:
-    """The directions θ > 0 (in lexicographic order) of small entries whose factor divides the mask, with the quotients.
+    """The directions θ > 0 (in lexicographic order) whose factor divides the mask, with the quotients.
 
-    Those of entries at most `_LARGEST` in modulus; primitive and others.
+    Directions of entries at most `_LARGEST` in modulus; primitive and others.
     """
     lowest, highest = scheme.bounds()
     reach = [min(_LARGEST, (b - a) // (c - 1)) for a, b in zip(lowest, highest, strict=True)]
@@ -57,9 +57,9 @@ def directional_factors(scheme: MultivariateScheme, c: int) -> dict[Index, dict[
 
 
 def factored(scheme: MultivariateScheme, lattice: Lattice) -> tuple[dict[Index, int], Mapping[Index, Fraction]]:
-    """How often the factor of each direction divides the mask, short directions first, and the quotient by all.
+    """The number of times that the factor of each direction divides the mask, and the quotient by all of them.
 
-    No factors where M is not c I, c >= 2.
+    Short directions come first. No factors where M is not c I, c >= 2.
     """
     power, c = lattice.scalar_power or (0, 0)
     rest, found = scheme.terms, dict[Index, int]()
@@ -72,7 +72,7 @@ def factored(scheme: MultivariateScheme, lattice: Lattice) -> tuple[dict[Index, 
 
 
 def norms(quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Iterator[Fraction]:
-    """‖S_d‖∞, ‖S_d^2‖∞, … as far as the effort goes; work is counted in products of coefficients."""
+    """The norms ‖S_d‖∞, ‖S_d^2‖∞, … as far as the effort goes; work is counted in products of coefficients."""
     iterated: Mapping[Index, Fraction] = {(0,) * len(next(iter(quotient))): Fraction(1)}
     spent, step = 0, 1
     while True:
@@ -89,7 +89,7 @@ def norms(quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Iterato
 
 
 def contractions(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> tuple[Contraction, ...] | None:
-    """For s directions of determinant ±1 a level each at which the difference scheme contracts; None without."""
+    """The contractions for the first s directions of determinant ±1, with a level each; None unless all contract."""
     if lattice.scalar_power is None or lattice.scalar_power[0] != 1:
         return None
     c = lattice.scalar_power[1]
@@ -105,7 +105,7 @@ def contractions(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -
 
 
 def contraction(theta: Index, quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Contraction | None:
-    """The first level at which the scheme of the quotient contracts; None where none is found."""
+    """The contraction of the quotient's scheme at the first level that has one; None where no level does."""
     for level, norm in enumerate(norms(quotient, c, effort), 1):
         if norm < 1:
             return Contraction(theta, quotient, level, norm)
@@ -118,7 +118,7 @@ _MOST_PAIRED_DIRECTIONS = 8
 
 
 class PairContraction(NamedTuple):
-    """‖S_(cd)^level‖∞ = norm < 1 for the quotient d of the mask by the factors of two directions."""
+    """A contraction ‖S_(cd)^level‖∞ = norm < 1 for the quotient d of the mask by the factors of two directions."""
 
     directions: tuple[Index, Index]
     quotient: Mapping[Index, Fraction]
@@ -129,9 +129,10 @@ class PairContraction(NamedTuple):
 def pair_contractions(
     scheme: MultivariateScheme, lattice: Lattice, effort: Effort
 ) -> tuple[PairContraction, ...] | None:
-    """For s+1 directions, any s of determinant ±1, whose factors together divide the mask: all pairs, contracting.
+    """The contractions for all pairs of s+1 directions, any s of determinant ±1, whose factors divide the mask.
 
-    None without; the first such directions, short ones before long ones, are looked at.
+    All factors together must divide it. None where there are no such directions or not all pairs contract; the first
+    such directions, short ones before long ones, are looked at.
     """
     counted, _ = factored(scheme, lattice)
     s = lattice.dimension

@@ -25,28 +25,28 @@ from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
 from subdiv_cli.model import Effort
 
 LARGEST_SYSTEM = 600
-"""Unknowns g_α, those of -α left out."""
+"""The most unknowns g_α, those of -α left out."""
 SMALL_TREE, LARGEST_TREE = 300, 20_000
-"""Boxes, halved ones included: before zeros are looked for, and after."""
+"""The most boxes, halved ones included: before zeros are sought, and after."""
 MOST_POINTS = 150
-"""Of one order on the torus, where zeros are looked for."""
+"""The most points of one order on the torus, where zeros are sought."""
 LEAF = -1
 
 
 class Gram(NamedTuple):
-    """The sequence, and what its symbol is seen to be: positive, or zero somewhere; neither where that is hard."""
+    """The Gram sequence, and whether its symbol is positive or zero somewhere; neither is known where that is hard."""
 
     sequence: Mapping[Index, Fraction]
     correlations: int
-    """Terms of b."""
+    """The number of terms of b."""
     tree: tuple[int, ...] | None = None
-    """How the boxes are halved, in preorder: the variable, or -1 where all coefficients are positive."""
+    """The halving of the boxes, in preorder: the variable, or -1 where all coefficients are positive."""
     zero: tuple[Index, int] | None = None
-    """(k, n) with Φ(2πk/n) = 0."""
+    """A pair (k, n) with Φ(2πk/n) = 0."""
 
 
 def gram(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> Gram | None:
-    """Of a scheme that converges; None where the system is too large."""
+    """The Gram sequence of a scheme that converges, and its sign; None where the system is too large."""
     sequence = gram_sequence(scheme, lattice)
     if sequence is None:
         return None
@@ -59,7 +59,7 @@ def gram(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> Gram |
 
 
 def gram_sequence(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fraction] | None:
-    """The g with G g = g and Σ g_α = 1; None where it is too long. Raises ZeroDivisionError where there are several."""
+    """The sequence g with G g = g and Σ g_α = 1; None where it is too long. Raises ZeroDivisionError for several."""
     operator = correlation_operator(scheme, lattice, [(0,) * lattice.dimension])
     if operator is None or len(operator.window) > 2 * LARGEST_SYSTEM - 1:
         return None
@@ -86,7 +86,7 @@ def _minus(alpha: Index) -> Index:
 
 
 def torsion_zero(g: Mapping[Index, Fraction]) -> tuple[Index, int] | None:
-    """A zero 2πk/n of the symbol, (k, n) with a small n: floats tell which point it may be, then it is computed."""
+    """A zero 2πk/n of the symbol, (k, n) with a small n, which floats suggest and which is then decided; else None."""
     s, values = len(next(iter(g))), [(alpha, float(x)) for alpha, x in g.items()]
     for n in (n for n in range(1, MOST_POINTS) if n**s <= MOST_POINTS):
         turns = [cos(2 * pi * i / n) for i in range(n)]
@@ -111,13 +111,13 @@ def _vanishes(g: Mapping[Index, Fraction], k: Index, n: int) -> bool:
 
 
 class _Polynomial(NamedTuple):
-    """On a box, by its Bernstein coefficients in lexicographic order, up to a positive factor."""
+    """A polynomial on a box, by its Bernstein coefficients in lexicographic order, up to a positive factor."""
 
     lengths: tuple[int, ...]
     coefficients: list[fmpz]
 
     def along(self, axis: int, matrix: fmpz_mat) -> list[fmpz]:
-        """The matrix applied to the coefficients of one variable."""
+        """The coefficients after the matrix is applied to those of one variable."""
         d, width = self.lengths[axis], prod(self.lengths[axis + 1 :])
         blocks = range(0, len(self.coefficients), d * width)
         return [
@@ -125,14 +125,14 @@ class _Polynomial(NamedTuple):
         ]
 
     def halves(self, axis: int) -> list[_Polynomial]:
-        """On the lower and on the upper half of the box, times a power of two (de Casteljau)."""
+        """The polynomial on the lower and on the upper half of the box, times a power of two (de Casteljau)."""
         n = self.lengths[axis] - 1
         lower = [[comb(i, j) << (n - i) for j in range(n + 1)] for i in range(n + 1)]
         upper = [row[::-1] for row in reversed(lower)]
         return [self._replace(coefficients=self.along(axis, fmpz_mat(rows))) for rows in (lower, upper)]
 
     def has_corner_without_sign(self) -> bool:
-        """The coefficients at the corners are values: at one of them the polynomial is not positive."""
+        """Whether the polynomial is not positive at some corner: the coefficients there are its values."""
         ends = product(*({0, n - 1} for n in self.lengths))
         widths = [prod(self.lengths[i + 1 :]) for i in range(len(self.lengths))]
         return any(self.coefficients[_dot(corner, widths)] <= 0 for corner in ends)
@@ -148,7 +148,7 @@ class _Polynomial(NamedTuple):
 
 
 def positive_tree(g: Mapping[Index, Fraction], effort: Effort, most: int = LARGEST_TREE) -> tuple[int, ...] | None:
-    """Boxes on which the symbol is seen to be positive; None where it is not, or takes too many of them."""
+    """The halving of boxes that shows the symbol to be positive; None where it is not, or takes too many boxes."""
     tree: list[int] = []
     for start in _arcs(g):
         waiting = [start]
@@ -167,7 +167,7 @@ def positive_tree(g: Mapping[Index, Fraction], effort: Effort, most: int = LARGE
 
 
 def _arcs(g: Mapping[Index, Fraction]) -> Iterator[_Polynomial]:
-    """For each choice of the arcs."""
+    """The polynomial on each choice of the arcs."""
     reach = [max(map(abs, column)) for column in zip(*g, strict=True)]
     common = lcm(*(x.denominator for x in g.values()))
     tables = [_table(n, first=not i) for i, n in enumerate(reach)]
@@ -187,9 +187,10 @@ def _arcs(g: Mapping[Index, Fraction]) -> Iterator[_Polynomial]:
 
 
 def _table(n: int, *, first: bool) -> tuple[fmpz_mat, fmpz_mat]:
-    """Column α: the Bernstein coefficients of (1 + it)^(n+α) (1 - it)^(n-α) on [-1, 1], the first on [0, 1].
+    """The matrix whose column α has the Bernstein coefficients of (1 + it)^(n+α) (1 - it)^(n-α) on [-1, 1].
 
-    Real and imaginary parts, times one integer. t = (u-v)/(u+v) or u/(u+v) for 0 <= u, v, and 1 ± it is linear in them.
+    On [0, 1] for the first variable. Real and imaginary parts, times one integer. t = (u-v)/(u+v) or u/(u+v) for
+    0 <= u, v, and 1 ± it is linear in them.
     """
     v, u = ((1, 0), (1, 1)) if first else ((1, -1), (1, 1))
     scale = lcm(*(comb(2 * n, j) for j in range(2 * n + 1)))

@@ -41,7 +41,7 @@ from subdiv_cli.model import Effort
 
 Terms = dict[Index, Fraction]
 Shifted = tuple[Index, Index]
-"""β and ν for y^β (1-y)^ν."""
+"""The pair of β and ν for y^β (1-y)^ν."""
 
 _LARGEST_WINDOW = 128
 _MOST_PARTS = 400
@@ -58,30 +58,30 @@ class Part(NamedTuple):
 
 
 class Question(NamedTuple):
-    """The parts of all cosets and μ, and a box that holds each of them."""
+    """A division to be done: the parts of all cosets and μ, and a box that holds each of them."""
 
     order: int
-    """k."""
+    """The order k of the differences."""
     lattice: Lattice
-    """Of M^r."""
+    """The lattice of M^r."""
     parts: tuple[Part, ...]
     spans: Index
 
     @property
     def components(self) -> tuple[Index, ...]:
-        """All ν with |ν| = k in lexicographic order."""
+        """All multi-indices ν with |ν| = k in lexicographic order."""
         return tuple(indices_of_degree(self.lattice.dimension, self.order))
 
 
 class Reduction(NamedTuple):
-    """Coefficients of the y^β (1-y)^ν for each part; their sum of absolute values, where it is largest."""
+    """The coefficients of the y^β (1-y)^ν for each part, and their largest sum of absolute values."""
 
     question: Question
     coefficients: tuple[dict[Shifted, Fraction], ...]
 
     @property
     def norm(self) -> Fraction:
-        """Of the matrix scheme (Dyn 1992, 6.47)."""
+        """The norm of the matrix scheme (Dyn 1992, 6.47)."""
         return max(sum(map(abs, found.values()), Fraction(0)) for found in self.coefficients)
 
     def entries(self) -> dict[tuple[int, int], Terms]:
@@ -95,7 +95,7 @@ class Reduction(NamedTuple):
 
 
 def question(scheme: MultivariateScheme, lattice: Lattice, k: int, power: int) -> Question | None:
-    """For S^power and differences of order k >= 1, at most that of the sum rules; None where it is too large."""
+    """The division for S^power and differences of order k >= 1, at most that of the sum rules; None if too large."""
     symbol = iterated(scheme, lattice, power)
     s, dilation = lattice.dimension, lattice.dilation
     if symbol is None:
@@ -116,7 +116,7 @@ def question(scheme: MultivariateScheme, lattice: Lattice, k: int, power: int) -
 
 
 def by_lemma(asked: Question) -> Reduction:
-    """One variable after the other, as in the proof of Lemma 6.6."""
+    """The reduction of one variable after the other, as in the proof of Lemma 6.6."""
     columns, names, basis, targets = _programme(asked)
     found = combinations(columns, targets, basis)
     assert found is not None
@@ -124,7 +124,7 @@ def by_lemma(asked: Question) -> Reduction:
 
 
 def least(asked: Question) -> Reduction:
-    """The one of least norm within the box, as far as floats tell; exact, whether or not it is the least."""
+    """The reduction of least norm within the box, as far as floats tell; exact, whether or not it is the least."""
     from subdiv_cli.jsr.least import least_combinations  # numpy comes with it
 
     columns, names, basis, targets = _programme(asked)
@@ -132,9 +132,10 @@ def least(asked: Question) -> Reduction:
 
 
 def _programme(asked: Question) -> tuple[list[list[int]], list[Shifted], list[int], list[list[Fraction]]]:
-    """Columns y^β (1-y)^ν in the box, their names, those of the lemma, and the parts, all at indices |β| >= k.
+    """The linear programme: columns y^β (1-y)^ν in the box, their names, those of the lemma, and the parts.
 
-    A sequence that annihilates π_(k-1) and vanishes there vanishes: values at |β| < k, β >= 0, determine π_(k-1).
+    All are taken at indices |β| >= k. A sequence that annihilates π_(k-1) and vanishes there vanishes: values at
+    |β| < k, β >= 0, determine π_(k-1).
     """
     k, spans = asked.order, asked.spans
     places = [beta for beta in box((0,) * len(spans), spans) if sum(beta) >= k]
@@ -151,7 +152,7 @@ def _programme(asked: Question) -> tuple[list[list[int]], list[Shifted], list[in
 
 
 def _basis(k: int, spans: Index) -> list[Shifted]:
-    """Of the polynomials in the box that vanish at 1 to order k, one variable after the other."""
+    """A basis of the polynomials in the box that vanish at 1 to order k, one variable after the other."""
     if not spans:
         return []
     first, rest = spans[0], spans[1:]
@@ -185,51 +186,52 @@ def _product(a: IntMatrix, b: IntMatrix) -> IntMatrix:
 
 
 HIGHEST_POWER = 3
-"""r."""
+"""The highest power r of S."""
 _MOST_STEPS = 4
-"""t."""
+"""The most steps t."""
 _UNIT = 100
 """Products of two coefficients, or entries of the inverses of bases, that count for one of the effort."""
 _FOR_CONVERGENCE = 2_000
-"""Of the effort, for the iterates of one reduction."""
+"""The share of the effort for the iterates of one reduction."""
 
 Numerators = dict[tuple[int, int], dict[Index, int]]
 
 
 class MatrixNorm(NamedTuple):
-    """‖S_Q^steps‖∞ = norm, Q a reduction of S^power for differences of this order."""
+    """A norm ‖S_Q^steps‖∞ = norm, Q a reduction of S^power for differences of this order."""
 
     order: int
     power: int
     steps: int
     norm: Fraction
     by: str
-    """`lemma` or `least`: which reduction."""
+    """The reduction that is taken: `lemma` or `least`."""
     lemma: Fraction
-    """‖S_Q‖∞ for the reduction of Lemma 6.6."""
+    """The norm ‖S_Q‖∞ for the reduction of Lemma 6.6."""
     least: Fraction | None
-    """‖S_Q‖∞ for the one of least norm, where it was asked for."""
+    """The norm ‖S_Q‖∞ for the reduction of least norm, where it was computed."""
     entries: Mapping[tuple[int, int], Terms]
     components: int
-    """How many ν there are."""
+    """The number of the multi-indices ν."""
     work: int
-    """Products of two coefficients to multiply it all out, and coefficients of the last product."""
+    """The products of two coefficients that multiply it all out, and the coefficients of the last product."""
 
     @property
     def level(self) -> int:
+        """The level rt: the norm bounds ρ_k^(rt) from above."""
         return self.power * self.steps
 
 
 class Iterate(NamedTuple):
-    """‖S_Q^t‖∞, t = 1, 2, …"""
+    """The norm ‖S_Q^t‖∞ of one iterate, t = 1, 2, and so on."""
 
     norm: Fraction
     work: int
-    """Products of two coefficients so far, and coefficients now."""
+    """The products of two coefficients so far, and the coefficients now."""
 
 
 def iterates(found: Reduction, effort: Effort) -> Iterator[Iterate]:
-    """As far as the effort goes."""
+    """The norms ‖S_Q^t‖∞ for t = 1, 2, … as far as the effort goes."""
     entries, lattice = found.entries(), found.question.lattice
     common = lcm(*(x.denominator for terms in entries.values() for x in terms.values()))
     factor = {at: {alpha: int(x * common) for alpha, x in terms.items()} for at, terms in entries.items()}
@@ -249,7 +251,7 @@ def iterates(found: Reduction, effort: Effort) -> Iterator[Iterate]:
 def matrix_norm(
     scheme: MultivariateScheme, lattice: Lattice, order: int, smooth: int, effort: Effort
 ) -> MatrixNorm | None:
-    """For k = `order` a level L = rt with ρ_k <= ‖S_Q^t‖∞^(1/L) < λ^-smooth; None where none is found.
+    """A norm with ρ_k <= ‖S_Q^t‖∞^(1/L) < λ^-smooth for k = `order` and a level L = rt; None where none is small.
 
     The reductions of S: that of the lemma, the one of least norm, iterates of the better one; then those of S^r.
     """
@@ -277,7 +279,7 @@ def matrix_norm(
 
 
 def _identity_work(scheme: MultivariateScheme, lattice: Lattice, found: Reduction, power: int) -> int:
-    """Products of two coefficients in a^[r], (1-z)^μ a^[r] and Σ_ν q_μν (1-z^M^r)^ν, r the power."""
+    """The products of two coefficients in a^[r], (1-z)^μ a^[r] and Σ_ν q_μν (1-z^M^r)^ν, r the power."""
     asked = found.question
     sizes = [len(iterated(scheme, lattice, i) or {}) for i in range(1, power + 1)]
     corners = [prod(x + 1 for x in nu) for nu in asked.components]
@@ -293,7 +295,7 @@ def _cells(asked: Question) -> int:
 
 
 def _is_small(norm: Fraction, lattice: Lattice, exponent: int) -> bool:
-    """norm < λ^-exponent, by s-th powers."""
+    """Whether norm < λ^-exponent, compared by s-th powers."""
     return bool(norm**lattice.dimension * lattice.index**exponent < 1)
 
 
@@ -312,7 +314,7 @@ def _multiplied(a: Numerators, b: Numerators) -> Numerators:
 
 
 def _largest_sum(entries: Numerators, modulus: Lattice) -> int:
-    """Of absolute values in a row over a coset."""
+    """The largest sum of absolute values in a row over a coset."""
     sums: dict[tuple[int, Index], int] = {}
     for (row, _), terms in entries.items():
         for alpha, x in terms.items():

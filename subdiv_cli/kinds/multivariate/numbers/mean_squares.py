@@ -31,23 +31,23 @@ from subdiv_cli.model import Effort
 
 LARGEST_WINDOW = 4000
 LARGEST_DEGREE = 120
-"""Of a minimal polynomial that is looked for."""
+"""The largest degree of a minimal polynomial."""
 _PRIME = (1 << 61) - 1
 
 
 class MeanSquares(NamedTuple):
-    """What the sequences G^L w of a scheme show."""
+    """The growth of the sequences G^L w of a scheme, and the size of its operator."""
 
     window: int
-    """How many indices they need."""
+    """The number of indices that they need."""
     pairs: int
-    """Entries of G on the window that are not zero."""
+    """The number of entries of G on the window that are not zero."""
     growth: Growth | None
-    """λ; f c is the minimal polynomial of w. None where λ is a multiple zero of it."""
+    """The growth λ; f c is the minimal polynomial of w. None where λ is a multiple zero of it."""
 
 
 def mean_squares(scheme: MultivariateScheme, lattice: Lattice, k: int, effort: Effort) -> MeanSquares | None:
-    """λ for differences of order k; None where window, dimension or effort do not suffice."""
+    """The growth of mean squares for differences of order k; None where window, dimension or effort do not suffice."""
     start = laplacian_power(lattice.dimension, k)
     t = correlation_operator(scheme, lattice, start)
     if t is None:
@@ -62,7 +62,7 @@ def mean_squares(scheme: MultivariateScheme, lattice: Lattice, k: int, effort: E
 
 
 def autocorrelation(scheme: MultivariateScheme) -> dict[Index, Fraction]:
-    """b(z) = a(z) a(1/z)."""
+    """The autocorrelation b(z) = a(z) a(1/z) of the mask."""
     return multiplied(scheme.terms, {tuple(-x for x in alpha): value for alpha, value in scheme.terms.items()})
 
 
@@ -79,11 +79,11 @@ def laplacian_power(s: int, k: int) -> dict[Index, Fraction]:
 
 
 class SparseOperator(NamedTuple):
-    """T on sequences over a window that it maps to such, times a denominator."""
+    """The operator T on sequences over a window that it maps to such, times a denominator."""
 
     window: tuple[Index, ...]
     columns: tuple[tuple[tuple[int, int], ...], ...]
-    """For each index of the window the places and numerators of its image."""
+    """The places and numerators of the image for each index of the window."""
     denominator: int
 
     def image(self, v: Sequence[int]) -> list[int]:
@@ -97,7 +97,7 @@ class SparseOperator(NamedTuple):
 
 
 def correlation_operator(scheme: MultivariateScheme, lattice: Lattice, start: Iterable[Index]) -> SparseOperator | None:
-    """T on the smallest window that it maps to itself and that holds the start; None beyond the largest window."""
+    """The operator T on the smallest window that it maps to itself and that holds the start; None if too large."""
     b = autocorrelation(scheme)
     common = lcm(*(x.denominator for x in b.values()))
     by_coset: dict[Index, list[tuple[Index, int]]] = {}
@@ -123,7 +123,7 @@ def correlation_operator(scheme: MultivariateScheme, lattice: Lattice, start: It
 def minimal_polynomial(t: SparseOperator, w: list[int], effort: Effort) -> fmpq_poly | None:
     """The monic f of the smallest degree with f(t) w = 0, w ≠ 0; None beyond the largest degree or the effort.
 
-    The degree is found modulo a prime, f over Q. Raises ArithmeticError for a prime that misleads.
+    The degree is computed modulo a prime, f over Q. Raises ArithmeticError for a prime that misleads.
     """
     vectors, rows = [w], _IndependentRows()
     while rows.take(vectors[-1]):
@@ -139,14 +139,14 @@ def minimal_polynomial(t: SparseOperator, w: list[int], effort: Effort) -> fmpq_
 
 
 class _IndependentRows:
-    """Vectors in echelon form modulo a prime."""
+    """The vectors of an echelon form modulo a prime."""
 
     def __init__(self) -> None:
         self.pivots: list[int] = []
         self._rows: list[list[int]] = []
 
     def take(self, vector: Sequence[int]) -> bool:
-        """Whether it is independent of those before it; then it is one of them."""
+        """Whether the vector is independent of those before it; then it is one of them."""
         rest = [x % _PRIME for x in vector]
         for pivot, row in zip(self.pivots, self._rows, strict=True):
             if f := rest[pivot]:

@@ -36,37 +36,37 @@ from subdiv_cli.model import Effort
 
 
 class MultivariateNumbers:
-    """Of one scheme, under one effort; what no theorem asks for is not computed."""
+    """The numbers of one scheme, under one effort; what no theorem needs is not computed."""
 
     def __init__(self, scheme: MultivariateScheme, effort: Effort, parts: tuple[Part, ...] = ()) -> None:
         self.scheme, self.effort = scheme, effort
         self.parts = parts
-        """Of a tensor product that is no box spline its factors, with what was found of them."""
+        """The factors of a tensor product that is no box spline, with their findings."""
         self.lattice = Lattice(scheme.dilation)
 
     @property
     def dimension(self) -> int:
-        """s."""
+        """The number s of variables."""
         return self.lattice.dimension
 
     @cached_property
     def sums(self) -> tuple[Fraction, ...]:
-        """Σ_β a_(γ+Mβ) for the representatives γ."""
+        """The coset sums Σ_β a_(γ+Mβ) for the representatives γ."""
         return coset_sums(self.scheme, self.lattice, (0,) * self.dimension)
 
     @cached_property
     def is_normalised(self) -> bool:
-        """a(1) = |det M|: there is a refinable function φ with integral 1."""
+        """Whether a(1) = |det M|: there is a refinable function φ with integral 1."""
         return sum(self.scheme.terms.values()) == self.lattice.index
 
     @cached_property
     def order(self) -> int:
-        """k: the order of the sum rules of total degree."""
+        """The order k of the sum rules of total degree."""
         return sum_rule_order(self.scheme, self.lattice)
 
     @cached_property
     def is_interpolatory(self) -> bool:
-        """a_0 = 1 and a_(Mα) = 0 for α ≠ 0."""
+        """Whether a_0 = 1 and a_(Mα) = 0 for α ≠ 0."""
         on_lattice = {alpha: x for alpha, x in self.scheme.terms.items() if self.lattice.preimage(alpha) is not None}
         return on_lattice == {(0,) * self.dimension: 1}
 
@@ -104,12 +104,12 @@ class MultivariateNumbers:
 
     @cached_property
     def space(self) -> DifferenceSpace | None:
-        """V_k for the order k >= 1 of the sum rules; None without any, or where it is too large."""
+        """The space V_k for the order k >= 1 of the sum rules; None without any, or where it is too large."""
         return difference_space(self.scheme, self.lattice, self.order) if self.order else None
 
     @cached_property
     def radius(self) -> Radius | None:
-        """ρ_k, the joint spectral radius of the transition operators on V_k."""
+        """The joint spectral radius ρ_k of the transition operators on V_k."""
         from subdiv_cli.jsr.radius import joint_spectral_radius  # numpy comes with it
 
         if self.space is None:
@@ -128,7 +128,10 @@ class MultivariateNumbers:
 
     @property
     def mean_decay(self) -> Fraction | None:
-        """x with ρ_k² <= x: m Λ, as ‖T_w v‖² is at most the sum over all words of one length. For isotropic M."""
+        """A number x with ρ_k² <= x: m Λ, as ‖T_w v‖² is at most the sum over all words of one length.
+
+        For isotropic M.
+        """
         found = self.mean_squares if self.lattice.is_isotropic else None
         return None if found is None or found.growth is None else self.lattice.index * found.growth.high
 
@@ -139,12 +142,12 @@ class MultivariateNumbers:
 
     @cached_property
     def symmetries(self) -> tuple[IntMatrix, ...]:
-        """Of the mask, as far as they are looked for."""
+        """The symmetries of the mask that `symmetries` recognises."""
         return symmetries(self.scheme)
 
     @cached_property
     def quasi_interpolation(self) -> QuasiInterpolation:
-        """Q on what is generated, for k >= 1 and S that converges."""
+        """The operator Q on the polynomials that are generated, for k >= 1 and S that converges."""
         return quasi_interpolation(self.scheme, self.lattice, self.order - 1, self.symmetries)
 
     @cached_property

@@ -16,11 +16,11 @@ from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
 Vertices = Mapping[Index, tuple[Fraction, ...]]
 
 _TURNS = {(1, 1): ((1, -1), (1, 0)), (1, -1): ((1, 1), (-1, 0))}
-"""d -> a linear map of order 6 that takes the directions e_1, e_2, d and their opposites around."""
+"""The third direction d -> a linear map of order 6 that takes e_1, e_2, d and their opposites around."""
 
 
 def refined(scheme: MultivariateScheme, lattice: Lattice, net: Vertices, levels: int) -> Vertices:
-    """S^levels of a net: the new vertices whose rule uses given ones alone, exactly.
+    """The net S^levels of a net: the new vertices whose rule uses given ones alone, exactly.
 
     Raises NoValuesError for a net that determines no vertex of a level, and for one that is too large.
     """
@@ -45,7 +45,7 @@ def _step(
     uses: Mapping[Index, int],
     points: Mapping[Index, tuple[int, ...]],
 ) -> dict[Index, tuple[int, ...]]:
-    """The numerators of the next level; `uses`: coset -> how many vertices its rule uses."""
+    """The numerators of the next level; `uses` has for each coset how many vertices its rule uses."""
     sums: dict[Index, list[int]] = {}
     used: Counter[Index] = Counter()
     for beta, vertex in points.items():

@@ -24,11 +24,11 @@ from subdiv_cli.kinds.multivariate.numbers.symmetries import generated, times
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
 
 HIGHEST_ORDER = 40
-"""Of sum rules that are looked for."""
+"""The highest order of sum rules that is tried."""
 
 
 def coset_sums(scheme: MultivariateScheme, lattice: Lattice, mu: Index) -> tuple[Fraction, ...]:
-    """Σ_β a_(γ+Mβ) (γ+Mβ)^μ for each representative γ."""
+    """The sums Σ_β a_(γ+Mβ) (γ+Mβ)^μ for each representative γ."""
     sums = {lattice.coset(gamma): Fraction(0) for gamma in lattice.representatives}
     for alpha, value in scheme.terms.items():
         power = 1
@@ -39,9 +39,9 @@ def coset_sums(scheme: MultivariateScheme, lattice: Lattice, mu: Index) -> tuple
 
 
 def sum_rule_order(scheme: MultivariateScheme, lattice: Lattice) -> int:
-    """The largest k <= HIGHEST_ORDER with sum rules of order k: for |μ| < k the coset sums with (γ+Mβ)^μ are the same
+    """The largest k <= HIGHEST_ORDER with sum rules of order k; 0 where the coset sums of the mask are not 1.
 
-    for all cosets, those of the mask itself 1. 0 where these are not.
+    For |μ| < k the coset sums with (γ+Mβ)^μ are the same for all cosets, those of the mask itself 1.
     """
     s = lattice.dimension
     if set(coset_sums(scheme, lattice, (0,) * s)) != {Fraction(1)}:
@@ -53,17 +53,17 @@ def sum_rule_order(scheme: MultivariateScheme, lattice: Lattice) -> int:
 
 
 class Reproduction(NamedTuple):
-    """S maps p(· + σ) to p(M^-1 (· + σ)), (M - I) σ = τ, for the polynomials p of this total degree."""
+    """The reproduction degree: S maps p(· + σ) to p(M^-1 (· + σ)), (M - I) σ = τ, for the p of this total degree."""
 
     degree: int
     shift: tuple[Fraction, ...]
-    """τ."""
+    """The shift τ."""
     defect: Index | None
     """A μ, |μ| = degree + 1, with Σ a_α α^μ ≠ m τ^μ; None where the generation degree is not larger."""
 
 
 def reproduction(scheme: MultivariateScheme, lattice: Lattice, generation: int) -> Reproduction:
-    """The largest degree, for a scheme that generates polynomials of degree `generation` >= 0 and no higher one."""
+    """The reproduction degree of a scheme that generates polynomials of degree `generation` >= 0 and no higher one."""
     m, s = lattice.index, lattice.dimension
     tau = tuple(moment(scheme, tuple(int(i == j) for i in range(s))) / m for j in range(s))
     for degree in range(2, generation + 1):
@@ -74,7 +74,7 @@ def reproduction(scheme: MultivariateScheme, lattice: Lattice, generation: int) 
 
 
 def moment(scheme: MultivariateScheme, mu: Index) -> Fraction:
-    """Σ_α a_α α^μ."""
+    """The moment Σ_α a_α α^μ of the mask."""
     return sum((value * prod(map(pow, alpha, mu)) for alpha, value in scheme.terms.items()), Fraction(0))
 
 
@@ -83,33 +83,36 @@ def _power(x: tuple[Fraction, ...], mu: Index) -> Fraction:
 
 
 Series = Mapping[Index, Fraction]
-"""μ -> the coefficient of θ^μ; what is not there is zero."""
+"""A power series: μ -> the coefficient of θ^μ; what is not there is zero."""
 Point = tuple[Fraction, ...]
 
 _LARGEST_ENTRY = 100
-"""Of a symmetry."""
+"""The largest entry of a symmetry."""
 
 
 class QuasiInterpolation(NamedTuple):
-    """Q on the polynomials of total degree at most `degree`; what is zero is left out."""
+    """The operator Q on the polynomials of total degree at most `degree`; what is zero is left out."""
 
     degree: int
     centre: Point
-    """c = (q_e1, …, q_es), that of φ."""
+    """The centre c = (q_e1, …, q_es) of φ."""
     moments: Series
-    """m_μ = Σ_β φ(-β) β^μ, |μ| <= degree."""
+    """The moments m_μ = Σ_β φ(-β) β^μ, |μ| <= degree."""
     operator: Series
-    """q_μ of Q = Σ q_μ D^μ."""
+    """The coefficients q_μ of Q = Σ q_μ D^μ."""
     centred: Series
-    """That of Q f(· - c), which has no terms of first order."""
+    """The coefficients of the operator f -> Q f(· - c), which has no terms of first order."""
     stencil: Mapping[Index, Fraction]
-    """t with Q f(α) = Σ_j t_j f(α + j)."""
+    """The stencil t with Q f(α) = Σ_j t_j f(α + j)."""
 
 
 def quasi_interpolation(
     scheme: MultivariateScheme, lattice: Lattice, degree: int, symmetries: Sequence[IntMatrix]
 ) -> QuasiInterpolation:
-    """For a scheme that converges, has sum rules of an order above `degree` >= 0, and these symmetries of the mask."""
+    """The operator Q of a scheme that converges and has sum rules of an order above `degree` >= 0.
+
+    `symmetries` are those of the mask.
+    """
     h = expansion(scheme, lattice, degree)
     q = inverse(h, lattice.dimension, degree)
     c = tuple(q.get(unit, Fraction(0)) for unit in _units(lattice.dimension))
@@ -119,7 +122,7 @@ def quasi_interpolation(
 
 
 def expansion(scheme: MultivariateScheme, lattice: Lattice, degree: int) -> dict[Index, Fraction]:
-    """h, degree by degree: h_j(M^T ω) - h_j(ω) = Σ_(i<j) H_(j-i)(ω) h_i(ω), h_0 = 1.
+    """The series h, degree by degree: h_j(M^T ω) - h_j(ω) = Σ_(i<j) H_(j-i)(ω) h_i(ω), h_0 = 1.
 
     On the homogeneous polynomials of degree j >= 1 the eigenvalues of p -> p(M^T ·) are products of j ones of M, all
     beyond 1 in modulus: there is one solution.
@@ -152,7 +155,7 @@ def _symbol(scheme: MultivariateScheme, lattice: Lattice, degree: int) -> dict[I
 
 
 def _turned(mu: Index, images: Mapping[Index, Mapping[Index, int]], rows: IntMatrix) -> dict[Index, int]:
-    """(M^T ω)^μ by that of μ less one: a further factor Σ_l M_li ω_l."""
+    """The polynomial (M^T ω)^μ, by that of μ less one: a further factor Σ_l M_li ω_l."""
     i = next(i for i, x in enumerate(mu) if x)
     found: dict[Index, int] = {}
     for nu, x in images[_raised(mu, i, -1)].items():
@@ -168,7 +171,7 @@ def _raised(mu: Index, i: int, by: int) -> Index:
 
 
 def _splits(mu: Index, known: Series) -> Iterator[tuple[Index, Index]]:
-    """The ν <= μ in `known` with μ - ν ≠ 0."""
+    """The pairs of ν <= μ in `known` and μ - ν, with μ - ν ≠ 0."""
     for nu in known:
         rest = tuple(x - y for x, y in zip(mu, nu, strict=True))
         if min(rest) >= 0 and any(rest):
@@ -176,7 +179,7 @@ def _splits(mu: Index, known: Series) -> Iterator[tuple[Index, Index]]:
 
 
 def inverse(h: Series, dimension: int, degree: int) -> dict[Index, Fraction]:
-    """1/h up to this degree; h has the constant 1."""
+    """The series 1/h up to this degree; h has the constant 1."""
     q = {(0,) * dimension: Fraction(1)}
     for j in range(1, degree + 1):
         for mu in indices_of_degree(dimension, j):
@@ -186,7 +189,7 @@ def inverse(h: Series, dimension: int, degree: int) -> dict[Index, Fraction]:
 
 
 def moved(q: Series, c: Point, degree: int) -> dict[Index, Fraction]:
-    """exp(-c·θ) q(θ) up to this degree."""
+    """The series exp(-c·θ) q(θ) up to this degree."""
     if not any(c):
         return dict(q)
     found: dict[Index, Fraction] = {}
@@ -221,18 +224,19 @@ def symmetries_of_limits(dilation: IntMatrix, symmetries: Sequence[IntMatrix]) -
 
 
 class _Small:
-    """Matrices without large entries: a finite group has no others, and without a limit there is an end as well."""
+    """The matrices without large entries: a finite group has no others, and without a limit there is an end as well."""
 
     def __contains__(self, g: object) -> bool:
         return isinstance(g, tuple) and max(abs(x) for row in g for x in row) <= _LARGEST_ENTRY
 
 
 def stencil(q: Series, degree: int, centre: Point, group: Sequence[IntMatrix]) -> dict[Index, Fraction]:
-    """t with Q f(α) = Σ_j t_j f(α + j) on polynomials of total degree at most `degree`: Σ_j t_j j^μ = μ! q_μ.
+    """The stencil t with Q f(α) = Σ_j t_j f(α + j) on polynomials of total degree at most `degree`.
 
-    It lies about the centre c of φ. t is invariant under the symmetries of φ about c, those of
+    Σ_j t_j j^μ = μ! q_μ. It lies about the centre c of φ. t is invariant under the symmetries of φ about c, those of
     them that map Z^s to itself: the indices are taken by whole orbits, the nearest ones first and none that is of no
-    use. "Near" is in the largest coordinate of the orbit about c, and then in the sum of squares.
+    use. "Near" is in the largest coordinate of the orbit about c, and then in the sum of squares. ArithmeticError would
+    mean that no stencil exists.
     """
     powers = [mu for j in range(degree + 1) for mu in indices_of_degree(len(centre), j)]
     right = [q.get(mu, Fraction(0)) * prod(map(factorial, mu)) for mu in powers]
@@ -247,7 +251,10 @@ def stencil(q: Series, degree: int, centre: Point, group: Sequence[IntMatrix]) -
 
 
 def _orbits(centre: Point, group: Sequence[IntMatrix], reach: Fraction) -> list[list[Index]]:
-    """Of all j with all coordinates of g(j - c) at most `reach`, in order; of the g about c that map Z^s to itself."""
+    """The orbits of all j with all coordinates of g(j - c) at most `reach`, in order.
+
+    By the g about c that map Z^s to itself.
+    """
     scale = lcm(*(c.denominator for c in centre))
     c = [int(x * scale) for x in centre]
     own = [g for g in group if not any((x - y) % scale for x, y in zip(c, _image(g, c), strict=True))]

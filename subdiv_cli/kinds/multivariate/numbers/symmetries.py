@@ -15,8 +15,10 @@ if TYPE_CHECKING:
 
 
 def facts(numbers: MultivariateNumbers) -> dict[str, Data]:
-    """Keys: dimension, dilation, cosets (their number), isotropic, lowest and highest (corners of the support's box),
-    coefficients (their number), symmetries (the number of `symmetries`), interpolatory and nonnegative.
+    """The facts of a mask by name: dimension, dilation, cosets, isotropic, lowest and highest, coefficients and so on.
+
+    `cosets`, `coefficients` and `symmetries` are numbers of these, `lowest` and `highest` the corners of the support's
+    box; the others are interpolatory and nonnegative.
     """
     scheme = numbers.scheme
     lowest, highest = scheme.bounds()
@@ -48,7 +50,7 @@ def symmetries(scheme: MultivariateScheme) -> tuple[IntMatrix, ...]:
 
 
 def generated(matrices: Iterable[IntMatrix], within: Container[IntMatrix]) -> set[IntMatrix]:
-    """Products of the matrices, as long as they are among some; the group where these are finitely many and closed."""
+    """The products of the matrices, as long as they are `within`; the group where this is finite and closed."""
     generators: list[IntMatrix] = []
     found: set[IntMatrix] = set()
     for g in matrices:
@@ -63,7 +65,7 @@ def generated(matrices: Iterable[IntMatrix], within: Container[IntMatrix]) -> se
 
 
 def times(g: IntMatrix, f: IntMatrix) -> IntMatrix:
-    """g f."""
+    """The product g f of two square matrices."""
     columns = list(zip(*f, strict=True))
     return tuple([tuple([sum(map(mul, row, column)) for column in columns]) for row in g])
 

@@ -20,14 +20,14 @@ Terms = Mapping[Index, Fraction]
 
 
 class Factor(NamedTuple):
-    """A factor of a mask, and which variables it has, rising."""
+    """A factor of a mask, and its variables, rising."""
 
     variables: Variables
     scheme: ScalarScheme | MultivariateScheme
 
 
 def tensor_factors(scheme: MultivariateScheme, lattice: Lattice) -> tuple[Factor, ...]:
-    """Of a mask whose coefficients add up to |det M|: two or more factors, or none."""
+    """The factors of a mask whose coefficients add up to |det M|: two or more, or none."""
     if sum(scheme.terms.values()) != lattice.index:
         return ()
     parts = _finest(_blocks(scheme), scheme.terms)
@@ -49,7 +49,7 @@ def _blocks(scheme: MultivariateScheme) -> list[Variables]:
 
 
 def _finest(blocks: list[Variables], terms: Terms) -> list[Variables]:
-    """Unions of blocks over which the mask is a product: a smallest one with the first block, then the rest's."""
+    """The unions of blocks over which the mask is a product: a smallest one with the first block, then the rest's."""
     if not blocks:
         return []
     first, rest = blocks[0], blocks[1:]
@@ -80,7 +80,7 @@ def _taken(alpha: Index, variables: Variables) -> tuple[Index, Index]:
 
 
 def _factor(scheme: MultivariateScheme, variables: Variables) -> Factor | None:
-    """The sums over the other variables, scaled; None for a negative arity."""
+    """The factor in these variables: the sums over the other variables, scaled; None for a negative arity."""
     rows = tuple(tuple(scheme.dilation[i][j] for j in variables) for i in variables)
     index = Lattice(rows).index
     sums: dict[Index, Fraction] = {}

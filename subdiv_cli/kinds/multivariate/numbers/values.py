@@ -16,9 +16,9 @@ from subdiv_cli.kinds.multivariate.numbers.difference_space import transition_ma
 from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
 
 LARGEST_WINDOW = 500
-"""Integers of the support."""
+"""The most integers of the support."""
 MOST_PRODUCTS = 2_000_000
-"""Of a value and a coefficient."""
+"""The most products of a value and a coefficient."""
 _LARGEST_BOX = 20_000
 
 Values = Mapping[Index, Fraction]
@@ -27,16 +27,16 @@ Tail = Index
 
 
 class NoValuesError(ValueError):
-    """Values that are not computed, as there are too many or as they are not determined; the message says why."""
+    """Raised for values that are too many or not determined; the message gives the reason."""
 
 
 def at_integers(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fraction]:
-    """α -> φ(α), those that are not zero: the v with v(α) = Σ_β a_(Mα-β) v(β), Σ_α v(α) = 1.
+    """The values α -> φ(α) that are not zero: the v with v(α) = Σ_β a_(Mα-β) v(β), Σ_α v(α) = 1.
 
     Needs φ continuous with integral 1, proved, and Σ_α φ(· - α) = 1: so it is where the coset sums are 1 (its Fourier
     coefficients φ^(2πk), k ≠ 0, have a factor a(exp(-iω)) = 0), and for all box splines (a direction has ξ·k ≠ 0). That
-    there is only one v, which convergence implies, is checked. Raises NoValuesError where
-    there are more, and for a support that is too large.
+    there is only one v, which convergence implies, is checked. Raises NoValuesError where there are more, and for a
+    support that is too large.
     """
     window = integers_of_support(scheme, lattice)
     if len(window) > LARGEST_WINDOW:
@@ -71,7 +71,7 @@ def integers_of_support(scheme: MultivariateScheme, lattice: Lattice) -> list[In
 
 
 def support_box(scheme: MultivariateScheme, lattice: Lattice) -> list[tuple[Fraction, Fraction]]:
-    """For each coordinate an interval that contains that of K, less than half larger.
+    """The s intervals that contain the coordinates of K, each less than half larger.
 
     The sum over j <= J is taken exactly; the rest is M^-J K, and with ‖M^-r‖∞ < 1 the norms of K are at most
     Σ_(j<=r) ‖M^-j‖∞ max |γ| / (1 - ‖M^-r‖∞).
@@ -96,9 +96,9 @@ def support_box(scheme: MultivariateScheme, lattice: Lattice) -> list[tuple[Frac
 def at_fractions(
     scheme: MultivariateScheme, lattice: Lattice, integers: Values, level: int, tail: Tail | None = None
 ) -> dict[Index, Fraction]:
-    """α -> φ(M^-level α), those that are not zero; with a `tail` only the α that end in it, M then being c I.
+    """The values α -> φ(M^-level α) that are not zero; with a `tail` only those of the α that end in it.
 
-    Raises NoValuesError beyond MOST_PRODUCTS.
+    M is c I then. Raises NoValuesError beyond MOST_PRODUCTS.
     """
     mask_denominator = lcm(*(x.denominator for x in scheme.terms.values()))
     mask = [(gamma, int(x * mask_denominator)) for gamma, x in scheme.terms.items()]
@@ -117,7 +117,7 @@ def at_fractions(
 
 
 def _refined(mask: list[tuple[Index, int]], values: Mapping[Index, int], wanted: set[Tail] | None) -> dict[Index, int]:
-    """φ(M^-(j+1) α) = Σ_γ a_γ φ(M^-j (α - M^j γ)), up to denominators; `mask` has M^j γ -> a_γ."""
+    """The values φ(M^-(j+1) α) = Σ_γ a_γ φ(M^-j (α - M^j γ)), up to denominators; `mask` has M^j γ -> a_γ."""
     finer: dict[Index, int] = {}
     for beta, value in values.items():
         for gamma, a in mask:
@@ -128,7 +128,7 @@ def _refined(mask: list[tuple[Index, int]], values: Mapping[Index, int], wanted:
 
 
 def _tails(scheme: MultivariateScheme, lattice: Lattice, level: int, tail: Tail) -> list[set[Tail]]:
-    """The tails that are needed at each level: α at level j + 1 asks for α - c^j γ."""
+    """The tails that are needed at each level: for α at level j + 1 those of α - c^j γ."""
     c, box = lattice.dilation[0][0], support_box(scheme, lattice)[2:]
     tails = {gamma[2:] for gamma in scheme.terms}
     needed = [{tail}]

@@ -25,14 +25,14 @@ from subdiv_cli.model.blocks import Block, Formula, Heights, Portrait, Statement
 from subdiv_cli.model.formulas import brief, combination, partial_operator, point, power, rising
 
 _POINTS = 5_000
-"""Of φ, in letters."""
+"""The number of points of φ, when it is drawn in letters."""
 _LONGEST = 40
-"""Terms of a quotient that are written out."""
+"""The most terms of a quotient that are written out."""
 _MOST_MOMENTS = 12
 
 
 def portrait(analysis: Analysis, result: Result) -> Portrait:
-    """The sections of the page, those that have something to say, and its data."""
+    """The sections of the page that are not empty, and its data."""
     page = _Page(analysis, result)
     parts = {
         "Mask": page.mask(),
@@ -45,7 +45,7 @@ def portrait(analysis: Analysis, result: Result) -> Portrait:
 
 
 class _Page:
-    """What there is to show, each thing computed once; None and empty where the scheme does not have it."""
+    """The parts of a page, each computed once; None and empty where the scheme does not have it."""
 
     def __init__(self, analysis: Analysis, result: Result) -> None:
         self.numbers: MultivariateNumbers = analysis.numbers
@@ -67,7 +67,7 @@ class _Page:
 
     @property
     def symbol(self) -> str:
-        """`1/16 (1 + z1)^2 (1 + z1 z2)^2`; a quotient of several terms in brackets, a long one by its length."""
+        """The symbol as text: `1/16 (1 + z1)^2 (1 + z1 z2)^2`; a quotient in brackets, a long one by its length."""
         c, terms = self.scheme.dilation[0][0], [(value, _monomial(index)) for index, value in self.quotient.items()]
         product = " ".join(_factor(theta, c) + (f"^{n}" if n > 1 else "") for theta, n in self.factors.items())
         if len(terms) == 1:
@@ -93,7 +93,7 @@ class _Page:
         yield from value_blocks("φ at the integers", self.values)
 
     def polynomials(self) -> Iterator[Block]:
-        """The moments and Q."""
+        """The blocks of the moments and of Q."""
         if not self.operator or self.centre is None:
             return
         yield Text(f"S^∞ Q f = f on polynomials of total degree {self.result.generation}")
@@ -130,7 +130,7 @@ class _Page:
 
 
 def _terms(values: Values) -> tuple[Data, ...]:
-    """By rising index."""
+    """The pairs of an index and a number, by rising index."""
     return tuple(sorted(values.items()))
 
 

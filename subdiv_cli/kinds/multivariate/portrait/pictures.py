@@ -1,4 +1,4 @@
-"""What `plot` draws of a mask in several variables: φ on a plane, its graph as a net, and control nets. No verdicts."""
+"""Pictures of masks in several variables for `plot`: φ on a plane, its graph as a net, control nets. No verdicts."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from subdiv_cli.model.blocks import Drawing, Heights, Net
 from subdiv_cli.model.findings import SMOOTHNESS, answering
 
 MOST_POINTS = 50_000
-"""Of a surface, about."""
+"""The most points of a surface, about."""
 _LEVELS = 3
-"""Of a net, where none are asked for."""
+"""The levels of a net, where none are given."""
 
 
 def surfaces(scheme: MultivariateScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
-    """φ, nothing where it is not proved continuous. Raises NotDrawnError."""
+    """The drawing of φ, empty where it is not proved continuous. Raises NotDrawnError."""
     result, analysis = _continuity(effort, certify)
     try:
         return Drawing(() if analysis is None else (heights(analysis.numbers),), result, SMOOTHNESS)
@@ -33,9 +33,9 @@ def surfaces(scheme: MultivariateScheme, effort: Effort, options: Options, certi
 
 
 def nets(scheme: MultivariateScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
-    """The control net `points` after `levels` of refinement, as far as it is determined; without one the graph of φ.
+    """The drawing of the control net `points` after `levels` of refinement; without points the graph of φ.
 
-    No graph where φ is not proved continuous. Raises NotDrawnError.
+    The net is drawn as far as it is determined. No graph where φ is not proved continuous. Raises NotDrawnError.
     """
     if scheme.dimension > 2:
         raise NotDrawnError("an .obj is the net of a mask in two variables")
@@ -76,9 +76,9 @@ def _continuity(effort: Effort, certify: Certify) -> tuple[Result, Analysis | No
 
 
 def heights(numbers: MultivariateNumbers, points: int = MOST_POINTS) -> Heights:
-    """φ with at most about so many values; in more than two variables on a plane of the grid near its centre of mass.
+    """The values of φ, at most about so many; in more than two variables on a plane near its centre of mass.
 
-    Needs φ continuous. Raises NoValuesError.
+    A plane of the grid. Needs φ continuous. Raises NoValuesError.
     """
     scheme = _by_multiples(numbers)
     lattice, sides = Lattice(scheme.dilation), support_box(scheme, Lattice(scheme.dilation))[:2]
@@ -104,7 +104,7 @@ def heights(numbers: MultivariateNumbers, points: int = MOST_POINTS) -> Heights:
 
 
 def _by_multiples(numbers: MultivariateNumbers) -> MultivariateScheme:
-    """S^r with a dilation c I, whose points are a rectangular grid; S itself where it has none that is short."""
+    """The scheme S^r with a dilation c I, whose points are a rectangular grid; S itself where no such r is small."""
     if numbers.lattice.scalar_power is None:
         return numbers.scheme
     power, c = numbers.lattice.scalar_power
@@ -115,7 +115,10 @@ def _by_multiples(numbers: MultivariateNumbers) -> MultivariateScheme:
 
 
 def centre(numbers: MultivariateNumbers) -> tuple[Fraction, ...]:
-    """∫ x φ(x) dx = (M - I)^-1 Σ_γ γ a_γ / m, the centre of the support of a mask that is symmetric about a point."""
+    """The centre of mass ∫ x φ(x) dx = (M - I)^-1 Σ_γ γ a_γ / m.
+
+    It is the centre of the support of a mask that is symmetric about a point.
+    """
     scheme, m = numbers.scheme, numbers.lattice.index
     mean = [sum((gamma[i] * a for gamma, a in scheme.terms.items()), Fraction(0)) / m for i in range(numbers.dimension)]
     rows = [[x - (i == j) for j, x in enumerate(row)] for i, row in enumerate(scheme.dilation)]
@@ -141,7 +144,7 @@ def graph(numbers: MultivariateNumbers, levels: int) -> Net:
 
 
 def net(scheme: MultivariateScheme, vertices: Vertices, levels: int) -> Net:
-    """S^levels of a net on Z^2, as far as it is determined. Raises NoValuesError."""
+    """The net S^levels of a net on Z^2, as far as it is determined. Raises NoValuesError."""
     return _net(scheme, refined(scheme, Lattice(scheme.dilation), vertices, levels), levels, "a control net")
 
 

@@ -20,32 +20,32 @@ from subdiv_cli.model.findings import QUASI_INTERPOLATION, answering
 from subdiv_cli.model.formulas import point
 
 MOST_COSETS = 16
-"""Of a mask that are drawn."""
+"""The most cosets of a mask whose stencils are drawn."""
 _LARGEST_DENOMINATOR = 10**6
-"""Up to here weights are shown as multiples of 1/denominator, which keeps them short."""
+"""The largest denominator that is taken out of the weights, which keeps them short."""
 
 Values = Mapping[Index, Fraction]
 
 
 class Stencil(NamedTuple):
-    """(S f)(γ + Mβ) = Σ_δ weights[δ] f(β + δ), for all β: the rule of the new points M^-1 γ + Z^s."""
+    """The rule (S f)(γ + Mβ) = Σ_δ weights[δ] f(β + δ), for all β, of the new points M^-1 γ + Z^s."""
 
     coset: Index
-    """γ."""
+    """The representative γ of the coset."""
     at: tuple[Fraction, ...]
-    """M^-1 γ."""
+    """The place M^-1 γ of the new points."""
     weights: Values
-    """δ -> a_(γ - Mδ), those that are not zero."""
+    """The weights δ -> a_(γ - Mδ) that are not zero."""
 
     @property
     def title(self) -> str:
-        """`coset (1, 0) at (1/2, 0), in 1/8`."""
+        """The title of the stencil: `coset (1, 0) at (1/2, 0), in 1/8`."""
         where = f"at {point(self.at)}" if any(self.at) else "at the old points"
         return f"coset {point(self.coset)} {where}{scaled(self.weights) if self.weights else ': no weights'}"
 
 
 def stencils(terms: Values, lattice: Lattice) -> Iterator[Stencil]:
-    """One for each of the |det M| cosets, representatives with small entries first. `terms`: α -> a_α on Z^s."""
+    """The stencils of the |det M| cosets, representatives with small entries first; `terms` has α -> a_α on Z^s."""
     of_coset: dict[Index, list[Index]] = {}
     for alpha in terms:
         of_coset.setdefault(lattice.coset(alpha), []).append(alpha)
@@ -59,7 +59,7 @@ def stencils(terms: Values, lattice: Lattice) -> Iterator[Stencil]:
 
 
 def stencil_blocks(terms: Values, lattice: Lattice) -> Iterator[Block]:
-    """Those of the first cosets, in the plane beside each other."""
+    """The blocks of the stencils of the first cosets, in the plane beside each other."""
     shown = list(islice(stencils(terms, lattice), MOST_COSETS))
     if lattice.dimension == 2:
         yield Planes(tuple(plane for stencil in shown for plane in _planes(stencil.title, stencil.weights)))
@@ -71,7 +71,7 @@ def stencil_blocks(terms: Values, lattice: Lattice) -> Iterator[Block]:
 
 
 def value_blocks(title: str, values: Values) -> Iterator[Block]:
-    """A function on Z^s, where it is not zero."""
+    """The blocks of a function on Z^s, where it is not zero."""
     title += scaled(values)
     if len(next(iter(values))) == 2:
         yield Planes(tuple(_planes(title, values)))
@@ -80,37 +80,37 @@ def value_blocks(title: str, values: Values) -> Iterator[Block]:
 
 
 def quasi_blocks(stencil: Values) -> Iterator[Block]:
-    """The stencil of Q, where it is more than one weight."""
+    """The block of the stencil of Q, where it is more than one weight."""
     if len(stencil) > 1:
         yield from value_blocks("Q f(α) = Σ t_j f(α+j)", stencil)
 
 
 def quasi_witness(findings: Iterable[Finding]) -> Mapping[str, Any]:
-    """What is found of Q, nothing where it is not proved."""
+    """The witness of the finding on Q, empty where Q is not proved."""
     found = answering(findings, QUASI_INTERPOLATION)
     return found.witness if found is not None and found.verdict is Verdict.PROVED else {}
 
 
 def sections(scheme: MultivariateScheme, result: Result) -> tuple[Section, ...]:
-    """What a report shows beside the findings: the stencils."""
+    """The sections of a report on a mask beside the findings: the stencils."""
     quasi: Values = dict(quasi_witness(result.findings).get("stencil", ()))
     return (Section("stencils", (*stencil_blocks(scheme.terms, Lattice(scheme.dilation)), *quasi_blocks(quasi))),)
 
 
 def scaled(weights: Values) -> str:
-    """`, in 1/8` where the cells have eight times the weights."""
+    """The unit of the cells as text: `, in 1/8` where they have eight times the weights."""
     denominator = _denominator(weights)
     return f", in 1/{denominator}" if denominator > 1 else ""
 
 
 def _denominator(weights: Values) -> int:
-    """What the weights are multiplied by before they are shown."""
+    """The factor by which the weights are multiplied before they are shown."""
     common = lcm(*(weight.denominator for weight in weights.values()))
     return common if common <= _LARGEST_DENOMINATOR else 1
 
 
 def _planes(title: str, weights: Values) -> Iterator[Plane]:
-    """One for two variables; for more those on which there are weights, under titles of their own."""
+    """The planes of a function: one for two variables; for more those with weights, under titles of their own."""
     scale = _denominator(weights)
     cells = sorted(((index, rational(weight * scale)) for index, weight in weights.items()), key=lambda c: c[0][2:])
     if not cells:

@@ -38,7 +38,7 @@ STAGES: tuple[Stage, ...] = (
 
 
 def analyse(scheme: MultivariateScheme, effort: Effort, _: Fraction | None = None) -> Analysis:
-    """What all stages find under the effort, of each factor of a tensor product first."""
+    """The findings of all stages under the effort, of each factor of a tensor product first."""
     lattice = Lattice(scheme.dilation)
     parts: tuple[Part, ...] = ()
     if box_spline(scheme, lattice) is None:
@@ -48,7 +48,7 @@ def analyse(scheme: MultivariateScheme, effort: Effort, _: Fraction | None = Non
 
 
 def _analysed(factors: Sequence[Factor], effort: Effort) -> tuple[Part, ...]:
-    """Equal ones once."""
+    """The factors with their findings; equal factors are analysed once."""
     done: list[Part] = []
     for variables, scheme in factors:
         known = next((part.analysis for part in done if part.scheme == scheme), None)

@@ -139,7 +139,7 @@ def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
 
 
 def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
-    """α >= s - dimension/2, for the bound of s that SD617 has."""
+    """The finding α >= s - dimension/2, for the bound of s that SD617 has; None where it has none."""
     bound = numbers.mean_decay
     if bound is None:
         return None
@@ -150,7 +150,7 @@ def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
 
 
 def _exponent(numbers: MultivariateNumbers, length: int, bound: Fraction) -> float:
-    """-log_λ(bound)/length, rounded down."""
+    """The exponent -log_λ(bound)/length, rounded down."""
     with ctx.workprec(128):
         lower = interval(-ball(bound).log() * numbers.dimension / ball(numbers.lattice.index).log() / length).lower
     assert lower is not None

@@ -106,7 +106,7 @@ def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Find
 
 
 _MORE_ORDERS = 2
-"""Orders of differences above n + 1 that are tried for C^n."""
+"""The orders of differences above n + 1 that are tried for C^n."""
 
 
 def matrix_norms(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -174,7 +174,7 @@ def _finding(numbers: MultivariateNumbers, n: int, found: MatrixNorm) -> Finding
 
 
 def _how(found: MatrixNorm) -> str:
-    """Which reduction is taken, and what ‖S_Q‖∞ is for it and the other."""
+    """The reduction that is taken, as text, and ‖S_Q‖∞ for it and the other."""
     of = f" of S^{found.power}" if found.power > 1 else ""
     names = {"lemma": "Lemma 6.6", "least": "least norm"}
     norms = {"lemma": found.lemma, "least": found.least}

@@ -17,7 +17,7 @@ from subdiv_cli.model import Data, Finding, Question, Rule, Verdict
 
 
 def box_spline(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
-    """SD603: is φ a box spline?
+    """SD603: whether φ is a box spline.
 
     Theorem: see numbers/box_spline.py. The factorisation is of the mask of S itself, or of a power S^r whose dilation
     is a multiple of I; it is exact, and the directions are found without a search. Hypothesis, the coset sums add up to
@@ -46,7 +46,7 @@ def box_spline(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
 
 
 def _listed(count: Mapping[Index, int]) -> str:
-    """`(0, 1), (1, 0), each twice`, or `(0, 1), (1, 0) 3 times`."""
+    """The directions as text: `(0, 1), (1, 0), each twice`, or `(0, 1), (1, 0) 3 times`."""
     times = {n: "twice" if n == 2 else f"{n} times" for n in count.values()}
     if len(times) == 1 and 1 not in times and len(count) > 1:
         return f"{', '.join(map(str, count))}, each {times[min(times)]}"
@@ -58,7 +58,7 @@ _LEAST_SPARE = Fraction(1, 1000)
 
 
 def tensor_product(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
-    """SD609: is the mask a tensor product? And what follows of φ from its factors.
+    """SD609: whether the mask is a tensor product, and what follows for φ from its factors.
 
     Theorem (Dyn 1992, Proposition 6.3; FORMAT.md): let M be block diagonal and a(z) the product of masks in the
     variables of the blocks, of sums |det M_j|. Then φ is the product of the φ_j. S converges uniformly iff all factors
@@ -85,7 +85,7 @@ def _mask(part: Part) -> str:
 
 
 def of_all(parts: tuple[Part, ...], question: Question) -> tuple[Verdict, Part]:
-    """PROVED where all are, else REFUTED where one is, with it; UNDECIDED with one that is not proved."""
+    """The verdict PROVED where all are, else REFUTED where one is, with it; UNDECIDED with one that is not proved."""
     findings = [(part.finding(question).verdict, part) for part in parts]
     for wanted in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SKIPPED):
         for found, part in findings:
@@ -95,7 +95,10 @@ def of_all(parts: tuple[Part, ...], question: Question) -> tuple[Verdict, Part]:
 
 
 def follows(rule: Rule, asked: str, parts: tuple[Part, ...], question: Question, yes: str, no: str) -> Finding:
-    """A property that φ has iff all factors have it; `no` is a sentence with the name of one that has it not."""
+    """The finding of a property that φ has iff all factors have it.
+
+    `no` is a sentence with the name of one that has it not.
+    """
     found, part = of_all(parts, question)
     if found is Verdict.PROVED:
         return rule.proved(yes, {"by": TENSOR_PRODUCT.code})
@@ -109,13 +112,13 @@ class Least(NamedTuple):
 
     part: Part
     is_exact: bool
-    """It is that of φ, and its finding has it in closed form."""
+    """Whether it is the exponent of φ, and its finding has it in closed form."""
     between: Fraction | None
     """A number that the exponents of factors with other masks are not below, and that of this one not above."""
 
 
 def least(parts: tuple[Part, ...], question: Question) -> Least | None:
-    """By what the answers to a question prove from below; None where an exponent is not seen to be positive."""
+    """The factor of least exponent, by the bounds from below; None where an exponent is not seen to be positive."""
     lower = [_low(part.finding(question)) for part in parts]
     if any(x is None or x <= 0 for x in lower):
         return None
@@ -129,7 +132,7 @@ def least(parts: tuple[Part, ...], question: Question) -> Least | None:
 
 
 def least_witness(found: Least) -> dict[str, Data]:
-    """As SD614 and SD617 have it."""
+    """The witness of the least factor, as SD614 and SD617 have it."""
     between = {} if found.between is None else {"between": found.between}
     return {"by": TENSOR_PRODUCT.code, "variables": found.part.variables, **between}
 
@@ -147,7 +150,7 @@ def _between(found: Finding, others: list[Finding]) -> Fraction | None:
 
 
 def _low(found: Finding) -> Fraction | None:
-    """What a finding proves of an exponent from below."""
+    """The lower bound of an exponent that a finding proves; None where it proves none."""
     if isinstance(found.closed, Fraction):
         return found.closed
     return _fraction(found.value.lower) if found.value is not None else None

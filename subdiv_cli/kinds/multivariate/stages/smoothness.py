@@ -118,11 +118,11 @@ _NORMS = {
     POSITIVE_MASK.code: "the mask is positive on a box",
     MATRIX_NORMS.code: "a matrix scheme of differences contracts",
 }
-"""What proves it with a few numbers."""
+"""The reasons of convergence with a few numbers, by the code of the finding."""
 
 
 def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD611: does S converge uniformly, to a limit that is not zero for some data?
+    """SD611: whether S converges uniformly, to a limit that is not zero for some data.
 
     Theorem (Han & Jia 1998, Theorem 4.3, for any expanding M; numbers/difference_space.py for k > 1): S converges
     uniformly iff its coset sums are 1 and ρ_k < 1, k any order of its sum rules. No stability is needed. Also proved by
@@ -132,6 +132,8 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
     Hypotheses: the coset sums (SD601).
 
     Witness: `by`, the code of the finding that decides.
+
+    Raises ContradictionError where S converges and ρ_k is at least 1.
     """
     sums, found = (facts.find(rule) for rule in (COSET_SUMS, DIFFERENCE_RADIUS))
     norms = next((code for code in _NORMS if code in facts), None)
@@ -173,7 +175,7 @@ _STABILITY_QUESTION = "are the integer translates of φ stable?"
 
 
 def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD616: are the integer translates of φ stable?
+    """SD616: whether the integer translates of φ are stable.
 
     Theorems. Box splines (SD603): iff the directions are unimodular (Dahmen & Micchelli 1983; Jia 1984; de Boor, Höllig
     & Riemenschneider 1993, II.57). Interpolatory masks, a_(Mα) = δ_α, of schemes that converge (SD611): φ(α) = δ_α, so
@@ -231,7 +233,7 @@ _SMOOTHNESS_QUESTION = "how smooth is φ?"
 
 
 def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD612: the largest n for which φ, and with it every limit function, is proved C^n. SD613: is C^(n+1) refuted?
+    """SD612: the largest n for which φ, and with it every limit function, is proved C^n. SD613: no C^(n+1).
 
     Theorems. For isotropic M, λ = |det M|^(1/s) (Jia 1998; Han 2003): sum rules of order k > n and ρ_k < λ^-n give C^n;
     stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k > n of its sum rules. Box splines
@@ -332,7 +334,7 @@ def _reason(numbers: MultivariateNumbers, n: int, by: str) -> str:
 
 
 def threshold(numbers: MultivariateNumbers, n: int) -> str:
-    """λ^-n in words: `1`, `λ^-2, λ = 3`, `λ^-1, λ = √2`."""
+    """The power λ^-n in words: `1`, `λ^-2, λ = 3`, `λ^-1, λ = √2`."""
     if n == 0:
         return "1"
     m, s = numbers.lattice.index, numbers.dimension
@@ -341,7 +343,7 @@ def threshold(numbers: MultivariateNumbers, n: int) -> str:
 
 
 def proved_by(numbers: MultivariateNumbers, facts: Facts, n: int) -> str | None:
-    """The code of what proves C^n: ρ_k < λ^-n, by x^s m^(n length) < 1 for ρ_k^length <= x; or norms."""
+    """The code of the finding that proves C^n: ρ_k < λ^-n, by x^s m^(n length) < 1 for ρ_k^length <= x; or norms."""
     bounds = {
         DIFFERENCE_RADIUS.code: numbers.radius and numbers.radius.upper,
         SOBOLEV.code: (2, numbers.mean_decay),

@@ -83,7 +83,7 @@ def reproduction(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
 
 _QUASI_INTERPOLATION_QUESTION = "which data have a given polynomial as limit?"
 _MOST_TERMS = 12
-"""Of an operator or a stencil that is written out."""
+"""The most terms of an operator or a stencil that are written out."""
 
 
 def quasi_interpolation(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -128,7 +128,7 @@ def _pairs(values: Mapping[Index, Fraction]) -> tuple[tuple[Index, Fraction], ..
 
 
 def _formula(found: QuasiInterpolation) -> str:
-    """`Q f(α) = (f - 1/6 f_xx)(α + (1, 1)), or the weights …`."""
+    """The operator Q as text: `Q f(α) = (f - 1/6 f_xx)(α + (1, 1)), or the weights …`."""
     right = partial_operator(found.centred)
     if len(found.centred) > _MOST_TERMS:
         text = f"Q of {len(found.operator)} derivatives"

@@ -1,4 +1,4 @@
-"""What these stages share: words on box splines, and exponents to the base λ = |det M|^(1/s)."""
+"""Wording that these stages share: on box splines, and exponents to the base λ = |det M|^(1/s)."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ ANISOTROPIC = "smoothness is decided for isotropic dilations only"
 
 
 def spanning(count: int) -> str:
-    """Of the directions of a box spline: so many may go, whichever they are."""
+    """The words on so many directions of a box spline that may go, whichever they are."""
     return f"its directions span without any {'one' if count == 1 else count} of them"
 
 
 def not_spanning(count: int) -> str:
-    """Of the directions of a box spline: so many are too many."""
+    """The words on so many directions of a box spline that are too many."""
     return f"its directions do not span without some {'one' if count == 1 else count} of them"
 
 
 def surface_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm | None:
-    """-log_λ(Λ)/length with λ^s = m: -log_m(Λ^s)/length, the power as small as the number m allows.
+    """The exponent -log_λ(Λ)/length with λ^s = m: -log_m(Λ^s)/length, the power as small as the number m allows.
 
     None where the minimal polynomial of the power is too large.
     """
@@ -36,7 +36,7 @@ def surface_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm | No
 
 
 def growth_proof(numbers: MultivariateNumbers) -> dict[str, Data]:
-    """What certificates need to show of the growth Λ of mean squares, where that is known."""
+    """The numbers by which certificates show the growth Λ of mean squares, where that is known."""
     found = numbers.mean_squares
     assert found is not None
     assert found.growth is not None

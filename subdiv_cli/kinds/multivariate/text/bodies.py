@@ -22,7 +22,10 @@ Nested = tuple["Expression | Nested", ...]
 
 
 class Grid(NamedTuple):
-    """coefficients[i][j]… = a_(start + (i, j, …)), as deep as there are variables; all lists of one depth as long."""
+    """The coefficients as nested lists: coefficients[i][j]… = a_(start + (i, j, …)), as deep as there are variables.
+
+    All lists of one depth are as long.
+    """
 
     dilation: IntMatrix
     start: Index
@@ -40,7 +43,7 @@ class Grid(NamedTuple):
 
 
 class Terms(NamedTuple):
-    """index -> a_index; the indices are different, at least one."""
+    """The coefficients as a table: index -> a_index; the indices are different, at least one."""
 
     dilation: IntMatrix
     terms: tuple[tuple[Index, Expression], ...]
@@ -54,7 +57,7 @@ class Terms(NamedTuple):
 
 
 class LaurentSymbol(NamedTuple):
-    """a(z1, z2, …) as one expression."""
+    """The symbol a(z1, z2, …) as one expression."""
 
     dilation: IntMatrix
     expression: Expression
@@ -72,15 +75,15 @@ class LaurentSymbol(NamedTuple):
 
 
 class BoxSpline(NamedTuple):
-    """c^(s-n) Π_ξ (1 + z^ξ + … + z^((c-1)ξ))^m, n = Σ m, for the dilation cI: the box spline of the directions ξ.
+    """The box spline of the directions ξ: c^(s-n) Π_ξ (1 + z^ξ + … + z^((c-1)ξ))^m, n = Σ m, with the dilation cI.
 
     Dyn 1992, 6.54 for c = 2; de Boor, Höllig, Riemenschneider 1993, chapter VII.
     """
 
     dilation: IntMatrix
-    """c times the identity."""
+    """The matrix c times the identity."""
     directions: tuple[Index, ...]
-    """They span R^s."""
+    """The directions, which span R^s."""
     multiplicities: tuple[int, ...]
 
     def expressions(self) -> Iterable[Expression]:
@@ -104,7 +107,7 @@ class BoxSpline(NamedTuple):
 
 
 class Tensor(NamedTuple):
-    """a_(i, j, …) = a_i b_j …, a product of at least two scalar masks of one arity."""
+    """The tensor product a_(i, j, …) = a_i b_j … of at least two scalar masks of one arity."""
 
     factors: tuple[Coefficients | Symbol, ...]
 

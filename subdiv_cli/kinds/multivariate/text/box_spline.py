@@ -1,4 +1,4 @@
-"""`box_spline = {directions = [[1,0],[0,1],[1,1]], multiplicities = [2,2,2]}`."""
+"""The key `box_spline = {directions = [[1,0],[0,1],[1,1]], multiplicities = [2,2,2]}` of a mask file."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def _multiplicities(inner: Table, count: int) -> tuple[int, ...] | None:
 
 
 def rank(vectors: tuple[Index, ...]) -> int:
-    """The dimension of their span, by elimination."""
+    """The dimension of the span of integer vectors, by elimination."""
     rows = [list(map(Fraction, vector)) for vector in vectors]
     found = 0
     for column in range(len(vectors[0])):

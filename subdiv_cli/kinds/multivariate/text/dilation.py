@@ -1,4 +1,4 @@
-"""`dilation`: an integer c >= 2 for cI, or the rows of an expanding integer matrix."""
+"""The key `dilation` of a mask file: an integer c >= 2 for cI, or the rows of an expanding integer matrix."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ HELP = "write dilation = 2, or a matrix by rows: dilation = [[1, 1], [1, -1]]"
 
 
 class Dilation:
-    """What [mask] says of the dilation, which may be nothing; faults are recorded."""
+    """The dilation that [mask] gives, which may be none; faults are recorded."""
 
     def __init__(self, table: Table) -> None:
         self.path: KeyPath = (*table.path, "dilation")
@@ -110,13 +110,13 @@ def _too_many_cosets(count: int) -> Fault:
 
 
 def _factor(rows: IntMatrix) -> int | None:
-    """The c of a matrix cI; None for another."""
+    """The factor c of a matrix cI; None for another."""
     c = rows[0][0]
     return c if rows == multiple_of_identity(c, len(rows)) else None
 
 
 def _spelled(polynomial: list[int]) -> str:
-    """det(x - M), as a message shows it: x^2 - 2x + 1."""
+    """The characteristic polynomial det(x - M), as a message shows it: x^2 - 2x + 1."""
     out = ""
     for k in range(len(polynomial) - 1, -1, -1):
         if c := polynomial[k]:

@@ -1,4 +1,4 @@
-"""`start` with nested `coefficients`, and `terms`: a number for each index."""
+"""The keys `start` with nested `coefficients`, and `terms`, of a mask file: a number for each index."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...]
 
 
 class _Rows:
-    """Reads lists of lists of the lengths that the first ones have; what is wrong is recorded."""
+    """A reader of lists of lists of the lengths that the first ones have; what is wrong is recorded."""
 
     def __init__(self, shape: tuple[int, ...], parameters: Collection[str], problems: Collector) -> None:
         self._shape, self._parameters, self._problems = shape, parameters, problems

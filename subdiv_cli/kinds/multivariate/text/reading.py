@@ -18,7 +18,7 @@ from subdiv_cli.maskfile.problems import Collector, Fault
 from subdiv_cli.maskfile.values import described
 
 FORMS = ("coefficients", "terms", "symbol", "box_spline", "tensor")
-"""What gives a mask: one of these."""
+"""The keys that give a mask: one of these."""
 _KEYS = ("dilation", "start", *FORMS)
 _DILATION = "a multivariate mask has a dilation: dilation = 2, or a matrix [[1, 1], [1, -1]]"
 _BOX = "it belongs to box_spline = {directions = [[1,0],[0,1],[1,1]], multiplicities = [2,2,2]}"

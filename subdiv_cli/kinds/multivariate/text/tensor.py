@@ -1,4 +1,4 @@
-"""`tensor = [{…}, "four_point.toml"]`: scalar masks, inline or in files beside this one."""
+"""The key `tensor = [{…}, "four_point.toml"]` of a mask file: scalar masks, inline or in files beside this one."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def _file(name: str, beside: str | None) -> Coefficients:
 
 
 def _agree(factors: tuple[Coefficients | Symbol, ...], dilation: Dilation, table: Table) -> bool:
-    """Whether all are of one arity, and of the dilation where one is given; recorded otherwise."""
+    """Whether all factors are of one arity, and of the dilation where one is given; recorded otherwise."""
     arities = sorted({factor.arity for factor in factors})
     if len(arities) > 1:
         message = f"the masks of a tensor product must be of one arity, and there are {' and '.join(map(str, arities))}"

@@ -19,7 +19,7 @@ def body_of(scheme: MultivariateScheme) -> Terms:
 
 
 def spell(body: BoxSpline | Grid | LaurentSymbol | Tensor | Terms) -> list[str]:
-    """The lines of [mask]."""
+    """The lines of the [mask] table."""
     if isinstance(body, Tensor):
         factors = [line for factor in body.factors for line in ("", "[[mask.tensor]]", *spelled_entries(factor))]
         return ["[mask]", *factors[1:]]

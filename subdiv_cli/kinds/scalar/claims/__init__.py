@@ -40,7 +40,7 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
     rules.ERROR_BOUND.code: values.error_bound,
     rules.HERMITE_BOUND.code: values.hermite_bound,
 }
-"""The numbers of the claims that say what a decided finding says, by code; none where its witness is missing."""
+"""The functions that make the claims of a decided finding, by code; they make none where a witness is missing."""
 
 
 def claims_of(analysis: Analysis) -> Proofs:

@@ -20,9 +20,9 @@ from subdiv_cli.model.closed import rational
 
 
 class Proof:
-    """Each method returns the number of a claim, which it makes where there is none yet; a list is empty where a
+    """A certificate under construction: each method returns the number of a claim, which it makes if there is none yet.
 
-    witness was too costly to compute.
+    Where a method returns a list, it is empty where a witness was too costly to compute.
     """
 
     def __init__(self, p: int, degree: int, findings: Sequence[Finding]) -> None:
@@ -52,10 +52,11 @@ class Proof:
         work: int = 1,
         name: str | None = None,
     ) -> int:
-        """A claim by a rule; its property has the rule's name unless another is given."""
+        """The number of a claim by a rule; its property has the rule's name unless another is given."""
         return self.claims.add(rule, {"property": name or rule, **statement}, witness or {}, uses, work)
 
     def sum_rules(self, mask: int) -> int:
+        """The claim that this mask has sum rules of its order and no higher one."""
         witness = self.found[rules.SUM_RULES if mask == 0 else rules.REDUCTION].witness
         quotient = as_polynomial(witness["cofactor_start"], witness["cofactor"])
         order = self.orders[mask]
@@ -63,12 +64,14 @@ class Proof:
         return self.add("sum-rules", {"mask": mask, "order": order}, {"quotient": quotient}, work=work)
 
     def norm(self, mask: int, nu: int, level: int, norm: Fraction) -> int:
+        """The claim ‖((1/p)S_ν)^level‖∞ = norm of this mask."""
         p, degree = self.p, self.degrees[mask] - nu * (self.p - 1)
         size = degree * (p**level - 1) // (p - 1) + 1
         statement = {"mask": mask, "nu": nu, "level": level, "norm": rational(norm)}
         return self.add("norm", statement, uses=[self.sum_rules(mask)], work=(degree + 1) * size)
 
     def product(self, mask: int, word: Sequence[int], radius: Fraction) -> int:
+        """The claim that the product of the word's transition matrices has at least this spectral radius."""
         degree = self.degrees[mask] - self.orders[mask] * (self.p - 1)
         order = max(1, -(-degree // (self.p - 1)))
         statement = {"mask": mask, "word": list(word), "radius": rational(radius)}
@@ -87,23 +90,23 @@ class Proof:
         return self._family_claims[mask, nu]
 
     def contraction(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
-        """The claims, in the order that conclusions use them, that make a derived scheme of this mask contract."""
+        """The claims, in the order in which conclusions use them, by which a derived scheme of this mask contracts."""
         if "radius_of" in witness:
             return radius.claims(self, mask)
         nu, level = as_integer(witness["nu"]), as_integer(witness["level"])
         return [self.norm(mask, nu, level, as_rational(witness["norm"]))]
 
     def obstacle(self, mask: int, order: int, witness: Mapping[str, Data]) -> int:
-        """What keeps a stable φ of this mask from being C^order."""
+        """The claim that keeps a stable φ of this mask from being C^order."""
         if "word" not in witness:
             return self.sum_rules(mask)
         word = as_word(witness)
         return self.product(mask, word, self._radius(mask, word, Fraction(1, self.p ** (order * len(word)))))
 
     def _radius(self, mask: int, word: Sequence[int], least: Fraction) -> Fraction:
-        """The radius to claim of a product: that of SD312, if it is of this product and large enough, so that one claim
+        """The radius to claim of a product: the least one that is needed, or a larger one that serves all orders.
 
-        serves all orders; else the least one that is needed.
+        The larger one is that of SD312, if it is of this product and large enough.
         """
         witness = (
             self.found[rules.HOLDER_UPPER].witness if rules.HOLDER_UPPER in self.found and mask == self.last else {}
@@ -113,12 +116,14 @@ class Proof:
         return max(least, as_rational(witness["radius"]))
 
     def independent(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
+        """The claims that the integer translates of φ of this mask are linearly independent."""
         if "cofactors" not in witness or len(as_tuple(witness["gcd"])) > 1:
             return []
         work = 20 * (self.degrees[mask] + 1) ** 2
         return [self.add("independent", {"mask": mask, "holds": True}, {"cofactors": as_cofactors(witness)}, work=work)]
 
     def stable(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
+        """The claims that the integer translates of φ of this mask are stable."""
         if "cofactors" not in witness:
             return []
         statement, n = {"mask": mask, "holds": True}, self.degrees[mask] + 1
@@ -128,6 +133,7 @@ class Proof:
         return [self.add("stable", statement, hints, work=20 * n**2 + n**3)]
 
     def last_stable(self) -> list[int]:
+        """The claims that the last mask is stable."""
         if not self.last:
             return self.stable(0, self.found[rules.STABILITY].witness)
         return self.stable(self.last, cast(Mapping[str, Data], self.found[rules.REDUCTION].witness["stable"]))

@@ -17,7 +17,7 @@ Map = Mapping[str, Data]
 
 
 def claims(proof: Proof, mask: int) -> list[int]:
-    """What a conclusion on this mask uses of the radius of its D: a norm, or the radius and what family it is of."""
+    """The claims on the radius of D that a conclusion on this mask uses: a norm, or the radius and its family."""
     data, order = of_mask(proof, mask), proof.orders[mask]
     if data["rule"] == "norm":
         level = as_integer(data["length"])
@@ -27,7 +27,7 @@ def claims(proof: Proof, mask: int) -> list[int]:
 
 
 def claims_of(proof: Proof, mask: int, nu: int, data: Map) -> list[int]:
-    """The radius of S_(Δ^ν) of a mask, by a proof that is no norm, and what family it is of."""
+    """The claims on the radius of S_(Δ^ν) of a mask, by a proof that is no norm, and on its family."""
     family = proof.family(mask, nu)
     number = as_integer(proof.claims.statement(family)["family"])
     size = max(1, -(-(proof.degrees[mask] - nu * (proof.p - 1)) // (proof.p - 1)))
@@ -36,7 +36,7 @@ def claims_of(proof: Proof, mask: int, nu: int, data: Map) -> list[int]:
 
 
 def defective(proof: Proof, family: int, witness: Map) -> int:
-    """A product of a family with a Jordan block."""
+    """The claim that a product of a family has a Jordan block."""
     word, vector = [as_integer(x) for x in as_tuple(witness["word"])], as_rationals(witness["vector"])
     statement = {
         "family": proof.claims.statement(family)["family"],
@@ -49,5 +49,5 @@ def defective(proof: Proof, family: int, witness: Map) -> int:
 
 
 def of_mask(proof: Proof, mask: int) -> Map:
-    """The proof that finding SD310 has for this mask."""
+    """The proof that finding SD310 has for this mask, as plain data."""
     return proof.radii["S" if mask == 0 else "S0"].proof

@@ -18,12 +18,14 @@ from subdiv_cli.model.closed import rational
 
 
 def contractivity(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD301: a derived scheme contracts, or a product of transition matrices keeps it from doing so."""
     if finding.verdict is Verdict.PROVED:
         return proof.contraction(proof.last, finding.witness)
     return [proof.obstacle(proof.last, as_integer(finding.witness["nu"]) - 1, finding.witness)]
 
 
 def convergence(proof: Proof, finding: Finding) -> list[int]:
+    """The claim of SD201: S converges uniformly, or does not."""
     if finding.verdict is Verdict.PROVED:
         uses = proof.contraction(0, finding.witness)
         return [proof.add("converges", {"holds": True}, uses=uses, name="convergent")]
@@ -38,6 +40,7 @@ def convergence(proof: Proof, finding: Finding) -> list[int]:
 
 
 def smoothness(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD302: φ is C^n, or is not continuous."""
     if finding.verdict is Verdict.REFUTED:
         return _not_smooth(proof, 0, finding.witness)
     order = as_integer(finding.witness["order"])
@@ -49,6 +52,7 @@ def smoothness(proof: Proof, finding: Finding) -> list[int]:
 
 
 def next_smoothness(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD303: φ is not C^(n+1)."""
     return _not_smooth(proof, as_integer(finding.witness["order"]), finding.witness)
 
 
@@ -59,6 +63,7 @@ def _not_smooth(proof: Proof, order: int, witness: Mapping[str, Data]) -> list[i
 
 
 def joint_radius(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD310: the joint spectral radius of D, or a bound of it."""
     mask = 0 if finding.witness["of"] == "S" else proof.last
     claims = radius.claims(proof, mask)
     if finding.proof["rule"] == "norm" and "root" in finding.witness:
@@ -68,6 +73,7 @@ def joint_radius(proof: Proof, finding: Finding) -> list[int]:
 
 
 def holder_lower(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD311: the Hölder exponent from below, or what it is where the radius is known."""
     data, length = radius.of_mask(proof, proof.last), as_integer(finding.witness["length"])
     last, uses = proof.last, [*radius.claims(proof, proof.last), proof.sum_rules(proof.last)]
     root = cast("Mapping[str, Data] | None", finding.witness.get("root"))
@@ -88,12 +94,13 @@ def holder_lower(proof: Proof, finding: Finding) -> list[int]:
 
 
 def _fitting(word: tuple[int, ...], length: int, power: Fraction) -> tuple[tuple[int, ...], Fraction]:
-    """A power of the word of length n, a multiple of `length`, and x^(n/length) for x = `power`."""
+    """The word repeated to a length n that `length` divides, and x^(n/length) for x = `power`."""
     total = lcm(len(word), length)
     return word * (total // len(word)), power ** (total // length)
 
 
 def holder_upper(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD312: the Hölder exponent from above."""
     if "word" in finding.witness:
         if (exactly := _exactly(proof)) is not None:
             return [exactly]
@@ -111,6 +118,7 @@ def _above(proof: Proof, word: Sequence[int], radius: Fraction) -> list[int]:
 
 
 def attained(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD313: the Hölder exponent is attained, or is not."""
     holder = _exactly(proof)
     if holder is None:
         return []
@@ -147,7 +155,7 @@ def _exactly(proof: Proof) -> int | None:
 
 
 def sobolev(proof: Proof, finding: Finding) -> list[int]:
-    """None where the witness of stability was too costly."""
+    """The claims of SD321: the Sobolev exponent; none where the witness of stability was too costly."""
     found, p = finding.witness, proof.p
     degree = proof.degrees[proof.last] - proof.orders[proof.last] * (p - 1)
     order = degree // (p - 1) + 1

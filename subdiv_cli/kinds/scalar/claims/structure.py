@@ -11,17 +11,20 @@ from subdiv_cli.model.closed import rational
 
 
 def residue_sums(proof: Proof, finding: Finding) -> list[int]:
+    """The claim of SD101: the residue sums of the mask."""
     sums = [rational(s) for s in as_rationals(finding.witness["sums"])]
     return [proof.add("residue-sums", {"mask": 0, "sums": sums}, work=proof.degrees[0] + 1)]
 
 
 def generation(proof: Proof, finding: Finding) -> list[int]:
+    """The claim of SD103: the generation degree, or the sum rules that refute it."""
     if finding.verdict is Verdict.REFUTED:
         return [proof.sum_rules(0)]
     return [proof.add("generation", {"degree": proof.orders[0] - 1}, uses=[proof.sum_rules(0)])]
 
 
 def reproduction(proof: Proof, finding: Finding) -> list[int]:
+    """The claim of SD104: the reproduction degree, or the sum rules that refute it."""
     if finding.verdict is Verdict.REFUTED:
         return [proof.sum_rules(0)]
     degree = as_integer(finding.witness["degree"])
@@ -30,6 +33,7 @@ def reproduction(proof: Proof, finding: Finding) -> list[int]:
 
 
 def derived(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD105: the sum rules, and the symbol of the last derived scheme."""
     if not proof.orders[0]:
         return [proof.sum_rules(0)]
     start, mask = (as_tuple(finding.witness[key])[-1] for key in ("starts", "masks"))
@@ -39,6 +43,7 @@ def derived(proof: Proof, finding: Finding) -> list[int]:
 
 
 def independence(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD401: the integer translates of φ are linearly independent, or are not."""
     statement, work = {"mask": 0, "holds": finding.verdict is Verdict.PROVED}, (proof.degrees[0] + 1) ** 2
     if finding.verdict is Verdict.PROVED:
         return proof.independent(0, proof.found[rules.STABILITY].witness)
@@ -49,6 +54,7 @@ def independence(proof: Proof, finding: Finding) -> list[int]:
 
 
 def stability(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD402: the integer translates of φ are stable, or are not."""
     if finding.verdict is Verdict.PROVED:
         return proof.stable(0, finding.witness)
     witness: Json = {"cycle": finding.witness.get("cycle")}
@@ -65,13 +71,14 @@ def _spectral(proof: Proof, nu: int, holds: bool) -> int:
 
 
 def eigen_condition(proof: Proof, finding: Finding) -> list[int]:
-    """The condition for the largest ν for which it holds contains the one for ν = 0."""
+    """The claim of SD202: the eigen-condition for the largest ν for which it holds, which contains that for ν = 0."""
     if finding.verdict is not Verdict.PROVED:
         return [_spectral(proof, 0, False)]
     return [_spectral(proof, _largest(proof), True)]
 
 
 def smoothness_spectrum(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD304: the largest ν for which the eigen-condition holds, and that it fails for the next."""
     largest, k = as_integer(finding.witness["nu"]), proof.orders[0]
     if k < 2:
         return [proof.sum_rules(0)]

@@ -14,11 +14,15 @@ from subdiv_cli.model.closed import rational
 
 
 def integer_values(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD501: φ and its derivatives at the integers."""
     return [_values(proof, finding, order) for order in range(len(as_tuple(finding.witness["values"])))]
 
 
 def _values(proof: Proof, finding: Finding, order: int) -> int:
-    """Of φ^(order), for mask 0 itself where its own convergence proves that φ is continuous."""
+    """The claim that states φ^(order) at the integers.
+
+    For mask 0 itself where its own convergence proves that φ is continuous.
+    """
     found, by = finding.witness, proof.found[rules.SMOOTHNESS].witness["by"]
     h = as_polynomial(as_tuple(found["starts"])[order], as_tuple(found["values"])[order])
     own = as_polynomial(as_tuple(found["own_starts"])[order], as_tuple(found["own_values"])[order])
@@ -33,6 +37,7 @@ def _values(proof: Proof, finding: Finding, order: int) -> int:
 
 
 def stencils(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD502: S converges, and the values of φ and its derivatives at the integers."""
     return [_converges(proof), *integer_values(proof, proof.found[rules.INTEGER_VALUES])]
 
 
@@ -42,6 +47,7 @@ def _converges(proof: Proof) -> int:
 
 
 def quasi_interpolation(proof: Proof, finding: Finding) -> list[int]:
+    """The claim of SD503: the operator Q and its stencil."""
     found, values = finding.witness, proof.found[rules.INTEGER_VALUES]
     operator, degree = as_rationals(found["operator"]), as_integer(found["degree"])
     stencil = as_polynomial(found["stencil_start"], found["stencil"])
@@ -52,6 +58,7 @@ def quasi_interpolation(proof: Proof, finding: Finding) -> list[int]:
 
 
 def approximation_order(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD504: the operator Q, and the reproduction degree."""
     return [
         *quasi_interpolation(proof, proof.found[rules.QUASI_INTERPOLATION]),
         *structure.reproduction(proof, proof.found[rules.REPRODUCTION]),
@@ -59,12 +66,14 @@ def approximation_order(proof: Proof, finding: Finding) -> list[int]:
 
 
 def interpolatory_order(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD505: no limit is smoother than the sum rules allow."""
     order = as_integer(finding.witness["order"])
     stable = proof.stable(0, proof.found[rules.STABILITY].witness)
     return [proof.add("not-smooth", {"order": order}, uses=[n, proof.sum_rules(0)]) for n in stable]
 
 
 def error_bound(proof: Proof, finding: Finding) -> list[int]:
+    """The claims of SD511: the error bound, and the number of levels for the tolerance."""
     bound = _bound(proof, finding.witness)
     statement: Json = {
         "tolerance": rational(as_rational(finding.witness["tolerance"])),
@@ -74,7 +83,7 @@ def error_bound(proof: Proof, finding: Finding) -> list[int]:
 
 
 def _bound(proof: Proof, found: Mapping[str, Data]) -> int:
-    """‖S_ν^∞ g - S_ν^k g‖ <= C μ^⌊k/L⌋ ‖Δg‖."""
+    """The claim ‖S_ν^∞ g - S_ν^k g‖ <= C μ^⌊k/L⌋ ‖Δg‖."""
     p, k, nu, norms = proof.p, proof.orders[0], as_integer(found["nu"]), as_rationals(found["norms"])
     uses = [proof.sum_rules(0), *(proof.norm(0, nu + 1, level, norm) for level, norm in enumerate(norms, 1))]
     first = as_integer(proof.found[rules.SUM_RULES].witness["cofactor_start"]) + (p - 1) * nu
@@ -90,6 +99,7 @@ def _bound(proof: Proof, found: Mapping[str, Data]) -> int:
 
 
 def hermite_bound(proof: Proof, finding: Finding) -> list[int]:
+    """The claim of SD512: the error of the Hermite interpolant."""
     found = finding.witness
     derived = {"nu": found["order"], "norms": found["norms"], "constant": found["derived_constant"]}
     order, level = as_integer(found["order"]), as_integer(found["level"])

@@ -16,7 +16,7 @@ from subdiv_cli.model.blocks import Curve
 POINTS = 512
 """A curve has at most so many points, unless its support has more integers."""
 LONGEST = 64
-"""For longer windows the exact values are not worth their cost in a picture."""
+"""The longest window: for longer ones the exact values are not worth their cost in a picture."""
 
 
 class Signal(NamedTuple):
@@ -26,13 +26,13 @@ class Signal(NamedTuple):
     values: tuple[Fraction, ...]
 
     def trimmed(self) -> Signal:
-        """Without the zeros at its ends; without any value where all are zero."""
+        """The sequence without the zeros at its ends; without any value where all are zero."""
         used = [i for i, value in enumerate(self.values) if value]
         return Signal(self.start + used[0], self.values[used[0] : used[-1] + 1]) if used else Signal(0, ())
 
 
 def rule(scheme: ScalarScheme, epsilon: int) -> Signal:
-    """(S f)_(pk+ε) = Σ_j a_(ε-pj) f_(k+j); no weights where the class has no coefficients."""
+    """The stencil of new points in class ε: (S f)_(pk+ε) = Σ_j a_(ε-pj) f_(k+j); empty for a class of zeros."""
     p, last = scheme.arity, scheme.start + scheme.degree
     first = -((last - epsilon) // p)
     weights = tuple(
@@ -44,13 +44,13 @@ def rule(scheme: ScalarScheme, epsilon: int) -> Signal:
 
 
 def limit_stencil(integers: Mapping[int, Fraction]) -> Signal:
-    """S^∞f(k) = Σ_j φ(-j) f_(k+j), from φ at the integers."""
+    """The stencil with S^∞f(k) = Σ_j φ(-j) f_(k+j), from φ at the integers."""
     betas = sorted(-x for x in integers)
     return Signal(betas[0], tuple(integers[-beta] for beta in betas))
 
 
 def integer_values(scheme: ScalarScheme) -> dict[int, Fraction] | None:
-    """φ at the integers of its support, for a scheme that converges; None where the support is long.
+    """The values of φ at the integers of its support, for a convergent scheme; None where the support is long.
 
     The left eigenvector v of A_0[α,β] = a_(α-pβ) for the eigenvalue 1 with Σv = 1 has v_β = φ(-β) (Dyn 4.3, 4.6).
     Convergence makes it unique.
@@ -70,7 +70,7 @@ def integer_values(scheme: ScalarScheme) -> dict[int, Fraction] | None:
 
 
 def curve(scheme: ScalarScheme, integers: Mapping[int, Fraction]) -> Curve:
-    """φ at ℓ p^-k over its support, by φ(x) = Σ_j a_j φ(px - j) from the integers on.
+    """The values of φ at ℓ p^-k over its support, by φ(x) = Σ_j a_j φ(px - j) from the integers on.
 
     Integers over the common denominator D of the mask times the powers that refinement brings.
     """

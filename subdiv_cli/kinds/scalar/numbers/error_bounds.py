@@ -1,4 +1,4 @@
-"""How far a control polygon is from the limit: the constants of Dyn 3.3 and 4.7, in the mask's own indexing."""
+"""The distance of a control polygon from the limit: the constants of Dyn 3.3 and 4.7, in the mask's own indexing."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 
 MOST_LEVELS = 12
-"""Norms beyond this level are not tried: they cost more than they save."""
+"""The last level whose norm is tried: norms beyond cost more than they save."""
 MOST_REFINEMENTS = 10**6
-"""Levels of refinement that are counted: beyond them nobody refines."""
+"""The most levels of refinement that are counted: nobody refines beyond them."""
 _ENOUGH = Fraction(9, 8)
-"""Times the best estimate of ‖S_ν^∞‖: the first level that comes so close is taken."""
+"""A level is taken once its norm is below so many times the best estimate of ‖S_ν^∞‖."""
 MOST_BITS = 10**7
-"""Of a power of μ."""
+"""The most bits of a power of μ."""
 
 
 class Bound(NamedTuple):
-    """‖S_ν^∞ g - S_ν^k g‖∞ <= constant · norm^⌊k/level⌋ · ‖Δg‖∞, the polygon with its vertices at i p^-k."""
+    """The bound ‖S_ν^∞ g - S_ν^k g‖∞ <= constant · norm^⌊k/level⌋ · ‖Δg‖∞, the polygon's vertices at i p^-k."""
 
     nu: int
     level: int
-    """L."""
+    """The number L of levels between two powers of μ."""
     norms: tuple[Fraction, ...]
-    """‖((1/p)S_(ν+1))^j‖∞ for j = 1, …, L; the last one is μ < 1."""
+    """The norms ‖((1/p)S_(ν+1))^j‖∞ for j = 1, …, L; the last one is μ < 1."""
     distance: Fraction
-    """E, the norm of S_ν - U as an operator on differences, U the linear spline."""
+    """The norm E of S_ν - U as an operator on differences, U the linear spline."""
     constant: Fraction
-    """C = E L/(1-μ) · max(1, the norms below L)."""
+    """The constant C = E L/(1-μ) · max(1, the norms below L)."""
 
     @property
     def norm(self) -> Fraction:
-        """μ."""
+        """The norm μ < 1 of level L."""
         return self.norms[-1]
 
     def levels_for(self, tolerance: Fraction) -> int | None:
@@ -61,7 +61,10 @@ def _log(x: Fraction) -> float:
 
 
 def distance_to_spline(symbol: Laurent, p: int) -> Fraction:
-    """E = max_γ Σ_β |e_(γ+pβ)|, symbol - z^-(p-1) σ²/p = (1-z^p) z^-p e(z). Needs residue sums 1."""
+    """The norm E = max_γ Σ_β |e_(γ+pβ)|, symbol - z^-(p-1) σ²/p = (1-z^p) z^-p e(z).
+
+    Raises ArithmeticError where the residue sums are not 1.
+    """
     sigma = smoothing_factor(p)
     spline = (sigma * sigma).scale(Fraction(1, p)).shift(1 - p)
     quotient, remainder = (symbol - spline).shift(p).divide(Laurent.from_coefficients(0, [1, *[0] * (p - 1), -1]))
@@ -98,21 +101,25 @@ def best_bound(numbers: ScalarNumbers, tolerance: Fraction) -> Bound | None:
 
 
 class HermiteBound(NamedTuple):
-    """‖S^∞ f - Q^k‖∞ <= constant · p^-(νk) · ‖Δ^ν f‖∞ for the Hermite interpolant of degree ν-1 at i p^-k, ν even."""
+    """The bound ‖S^∞ f - Q^k‖∞ <= constant · p^-(νk) · ‖Δ^ν f‖∞ for the Hermite interpolant Q^k at i p^-k, ν even.
+
+    It has degree ν-1.
+    """
 
     bound: Bound
-    """Of S_ν."""
+    """The error bound of S_ν."""
     level: int
-    """j, at which ‖S_ν^∞‖ is estimated."""
+    """The level j at which ‖S_ν^∞‖ is estimated."""
     norm: Fraction
-    """‖((1/p)S_ν)^j‖∞; p^j times it is ‖S_ν^j‖∞."""
+    """The norm ‖((1/p)S_ν)^j‖∞; p^j times it is ‖S_ν^j‖∞."""
     constant: Fraction
 
 
 def hermite_bound(numbers: ScalarNumbers, nu: int) -> HermiteBound | None:
-    """For ν = 2m: |f - Q| <= h^ν/(4^m ν!) ‖f^(ν)‖∞ on an interval of length h, and f^(ν) = S_ν^∞ Δ^ν f⁰.
+    """The bound of the Hermite interpolant of degree ν-1, ν = 2m; None where the effort gives no bound of S_ν.
 
-    ‖S_ν^∞‖ <= ‖S_ν^j‖ + 2C μ^⌊j/L⌋ for every j, by the error bound of S_ν; the best of a few j is good enough.
+    |f - Q| <= h^ν/(4^m ν!) ‖f^(ν)‖∞ on an interval of length h, and f^(ν) = S_ν^∞ Δ^ν f⁰. ‖S_ν^∞‖ <= ‖S_ν^j‖ +
+    2C μ^⌊j/L⌋ for every j, by the error bound of S_ν; the best of a few j is good enough.
     """
     bound = next(bounds(numbers, nu), None)
     if bound is None:

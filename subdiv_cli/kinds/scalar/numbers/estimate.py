@@ -22,11 +22,11 @@ _DIGITS = 50
 _MOST_PLACES = 12
 _AGREEING = 3
 _WORK = 20_000
-"""For the norms of an estimate, whatever the effort: where it is small an estimate is wanted most."""
+"""The work for the norms of an estimate, whatever the effort: where that is small an estimate is wanted most."""
 
 
 def estimated_exponent(numbers: ScalarNumbers, lower: float | None, upper: float | None) -> str | None:
-    """What norms say of the Hölder exponent, where it is only known to be between bounds wider than that.
+    """The Hölder exponent as norms suggest it, as text, where it is only known to be between wider bounds.
 
     `numbers` are those of the reduced mask. None where it is known better, or where the estimate contradicts bounds.
     """
@@ -44,7 +44,7 @@ def estimated_exponent(numbers: ScalarNumbers, lower: float | None, upper: float
 
 
 def extrapolated_exponent(d: Laurent, p: int, period: int, effort: Effort) -> tuple[float, int] | None:
-    """An estimate for the scheme with symbol d ≠ 0, and how many decimals of it norms agree in.
+    """An estimate of the exponent for the scheme with symbol d ≠ 0, and how many decimals of it norms agree in.
 
     None where the effort does not suffice for enough levels, or not one decimal is worth showing.
     """
@@ -64,11 +64,11 @@ def extrapolated_exponent(d: Laurent, p: int, period: int, effort: Effort) -> tu
 
 
 def _gap(x: Sequence[Any]) -> Any:
-    """How far the last values are from each other."""
+    """The largest distance of the last values from each other."""
     return max(x[-_AGREEING:]) - min(x[-_AGREEING:])
 
 
 def _accelerated(x: Sequence[Any]) -> list[Any]:
-    """x_(n+2) - (Δx_(n+1))²/Δ²x_n, and x_(n+2) itself where the sequence stands still."""
+    """The sequence x_(n+2) - (Δx_(n+1))²/Δ²x_n (Aitken), and x_(n+2) itself where the sequence stands still."""
     steps = [b - a for a, b in pairwise(x)]
     return [last - (b * b / (b - a) if b != a else 0) for (a, b), last in zip(pairwise(steps), x[2:], strict=True)]

@@ -14,8 +14,10 @@ from subdiv_cli.model import Data
 
 
 def facts(scheme: ScalarScheme) -> dict[str, Data]:
-    """Keys: arity, support (first and last index), coefficients (their number), symmetry, centre, type, interpolatory,
-    nonnegative, gaps (indices of zero coefficients inside the support) and spacing (the gcd of index differences).
+    """The facts of a mask by name: arity, support, coefficients, symmetry, centre, type and so on.
+
+    `support` is the first and the last index, `coefficients` their number; the others are interpolatory, nonnegative,
+    gaps (indices of zero coefficients inside the support) and spacing (the gcd of index differences).
     """
     symmetry, centre = _symmetry(scheme)
     indices = [scheme.start + i for i, c in enumerate(scheme.coefficients) if c]
@@ -35,7 +37,7 @@ def facts(scheme: ScalarScheme) -> dict[str, Data]:
 
 
 def _symmetry(scheme: ScalarScheme) -> tuple[str | None, Fraction | None]:
-    """`symmetric` or `antisymmetric` and the centre, an integer or a half."""
+    """The symmetry, `symmetric` or `antisymmetric`, and the centre, an integer or a half; None twice without any."""
     c = scheme.coefficients
     centre = Fraction(2 * scheme.start + scheme.degree, 2)
     if c == c[::-1]:
@@ -46,7 +48,7 @@ def _symmetry(scheme: ScalarScheme) -> tuple[str | None, Fraction | None]:
 
 
 def interpolation_shift(scheme: ScalarScheme) -> int | None:
-    """The t with a_(t+pβ) = δ_(β,0): 0 for an interpolatory scheme, another for a shifted one; None without one.
+    """The shift t with a_(t+pβ) = δ_(β,0): 0 for an interpolatory scheme, another for a shifted one; else None.
 
     Of several the one nearest to 0.
     """
@@ -61,13 +63,13 @@ def _alone_in_class(scheme: ScalarScheme, index: int) -> bool:
 
 
 _ROUNDED = Fraction(1, 2)
-"""Of the last decimal: a rounded fraction is off by no more."""
+"""The share of the last decimal by which a rounded fraction is off at most."""
 _NEAR = Fraction(1, 1000)
 """Residue sums off by less than this come from cut decimals or from a root of the arity."""
 
 
 def hints(scheme: ScalarScheme) -> tuple[str, ...]:
-    """One sentence each; none for a mask in which nothing looks like a slip."""
+    """The sentences on what looks like a slip in a mask; none where nothing does."""
     return (
         *_arity(scheme),
         *_normalisation(scheme),
@@ -81,7 +83,7 @@ def _sums(scheme: ScalarScheme, coefficients: tuple[Fraction, ...]) -> list[Frac
 
 
 def _arity(scheme: ScalarScheme) -> Iterator[str]:
-    """A ternary mask without `arity = 3`: its classes mod 3 sum to 1."""
+    """A hint for a ternary mask without `arity = 3`: its classes mod 3 sum to 1."""
     if _sums(scheme, scheme.coefficients) == [1] * scheme.arity:
         return
     for p in range(2, 7):
@@ -91,7 +93,7 @@ def _arity(scheme: ScalarScheme) -> Iterator[str]:
 
 
 def _normalisation(scheme: ScalarScheme) -> Iterator[str]:
-    """Filters are often normalised to a(1) = 1 or to a(1) = √p."""
+    """A hint for filters normalised to a(1) = 1 or to a(1) = √p, as they often are."""
     p, sums = scheme.arity, _sums(scheme, scheme.coefficients)
     common = sums[0]
     if common > 0 and all(abs(s * s * p - 1) < _NEAR for s in sums):
@@ -101,7 +103,7 @@ def _normalisation(scheme: ScalarScheme) -> Iterator[str]:
 
 
 def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
-    """0.333333 for 1/3: the sums miss 1 by little, and nearby simple fractions have the right sums."""
+    """A hint for 0.333333 in place of 1/3: the sums miss 1 by little, and simple fractions nearby have right sums."""
     sums = _sums(scheme, scheme.coefficients)
     if any(abs(s - 1) > _NEAR for s in sums):
         return
@@ -118,7 +120,10 @@ def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
 
 
 def _cut_decimals_with_right_sums(scheme: ScalarScheme) -> Iterator[str]:
-    """0.333333 and 0.666667 make up 1, yet are hardly meant: decimals of four places or more, or three if rounded."""
+    """A hint for decimals that are cut but sum to 1: four places or more, or three if rounded.
+
+    0.333333 and 0.666667 make up 1, yet are hardly meant.
+    """
     for c in scheme.coefficients:
         places, simple = _places(c), c.limit_denominator(12)
         if places is None or places < 3 or c == simple:
@@ -130,7 +135,7 @@ def _cut_decimals_with_right_sums(scheme: ScalarScheme) -> Iterator[str]:
 
 
 def _places(x: Fraction) -> int | None:
-    """How many decimals spell x; None where no seventeen do."""
+    """The number of decimals that spell x; None where seventeen do not."""
     return next((places for places in range(18) if 10**places % x.denominator == 0), None)
 
 

@@ -11,11 +11,11 @@ from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.model import Effort
 
 _MOST_COEFFICIENTS = 4_000_000
-"""Of one iterated symbol, whatever the effort: FLINT aborts the process when memory ends."""
+"""The most coefficients of one iterated symbol, whatever the effort: FLINT aborts the process when memory ends."""
 
 
 def power_norms(a: Laurent, p: int, effort: Effort) -> Iterator[Fraction]:
-    """‖S‖∞, ‖S²‖∞, ‖S³‖∞, … for the scheme with symbol a ≠ 0, as far as the effort goes.
+    """The norms ‖S‖∞, ‖S²‖∞, ‖S³‖∞, … for the scheme with symbol a ≠ 0, as far as the effort goes.
 
     It counts the coefficients of a^[L], long ones in pieces of 512 bits.
 
@@ -39,6 +39,6 @@ def power_norms(a: Laurent, p: int, effort: Effort) -> Iterator[Fraction]:
 
 
 def _largest_class_sum(f: fmpz_poly, classes: int) -> fmpz:
-    """max_γ Σ_β |f_(γ + classes·β)|."""
+    """The largest absolute class sum max_γ Σ_β |f_(γ + classes·β)|."""
     magnitudes = list(map(abs, f.coeffs()))
     return max((sum(magnitudes[g::classes], fmpz(0)) for g in range(min(classes, len(magnitudes)))), default=fmpz(0))

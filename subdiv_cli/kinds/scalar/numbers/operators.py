@@ -1,4 +1,4 @@
-"""What a scalar scheme does: its symbol, its operator on data, its difference schemes and its transition matrices."""
+"""The operators of a scalar scheme: its symbol, its action on data, its difference schemes and transition matrices."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 
 
 def symbol(scheme: ScalarScheme) -> Laurent:
-    """a(z) = Σ a_α z^α."""
+    """The symbol a(z) = Σ a_α z^α of the scheme."""
     return Laurent.from_coefficients(scheme.start, scheme.coefficients)
 
 
 def apply(a: Laurent, p: int, data: Mapping[int, Fraction]) -> dict[int, Fraction]:
-    """(S f)_α = Σ_β a_(α-pβ) f_β for finitely supported data (Dyn 2.1)."""
+    """The refined data (S f)_α = Σ_β a_(α-pβ) f_β for finitely supported data f (Dyn 2.1)."""
     refined: dict[int, Fraction] = {}
     for beta, value in data.items():
         for i, c in enumerate(a.coefficients()):
@@ -40,10 +40,10 @@ def difference_symbol(a: Laurent, p: int, nu: int) -> Laurent:
 
 
 def transition_matrices(d: Laurent, p: int) -> tuple[fmpq_mat, ...]:
-    """T_0, …, T_(p-1) of the scheme with symbol d, shifted to start at 0 (Dyn 4.2; harmless for norms and spectra).
+    """The p transition matrices T_0, …, T_(p-1), N×N, of the scheme with symbol d, shifted to start at 0 (Dyn 4.2).
 
-    With n = degree(d) and N = max(1, ⌈n/(p-1)⌉): T_ε[i, j] = d_(ε+i-pj+(p-1)(N-1)), 0 <= i, j < N. The norm of the
-    L-th power of the scheme is the largest ‖T_(ε_L) … T_(ε_1)‖∞.
+    The shift is harmless for norms and spectra. With n = degree(d) and N = max(1, ⌈n/(p-1)⌉): T_ε[i, j] =
+    d_(ε+i-pj+(p-1)(N-1)), 0 <= i, j < N. The norm of the L-th power of the scheme is the largest ‖T_(ε_L) … T_(ε_1)‖∞.
     """
     c = list(d.poly)
     size = max(1, -(-(len(c) - 1) // (p - 1)))
@@ -51,13 +51,13 @@ def transition_matrices(d: Laurent, p: int) -> tuple[fmpq_mat, ...]:
 
 
 def refinement_window(scheme: ScalarScheme) -> range:
-    """The indices of the refinement matrices, for the mask's own indexing: {⌊1-(s+n)/(p-1)⌋, …, ⌈-s/(p-1)⌉}."""
+    """The indices of the refinement matrices, in the mask's own indexing: {⌊1-(s+n)/(p-1)⌋, …, ⌈-s/(p-1)⌉}."""
     s, p = scheme.start, scheme.arity
     return range((p - 1 - s - scheme.degree) // (p - 1), -(s // (p - 1)) + 1)
 
 
 def refinement_matrices(scheme: ScalarScheme) -> tuple[fmpq_mat, ...]:
-    """A_0, …, A_(p-1): A_ε[α, β] = a_(ε+α-pβ), α and β in the refinement window (Dyn 4.1, 4.2)."""
+    """The p refinement matrices A_ε[α, β] = a_(ε+α-pβ), ε < p, α and β in the refinement window (Dyn 4.1, 4.2)."""
     c = list(symbol(scheme).poly)
     window = refinement_window(scheme)
     return tuple(_window(c, scheme.arity, window, epsilon - scheme.start) for epsilon in range(scheme.arity))

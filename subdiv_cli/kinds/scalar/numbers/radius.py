@@ -38,7 +38,7 @@ from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
 from subdiv_cli.model import Data, Effort, Interval, Root, logarithm
 
 _LARGEST_ORDER = 40
-"""Of G."""
+"""The largest order of G."""
 
 
 def positive_radius(d: Laurent, p: int) -> Radius | None:
@@ -68,7 +68,7 @@ def positive_radius(d: Laurent, p: int) -> Radius | None:
 
 
 def in_two_cosine(c: Sequence[fmpq]) -> fmpq_poly:
-    """H with c_0 + Σ_j c_j (z^j + z^-j) = H(z + 1/z): t_0 = 2, t_1 = y, t_j = y t_(j-1) - t_(j-2)."""
+    """The polynomial H with c_0 + Σ_j c_j (z^j + z^-j) = H(z + 1/z): t_0 = 2, t_1 = y, t_j = y t_(j-1) - t_(j-2)."""
     y = fmpq_poly([0, 1])
     before, now, total = fmpq_poly([2]), y, fmpq_poly([c[0]])
     for coefficient in c[1:]:
@@ -78,7 +78,7 @@ def in_two_cosine(c: Sequence[fmpq]) -> fmpq_poly:
 
 
 def _as_square(h: fmpq_poly) -> dict[str, Data] | None:
-    """H(y) = (y+2)^power squares(y)² rest(y) with rest > 0 on [-2, 2]; None where H is negative somewhere in there."""
+    """The parts of H(y) = (y+2)^power squares(y)² rest(y) with rest > 0 on [-2, 2]; None where H < 0 in there."""
     lead, factors = h.numer().factor()
     power, squares, rest = 0, fmpq_poly([1]), fmpq_poly([fmpq(lead, h.denom())])
     for g, multiplicity in factors:
@@ -111,7 +111,7 @@ def _vanishes_between(g: fmpz_poly) -> bool:
 
 
 def _symmetric_matrix(d: Sequence[fmpq], p: int, reach: int) -> fmpq_mat:
-    """G, from d_0, …, d_h."""
+    """The matrix G, (reach+1)×(reach+1), from d_0, …, d_h."""
 
     def at(k: int) -> fmpq:
         return d[abs(k)] if abs(k) < len(d) else fmpq(0)
@@ -136,9 +136,9 @@ def _is_bounded(spectrum: Sequence[tuple[AlgebraicNumber, int]], largest: Algebr
 
 _FIRST_LEVELS = 4
 _FIRST_WORK = 2000
-"""For short products and norms, before a polytope is tried."""
+"""The work for short products and norms, before a polytope is tried."""
 _LARGE = 1 << 13
-"""Bits of a coefficient from which on polytopes are not tried."""
+"""The bits of a coefficient from which on polytopes are not tried."""
 
 
 def difference_radius(d: Laurent, p: int, effort: Effort) -> Radius | None:
@@ -186,14 +186,14 @@ def _norm_radius(product: Product | None, level: int, norm: Fraction, *, exact: 
 
 
 def _better(a: Radius | None, b: Radius | None) -> Radius | None:
-    """The one with the smaller bound; it keeps the word of the first."""
+    """The radius with the smaller bound; it keeps the word of the first."""
     if a is None or b is None:
         return a or b
     return a if a.ceiling <= b.ceiling else b._replace(word=a.word or b.word)
 
 
 def exponent_bound(product: Product, p: int) -> Interval:
-    """-log_p(r) / ℓ with r of `radius_bound`: an upper bound of the Hölder exponent for a stable refinable function.
+    """The upper bound -log_p(r) / ℓ of the Hölder exponent of a stable φ, with r of `radius_bound`.
 
     `exact` where λ is rational: r is |λ| then, and a little below it otherwise.
     """

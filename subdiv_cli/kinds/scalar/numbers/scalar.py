@@ -1,4 +1,4 @@
-"""What has been computed for one scalar scheme: every number once, however many stages ask."""
+"""The numbers of one scalar scheme, each computed once, however many stages use it."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class ScalarNumbers:
         self.effort = effort
         self.p = scheme.arity
         self.name = name
-        """S, or S0 for a reduced scheme: what findings call it."""
+        """The name that findings use: S, or S0 for a reduced scheme."""
 
     @cached_property
     def symbol(self) -> Laurent:
@@ -53,7 +53,7 @@ class ScalarNumbers:
 
     @cached_property
     def is_normalised(self) -> bool:
-        """a(1) = p, so that a refinable distribution φ with ∫φ = 1 exists."""
+        """Whether a(1) = p, so that a refinable distribution φ with ∫φ = 1 exists."""
         return sum(self.residue_sums) == self.p
 
     @cached_property
@@ -81,7 +81,7 @@ class ScalarNumbers:
 
     @cached_property
     def _differences(self) -> list[Laurent]:
-        """The symbols of S_(Δ^0) = S, S_(Δ^1), …, as far as they were asked for: each from the one before."""
+        """The symbols of S_(Δ^0) = S, S_(Δ^1), … that are known, each computed from the one before."""
         return [self.symbol]
 
     def difference(self, nu: int) -> Laurent:
@@ -93,7 +93,7 @@ class ScalarNumbers:
 
     @cached_property
     def transition_order(self) -> int:
-        """N: the order of the transition matrices of S_(Δ^k)."""
+        """The order N of the transition matrices of S_(Δ^k)."""
         return max(1, -(-self.scheme.degree // (self.p - 1)) - self.order)
 
     @cached_property
@@ -115,7 +115,7 @@ class ScalarNumbers:
         return {}
 
     def norms(self, nu: int) -> tuple[Fraction, ...]:
-        """‖((1/p) S_ν)^L‖∞ for L = 1, 2, …, to the first below 1 or to the end of the effort."""
+        """The norms ‖((1/p) S_ν)^L‖∞ for L = 1, 2, …, to the first below 1 or to the end of the effort."""
         if nu not in self._norms:
             self._norms[nu] = tuple(self._needed_norms(nu))
         return self._norms[nu]
@@ -133,7 +133,7 @@ class ScalarNumbers:
 
     @cached_property
     def spectra(self) -> tuple[Spectrum, ...] | None:
-        """Of A_0, …, A_(p-1); None where they are too large for the effort."""
+        """The spectra of A_0, …, A_(p-1); None where they are too large for the effort."""
         order = -(-self.scheme.degree // (self.p - 1)) + 2
         if not self.effort.allows(self.p * order**3 * self.weight // 8):
             return None
@@ -151,7 +151,7 @@ class ScalarNumbers:
 
     @cached_property
     def weight(self) -> int:
-        """1, and more for coefficients of more than 64 bits: what an operation on them costs."""
+        """The cost of an operation on a coefficient: 1, and more for coefficients of more than 64 bits."""
         numerators, denominator = self.symbol.integer_form()
         return 1 + max(numerators.height_bits(), denominator.bit_length()) // 64
 

@@ -27,26 +27,29 @@ from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.rationals import to_fmpq
 
 _DIGITS = 20
-"""Of the first rational enclosure of λ."""
+"""The digits of the first rational enclosure of λ."""
 
 
 class Growth(NamedTuple):
-    """λ = ρ(G), and what shows that it is: f c annihilates e_0 under G, f(λ) = 0 and c > 0 from `low` on."""
+    """The spectral radius λ = ρ(G), with its proof: f c annihilates e_0 under G, f(λ) = 0, c > 0 from `low` on."""
 
     radius: AlgebraicNumber
-    """λ; its minimal polynomial is f."""
+    """The number λ; its minimal polynomial is f."""
     cofactor: fmpq_poly
-    """c, monic."""
+    """The monic polynomial c."""
     low: Fraction
     high: Fraction
-    """low <= λ <= high; all Taylor coefficients of f at `low` beyond the first and all of c are non-negative."""
+    """The upper bound of low <= λ <= high.
+
+    All Taylor coefficients of f at `low` beyond the first and all of c are non-negative.
+    """
 
     def ball(self) -> arb:
-        """Around λ, as wide as the bounds."""
+        """A ball around λ, as wide as the bounds."""
         return ball(self.low).union(ball(self.high))
 
     def cofactor_coefficients(self) -> tuple[Fraction, ...]:
-        """Those of c, lowest power first."""
+        """The coefficients of c, lowest power first."""
         c = Laurent(0, self.cofactor)
         return (Fraction(0),) * c.low + c.coefficients()
 
@@ -57,7 +60,7 @@ def transfer_order(degree: int, p: int) -> int:
 
 
 def transfer_matrix(d: Laurent, p: int) -> fmpq_mat:
-    """G for the symbol d of D."""
+    """The (K+1)×(K+1) transfer matrix G for the symbol d of D."""
     n, b = d.degree, list((d * d.reversed()).poly)  # b_t at place t + n
     order = transfer_order(n, p)
 
@@ -69,7 +72,10 @@ def transfer_matrix(d: Laurent, p: int) -> fmpq_mat:
 
 
 def mean_square_growth(d: Laurent, p: int) -> Growth:
-    """λ for the symbol d ≠ 0 of D = S_(Δ^k), k the sum-rule order of a stable mask, exactly."""
+    """The exact growth λ for the symbol d ≠ 0 of D = S_(Δ^k), k the sum-rule order of a stable mask.
+
+    Raises ArithmeticError where λ is no simple eigenvalue: the mask is not stable then.
+    """
     growth = simple_growth(transfer_matrix(d, p).charpoly())
     if growth is None:
         raise ArithmeticError("the mean-square growth of a stable mask is a simple eigenvalue")
@@ -88,7 +94,7 @@ def simple_growth(annihilator: fmpq_poly) -> Growth | None:
 
 
 def _largest_real_root(factors: list[fmpz_poly]) -> tuple[int, AlgebraicNumber]:
-    """The largest real zero of irreducible polynomials that are not multiples of each other, and whose it is."""
+    """The largest real zero of irreducible polynomials, none a multiple of another, and which of them has it."""
     if len(factors) == 1 and factors[0].degree() == 1:
         return 0, AlgebraicNumber(factors[0], isolated_roots(factors[0])[0])
 
@@ -108,7 +114,7 @@ def _largest_real_root(factors: list[fmpz_poly]) -> tuple[int, AlgebraicNumber]:
 
 
 def _enclosure(root: AlgebraicNumber, f: fmpz_poly, cofactor: fmpq_poly) -> tuple[Fraction, Fraction]:
-    """low and high as `Growth` has them.
+    """The bounds (low, high) of λ as `Growth` has them.
 
     All zeros lie in the disc |z| <= λ, those of derivatives in their hull (Gauss and Lucas), and λ is a simple zero
     of f and none of c: so every `low` close enough to λ will do.

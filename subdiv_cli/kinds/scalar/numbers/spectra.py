@@ -14,6 +14,7 @@ Spectrum = tuple[tuple[AlgebraicNumber, int], ...]
 
 
 def spectrum(matrix: fmpq_mat) -> Spectrum:
+    """The eigenvalues of a square matrix with their algebraic multiplicities, by falling modulus."""
     return roots(matrix.charpoly())
 
 

@@ -1,4 +1,4 @@
-"""What decides linear independence and stability of integer translates: polyphase gcd and cycles of roots of unity.
+"""The polyphase gcd and cycles of roots of unity, which decide linear independence and stability of translates.
 
 An unstable mask reduced to a stable one with the same smoothness of the refinable function.
 """
@@ -17,7 +17,7 @@ from subdiv_cli.exact.laurent import Laurent
 
 
 def polyphase_gcd(a: Laurent, p: int) -> Laurent:
-    """gcd(a_0, …, a_(p-1)) of the polyphase components, monic from exponent 0."""
+    """The gcd(a_0, …, a_(p-1)) of the polyphase components, monic from exponent 0."""
     g = fmpz_poly()
     for component in a.components(p):
         g = g.gcd(component.poly.numer())
@@ -25,7 +25,7 @@ def polyphase_gcd(a: Laurent, p: int) -> Laurent:
 
 
 def bezout_cofactors(a: Laurent, p: int) -> tuple[Laurent, ...]:
-    """u_0, …, u_(p-1) with Σ_r u_r a_r = gcd(a_0, …, a_(p-1)), a_r the polyphase components."""
+    """The p cofactors u_r with Σ_r u_r a_r = gcd(a_0, …, a_(p-1)), a_r the polyphase components."""
     components = a.components(p)
     g, cofactors = fmpq_poly(), [fmpq_poly()] * p
     for r, component in enumerate(components):
@@ -44,7 +44,7 @@ def circle_factors(g: Laurent) -> tuple[fmpz_poly, ...]:
 
 
 def cycles(a: Laurent, p: int) -> Iterator[int]:
-    """The n > 1 coprime to p for which Φ_n(z^p)/Φ_n(z) = Π_(d|p, d>1) Φ_(nd)(z) divides a.
+    """The numbers n > 1 coprime to p for which Φ_n(z^p)/Φ_n(z) = Π_(d|p, d>1) Φ_(nd)(z) divides a.
 
     The quotient has degree (p-1)φ(n), which bounds φ(n); and φ(n) >= n/10 for every n below the product of the primes
     up to 250, far beyond any mask.
@@ -57,13 +57,13 @@ def cycles(a: Laurent, p: int) -> Iterator[int]:
 
 
 def cycle_factor(n: int, p: int) -> Laurent:
-    """Φ_n(z^p)/Φ_n(z) for n coprime to p."""
+    """The polynomial Φ_n(z^p)/Φ_n(z) for n coprime to p."""
     phi = fmpz_poly.cyclotomic(n)
     return Laurent(0, fmpq_poly(phi.inflate(p)) / fmpq_poly(phi))
 
 
 def _totients(last: int) -> list[int]:
-    """Euler's φ(0), …, φ(last) by a sieve; φ(0) is set to 0."""
+    """The values φ(0), …, φ(last) of Euler's function by a sieve; φ(0) is set to 0."""
     phi = list(range(last + 1))
     for q in range(2, last + 1):
         if phi[q] == q:
@@ -78,14 +78,14 @@ def monic(f: fmpz_poly) -> Laurent:
 
 
 class ReductionStep(NamedTuple):
-    """a0(z) = a(z) g(z)/g(z^p), an exact division; φ = Σ_j g_j φ0(·-j) / g(1)."""
+    """One step a0(z) = a(z) g(z)/g(z^p) of a reduction, an exact division; φ = Σ_j g_j φ0(·-j) / g(1)."""
 
     factor: Laurent
-    """g: the gcd of the polyphase components, or Φ_n for a cycle."""
+    """The factor g: the gcd of the polyphase components, or Φ_n for a cycle."""
     cycle: int | None
-    """n, where g = Φ_n."""
+    """The number n where g = Φ_n, else None."""
     symbol: Laurent
-    """a0."""
+    """The symbol a0 after the step."""
 
 
 def reduction(a: Laurent, p: int) -> tuple[ReductionStep, ...]:
@@ -94,7 +94,8 @@ def reduction(a: Laurent, p: int) -> tuple[ReductionStep, ...]:
     Where all polyphase components vanish at a point of |z| = 1, g is their gcd; where a has a cycle of n-th roots of
     unity, g = Φ_n. In both cases g(z^p) divides a(z) g(z), g(1) ≠ 0 because a(1) = p, and 1/g is a power series, so
     that φ and φ0 are finite or locally finite combinations of each other's translates: equally smooth. The degree
-    falls by (p-1) deg g in each step, so the steps end; the sum-rule order does not fall.
+    falls by (p-1) deg g in each step, so the steps end; the sum-rule order does not fall. ArithmeticError would mean
+    that a step is not exact.
     """
     steps: list[ReductionStep] = []
     while (found := _unstable_factor(a, p)) is not None:

@@ -16,7 +16,7 @@ from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 
 
 def limit_weights(numbers: ScalarNumbers, order: int) -> Laurent:
-    """w with (S^∞ f)^(order)(ℓ p^-k) = p^(order·k) Σ_β w_β f^k_(ℓ+β), f^k = S^k f (Dyn 4.3, 4.6).
+    """The weights w with (S^∞ f)^(order)(ℓ p^-k) = p^(order·k) Σ_β w_β f^k_(ℓ+β), f^k = S^k f (Dyn 4.3, 4.6).
 
     The left eigenvector v of A_0 of S_order for 1, Σ v = 1, acts on differences of that order: w(z) = (z-1)^order v(z).
     Needs S_order to converge, which makes v unique. Raises ArithmeticError where it is not.
@@ -33,9 +33,10 @@ def limit_weights(numbers: ScalarNumbers, order: int) -> Laurent:
 
 
 def at_integers(numbers: ScalarNumbers, order: int) -> Laurent:
-    """φ^(order) at the integers, for an unstable mask through φ = Σ g_j φ0(·-j)/g(1) of its reduction.
+    """The values of φ^(order) at the integers, through φ = Σ g_j φ0(·-j)/g(1) where the mask is unstable.
 
-    Needs φ ∈ C^order, proved for the (reduced) mask by the convergence of its S_order: φ(ℓ) = w_(-ℓ) for the data δ.
+    φ0 is that of its reduction. Needs φ ∈ C^order, proved for the (reduced) mask by the convergence of its S_order:
+    φ(ℓ) = w_(-ℓ) for the data δ.
     """
     values = limit_weights(numbers.reduced, order).reversed()
     for step in numbers.reduction:
@@ -44,7 +45,7 @@ def at_integers(numbers: ScalarNumbers, order: int) -> Laurent:
 
 
 def iterated(a: Laurent, p: int, level: int) -> Laurent:
-    """a^[level](z) = Π_(j<level) a(z^(p^j)), which is S^level δ."""
+    """The iterated symbol a^[level](z) = Π_(j<level) a(z^(p^j)), which is S^level δ."""
     total = Laurent.from_coefficients(0, [1])
     for j in range(level):
         total = total * a.inflate(p**j)
@@ -52,7 +53,7 @@ def iterated(a: Laurent, p: int, level: int) -> Laurent:
 
 
 def at_fractions(a: Laurent, p: int, values: Laurent, order: int, level: int, data: Laurent | None = None) -> Laurent:
-    """(Σ_α f_α φ(·-α))^(order) at i/p^level, from φ^(order) at the integers; f = δ where no data is given.
+    """The values of (Σ_α f_α φ(·-α))^(order) at i/p^level, from φ^(order) at the integers; f = δ by default.
 
     φ(x) = Σ_i a^[level]_i φ(p^level x - i), differentiated `order` times.
     """

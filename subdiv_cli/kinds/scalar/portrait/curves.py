@@ -1,4 +1,4 @@
-"""What `plot` draws of a scalar mask: φ and its derivatives, limits of polygons and their control polygons, exactly."""
+"""Curves of a scalar mask for `plot`: φ and its derivatives, limits of polygons and their control polygons, exactly."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from subdiv_cli.model.blocks import Curve, Drawing, Polygon
 from subdiv_cli.model.findings import CONVERGENCE, SMOOTHNESS
 
 MOST_VALUES = 40_000
-"""Of one curve, about: what has more is drawn at a coarser level."""
+"""The most values of one curve, about: what has more is drawn at a coarser level."""
 _DERIVATIVES = 4
-"""Drawn unless more are asked for."""
+"""The number of derivatives drawn unless more are wanted."""
 
 Coordinates = Sequence[Fraction]
-"""Of the points of a polygon, x or y."""
+"""The x or the y coordinates of the points of a polygon."""
 
 
 class TooFewPointsError(NotDrawnError):
@@ -32,7 +32,10 @@ class TooFewPointsError(NotDrawnError):
 
 
 def functions(scheme: ScalarScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
-    """φ and its derivatives up to the proved order, or `derivatives`; nothing where φ is not proved continuous."""
+    """The drawing of φ and its derivatives up to the proved order, or `derivatives`; empty unless φ is continuous.
+
+    φ must be proved continuous by the stages.
+    """
     analysis, result = certify(effort)
     proved, wanted = result.refinable.order, options.get("derivatives")
     if proved is None:
@@ -42,9 +45,9 @@ def functions(scheme: ScalarScheme, effort: Effort, options: Options, certify: C
 
 
 def curves(scheme: ScalarScheme, effort: Effort, options: Options, certify: Certify) -> Drawing:
-    """The control polygon `points`, those of the `levels` that follow, and the limit curve.
+    """The drawing of the control polygon `points`, the polygons of the `levels` that follow, and the limit curve.
 
-    Nothing where S is not proved to converge. Raises TooFewPointsError.
+    It is empty where S is not proved to converge. Raises TooFewPointsError.
     """
     x, y = options["points"]
     meets = x[0] == x[-1] and y[0] == y[-1]
@@ -71,7 +74,7 @@ def level_for(numbers: ScalarNumbers, length: Fraction | int, points: int) -> in
 
 
 def refinable(numbers: ScalarNumbers, order: int, points: int) -> tuple[Curve, ...]:
-    """φ, φ', …, φ^(order) at i/p^m. Needs φ ∈ C^order, proved by the stages."""
+    """The curves of φ, φ', …, φ^(order) at i/p^m. Needs φ ∈ C^order, proved by the stages."""
     first, last = support(numbers)
     level = level_for(numbers, last - first, points)
     curves = []

@@ -1,4 +1,4 @@
-"""A scalar mask taken apart, for `show`: what the stages found and what they leave unsaid. No verdicts.
+"""A scalar mask taken apart, for `show`: the findings of the stages, and what they leave out. No verdicts.
 
 The symbol is factored over Q with the smoothing factors pulled out first; the zeros of the other factors are printed
 with digits that are certain.
@@ -39,9 +39,9 @@ from subdiv_cli.model.formulas import (
 )
 
 _POINTS = 240
-"""Of the curve, at least."""
+"""The least number of points of the curve."""
 _MOST_ZEROS = 60
-"""Zeros of a factor of higher degree are not listed."""
+"""The largest degree of a factor whose zeros are listed."""
 _LARGEST_MATRIX = 12
 
 
@@ -49,15 +49,15 @@ class Factor(NamedTuple):
     """An irreducible factor of a symbol over Q, or 1 + z + … + z^(p-1)."""
 
     coefficients: tuple[int, ...]
-    """Lowest power first."""
+    """The coefficients, lowest power first."""
     multiplicity: int
     smoothing: bool = False
     zeros: tuple[str, ...] = ()
-    """As text, digits that are certain; none for a smoothing factor."""
+    """The zeros as text, digits that are certain; none for a smoothing factor."""
 
     @property
     def text(self) -> str:
-        """`(1 + z)^4`; a long smoothing factor as `(1 + z + … + z^6)`."""
+        """The factor with its multiplicity as text: `(1 + z)^4`; a long smoothing factor as `(1 + z + … + z^6)`."""
         if self.smoothing and len(self.coefficients) > 4:
             inside = f"1 + z + … + z^{len(self.coefficients) - 1}"
         else:
@@ -65,12 +65,12 @@ class Factor(NamedTuple):
         return f"({inside})" + (f"^{self.multiplicity}" if self.multiplicity > 1 else "")
 
     def data(self) -> dict[str, Data]:
-        """For JSON."""
+        """The factor as plain data for JSON."""
         return self._asdict()
 
 
 def portrait(analysis: Analysis, result: Result) -> Portrait:
-    """The sections of the page, those that have something to say, and its data."""
+    """The sections of the page that are not empty, and its data."""
     page = _Page(analysis, result)
     parts = {
         "Mask": page.mask(),
@@ -87,7 +87,7 @@ def portrait(analysis: Analysis, result: Result) -> Portrait:
 
 
 class _Page:
-    """What there is to show, each thing computed once; empty tuples and None where the scheme does not have it."""
+    """The parts of a page, each computed once; empty tuples and None where the scheme does not have it."""
 
     def __init__(self, analysis: Analysis, result: Result) -> None:
         self.numbers: ScalarNumbers = analysis.numbers
@@ -104,7 +104,7 @@ class _Page:
         self.sequences: tuple[tuple[Fraction, ...], ...] = self.quasi.get("eigen_sequences", ())
 
     def _witness(self, rule: Rule) -> dict[str, Any]:
-        """Of the last finding of a rule that was not skipped."""
+        """The witness of the last finding of a rule that was not skipped; empty where there is none."""
         found = [f for f in self.result.findings if f.code == rule.code and f.verdict is not Verdict.SKIPPED]
         return dict(found[-1].witness) if found else {}
 
@@ -115,7 +115,7 @@ class _Page:
     # sections
 
     def statements(self, *found_by: Rule) -> Iterator[Block]:
-        """The findings of these rules, if there are any."""
+        """The block with the findings of these rules, if there are any."""
         findings = tuple(f for rule in found_by for f in self.result.findings if f.code == rule.code)
         if findings:
             yield Statements(findings)
@@ -215,14 +215,14 @@ class _Page:
 
     @property
     def product(self) -> str:
-        """`-1/16 z^-3 (1 + z)^4 (1 - 4 z + z^2)`."""
+        """The factored symbol as text: `-1/16 z^-3 (1 + z)^4 (1 - 4 z + z^2)`."""
         constant, low, factors = self._factored
         parts = [power("z", low), *(factor.text for factor in factors)]
         return combination([(constant, " ".join(filter(None, parts)))], brief)
 
     @cached_property
     def _factored(self) -> tuple[Fraction, int, tuple[Factor, ...]]:
-        """(c, s, factors) with a(z) = c z^s Π factors^multiplicity."""
+        """The factorisation (c, s, factors) with a(z) = c z^s Π factors^multiplicity."""
         numbers = self.numbers
         order, cofactor, _ = numbers.sum_rules
         factors = [Factor((1,) * numbers.p, order, smoothing=True)] if order else []
@@ -236,7 +236,7 @@ class _Page:
 
     @cached_property
     def curve(self) -> Curve | None:
-        """φ at the points i/p^m, the smallest m that makes enough of them; None where its values are not known."""
+        """The curve of φ at i/p^m, the smallest m that makes enough points; None where the values are not known."""
         if not self.values:
             return None
         p, level = self.p, 0
@@ -299,12 +299,12 @@ def _by_order(signals: Sequence[Signal]) -> tuple[Data, ...]:
 
 
 def _some(witness: dict[str, Any], *keys: str) -> dict[str, Data] | None:
-    """These numbers of a witness, None without one."""
+    """The entries of a witness with these keys, None without a witness."""
     return {key: witness[key] for key in keys} if witness else None
 
 
 def _zeros(f: fmpz_poly) -> tuple[str, ...]:
-    """Real ones by size, then pairs `x ± yi`."""
+    """The zeros as text: real ones by size, then pairs `x ± yi`."""
     if f.degree() > _MOST_ZEROS:
         return ()
     balls = isolated_roots(f)
@@ -320,7 +320,7 @@ def _real(x: AlgebraicNumber) -> str:
 
 
 def _pair(x: AlgebraicNumber, balls: list[acb]) -> str:
-    """A pair of complex zeros; its real part exactly where the polynomial is quadratic, or where it is 0.
+    """A pair of complex zeros as text; its real part exactly where f is quadratic, or where it is 0.
 
     A zero of an even polynomial that alone is near its mirror image -z̄, which is a zero too, is this image.
     """

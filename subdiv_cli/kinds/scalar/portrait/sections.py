@@ -1,4 +1,4 @@
-"""What a report shows of a scalar mask beside the findings: φ, the rules of refinement, the limit stencil; no flint."""
+"""Sections of a report on a scalar mask beside the findings: φ, the stencils, the limit stencil; no flint."""
 
 from __future__ import annotations
 

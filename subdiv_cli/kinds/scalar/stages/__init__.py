@@ -46,18 +46,18 @@ STAGES: tuple[Stage, ...] = (
     holder.holder_attained,
     sobolev.run,
 )
-"""Those of `check`."""
+"""The stages of `check`, in the order in which they run."""
 
 
 def analyse(scheme: ScalarScheme, effort: Effort, tolerance: Fraction | None = None) -> Analysis:
-    """What all stages find under the effort; with a tolerance of error bounds also those that only `show` has."""
+    """The findings of all stages under the effort; with a tolerance of error bounds also those that only `show` has."""
     numbers = ScalarNumbers(scheme, effort)
     stages = STAGES if tolerance is None else (*STAGES, *_more(tolerance))
     return Analysis(scheme, facts(scheme), run_stages(numbers, stages), numbers, hints(scheme))
 
 
 def _more(tolerance: Fraction) -> tuple[Stage, ...]:
-    """Values, polynomials and error bounds."""
+    """The stages of values, polynomials and error bounds."""
     return (
         values.integer_values,
         values.limit_stencils,

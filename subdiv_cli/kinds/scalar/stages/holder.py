@@ -42,6 +42,8 @@ def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 
     Witness: `difference_order`, k of the (reduced) mask; `radius_of`, S or S0; `length`, n; `bound`, x, or `root`, Λ
     (polynomial, the lowest power first, low, high).
+
+    Raises ArithmeticError where the bound of α is no double.
     """
     numbers = numbers.reduced
     k, p, radius = numbers.order, numbers.p, numbers.radius
@@ -115,7 +117,7 @@ def holder_upper(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 def _proved(
     numbers: ScalarNumbers, facts: Facts, statement: str, witness: dict[str, Data], upper: float | None
 ) -> Finding:
-    """With an estimate beside it, where the exponent is only enclosed."""
+    """The finding with an estimate beside it, where the exponent is only enclosed."""
     below = facts[HOLDER_LOWER]
     lower = below.value.lower if below.value is not None and below.closed is None else None
     estimate = estimated_exponent(numbers, lower, upper)
@@ -124,7 +126,7 @@ def _proved(
 
 
 def _exact(numbers: ScalarNumbers) -> str | None:
-    """The bound in closed form, where the product attains a radius that is known exactly and the text is not long."""
+    """The bound as a text in closed form, where a product attains a radius that is known; None where it is long."""
     radius = numbers.radius
     return None if radius is None or radius.exact is None else readable(exponent(numbers.p, *radius.exact))
 
@@ -136,7 +138,7 @@ _WORK = 4000
 
 
 def holder_attained(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD313: is the Hölder exponent attained?
+    """SD313: whether the Hölder exponent is attained.
 
     With n the largest integer below α: is the n-th derivative of φ Hölder continuous with exponent α - n itself
     (Lipschitz, where α = n + 1), or only with every smaller one? Theorem (Rioul 1992; Dyn 1992, section 3): for stable
@@ -169,7 +171,7 @@ def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
 
 
 def _integer(numbers: ScalarNumbers, m: int) -> Finding:
-    """α = m: products of S_(Δ^m)."""
+    """The finding for an integer exponent α = m, decided by products of S_(Δ^m)."""
     what = {1: "φ", 2: "φ'", 3: "φ''"}.get(m, f"φ^({m - 1})")
     if (found := _contractive_level(numbers, m)) is not None:
         level, norm = found
@@ -208,7 +210,7 @@ def _fractional(numbers: ScalarNumbers) -> Finding:
 
 
 def _contractive_level(numbers: ScalarNumbers, m: int) -> tuple[int, Fraction] | None:
-    """(L, ‖((1/p)S_m)^L‖) with a norm <= p^-L, m <= k."""
+    """The pair (L, ‖((1/p)S_m)^L‖) with a norm <= p^-L, m <= k; None where no level has it."""
     if not 1 <= m <= numbers.order:
         return None
     symbol = numbers.difference(m).scale(numbers.p ** (m - 1))
@@ -235,7 +237,7 @@ _Defect = tuple[Word, int, Fraction, tuple[Fraction, ...]]
 
 
 def _defect(numbers: ScalarNumbers, nu: int, radius: Fraction) -> _Defect | None:
-    """(word, sign, value, y): a short product Π of S_(Δ^ν) with a Jordan block at sign·value, value = radius^ℓ."""
+    """The word, sign, value and y of a short product Π of S_(Δ^ν) with a Jordan block at sign·value = ±radius^ℓ."""
     if not 1 <= nu <= numbers.order:
         return None
     family = Family(transition_matrices(numbers.difference(nu), numbers.p))
@@ -256,7 +258,7 @@ def _words(numbers: ScalarNumbers) -> Iterator[Word]:
 
 
 def _generalised(product: fmpq_mat, eigenvalue: Fraction) -> tuple[Fraction, ...] | None:
-    """y with (Π - λ)² y = 0 and (Π - λ) y ≠ 0."""
+    """A vector y with (Π - λ)² y = 0 and (Π - λ) y ≠ 0; None where there is none."""
     shifted = product - identity(product.nrows()) * to_fmpq(eigenvalue)
     if shifted.rank() == product.nrows():
         return None

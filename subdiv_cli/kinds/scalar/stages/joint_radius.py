@@ -21,7 +21,7 @@ Obstacle = tuple[str, dict[str, Data]]
 
 
 def obstacle_to(numbers: ScalarNumbers, m: int) -> Obstacle | None:
-    """What keeps a stable φ of these numbers from being C^m; None where nothing is known against it."""
+    """The obstacle that keeps a stable φ of these numbers from being C^m; None where none is known."""
     return sum_rule_obstacle(numbers, m) or product_obstacle(numbers, m)
 
 
@@ -43,12 +43,12 @@ def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
 
 
 def threshold(p: int, m: int) -> str:
-    """p^-m as text: `1`, or `1/4 = 2^-2`."""
+    """The power p^-m as text: `1`, or `1/4 = 2^-2`."""
     return f"{number(Fraction(1, p**m))} = {p}^-{m}" if m else "1"
 
 
 def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
-    """m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e."""
+    """The obstacle m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e."""
     k = numbers.order
     return (
         (f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", {"sum_rule_order": k})
@@ -58,15 +58,16 @@ def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
 
 
 def product_text(product: Product) -> str:
-    """`the transition matrix T_0` or `the product T_1T_0 of transition matrices`."""
+    """A product as text: `the transition matrix T_0` or `the product T_1T_0 of transition matrices`."""
     name = product_name(product.word)
     return f"the transition matrix {name}" if len(product.word) == 1 else f"the product {name} of transition matrices"
 
 
 def product_witness(product: Product) -> dict[str, Data]:
-    """A word, its matrices multiplied from right to left, and an eigenvalue of the product: its minimal polynomial,
+    """A product as plain data: its word, its matrices multiplied from right to left, and an eigenvalue.
 
-    lowest coefficient first, and its isolating box (real part from, to; imaginary part from, to).
+    Of the eigenvalue the minimal polynomial, lowest coefficient first, and the isolating box (real part from, to;
+    imaginary part from, to).
     """
     return {
         "word": product.word,
@@ -138,7 +139,7 @@ def enclosed(radius: Radius) -> Interval:
 
 
 def shown(radius: Radius) -> str:
-    """The radius: exactly where it is a short rational, else its digits."""
+    """The radius as text: exactly where it is a short rational, else its digits."""
     assert radius.exact is not None
     length, root = radius.exact
     if root.low == root.high and is_short(root.low):
@@ -147,7 +148,7 @@ def shown(radius: Radius) -> str:
 
 
 def _how(numbers: ScalarNumbers, radius: Radius) -> str:
-    """What proves it, in words."""
+    """The method that proves the radius, in words."""
     attains = (
         f", and {product_text(numbers.product)} attains it" if numbers.product is not None and radius.exact else ""
     )

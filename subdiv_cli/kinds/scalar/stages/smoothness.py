@@ -32,7 +32,7 @@ from subdiv_cli.model.findings import Witness
 
 
 def contractivity(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
-    """SD301: for ν = 1, …, k, does (1/p)S_ν contract?
+    """SD301: for ν = 1, …, k, whether (1/p)S_ν contracts.
 
     Theorem (Dyn 1992, 3.2 and 3.4, for any arity p): with sum rules of order ν, ‖((1/p)S_ν)^L‖∞ < 1 for some L iff
     S_(ν-1) converges uniformly, and then φ and every limit function are C^(ν-1). Hypotheses a(1) = p and the sum rules:
@@ -100,7 +100,7 @@ def _bound(radius: Radius) -> str:
 
 
 def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD201: does S converge uniformly, to a limit that is not zero for some data (Dyn 1992, section 2)?
+    """SD201: whether S converges uniformly, to a limit that is not zero for some data (Dyn 1992, section 2).
 
     Theorem (Dyn 1992, Theorem 3.2, for any arity p): S converges uniformly iff its residue sums are 1 and
     ‖((1/p)S_1)^L‖∞ < 1 for some L. Both directions need no stability, and the mask judged is S's own, never a reduced
@@ -111,6 +111,8 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     keeps (1/p)S_1 from contracting, or by the eigen-condition (SD202).
 
     Witness: `by`, the code of the condition that decides, with its witness.
+
+    Raises ContradictionError where S converges by one finding and not by another.
     """
     first = [contraction(numbers, 1)] if numbers.order else []
     conditions = (*facts.all(RESIDUE_SUMS), *first, *facts.all(EIGEN_CONDITION))
@@ -149,6 +151,8 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     Where S converges (SD201) φ is continuous, whatever the norms of the reduced mask say.
 
     Witness: `order`, n, and `by`, the code of the finding that proves it; refuted: the obstacle as in SD303.
+
+    Raises ContradictionError where a stable φ is continuous and S does not converge.
     """
     if not numbers.is_normalised:
         return (SMOOTHNESS.skipped(_SMOOTHNESS_QUESTION, NOT_NORMALISED),)
@@ -179,7 +183,7 @@ def _proved(statement: str, order: int, by: Rule) -> Finding:
 
 
 def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD303: with φ proved C^n, is C^(n+1) refuted?
+    """SD303: whether C^(n+1) is refuted for a φ that is proved C^n.
 
     Theorem (Cavaretta, Dahmen & Micchelli 1991; Dyn 1992, 5.3 for interpolatory schemes): for stable φ, φ ∈ C^m iff α >
     m, where α = -log_p ρ and ρ is the joint spectral radius of the transition matrices of D = S_(Δ^k). So C^m is
@@ -188,6 +192,8 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
     unstable mask is reduced first (SD403), and the numbers are those of the stable reduced mask.
 
     Witness: `order`, n+1, and either `sum_rule_order`, k, or the product (see obstacles.py).
+
+    Raises ContradictionError where C^(n+1) is proved and refuted.
     """
     if facts.verdict(SMOOTHNESS) is not Verdict.PROVED:
         return (NEXT_SMOOTHNESS.skipped("is φ smoother than proved?", "no smoothness of φ is proved"),)

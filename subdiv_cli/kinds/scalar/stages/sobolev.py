@@ -41,6 +41,7 @@ _QUESTION = "how regular is φ in L2?"
 
 
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD321: the Sobolev exponent of φ; see the theorem above."""
     numbers = numbers.reduced
     k, p = numbers.order, numbers.p
     if k == 0:

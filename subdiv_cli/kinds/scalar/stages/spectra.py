@@ -82,6 +82,8 @@ def of_derived_schemes(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, .
     all.
 
     Witness: `nu`, the largest one; `eigenvalues` of each A_ε as text.
+
+    Raises ContradictionError where a derived scheme converges and fails its eigen-condition.
     """
     if facts.verdict(EIGEN_CONDITION) is not Verdict.PROVED:
         reason = "the eigen-condition of S itself is not proved"

@@ -18,7 +18,7 @@ from subdiv_cli.model.findings import Witness
 
 
 def independence(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
-    """SD401: are the integer translates of the refinable function φ linearly independent?
+    """SD401: whether the integer translates of the refinable function φ are linearly independent.
 
     Theorem (Jia & Wang 1993 for p = 2, Zhou 1996 for any arity): for a finite mask with a(1) = p, so that the refinable
     distribution φ with ∫φ = 1 exists, the translates are linearly independent iff (i) the polyphase components a_0, …,
@@ -49,7 +49,7 @@ def _independence(numbers: ScalarNumbers) -> Finding:
 
 
 def stability(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD402: are the integer translates of φ stable?
+    """SD402: whether the integer translates of φ are stable.
 
     That is, the Fourier transform of φ has no 2π-periodic zero on the real line; for a bounded φ this means c‖f‖∞ <= ‖Σ
     f_α φ(·-α)‖∞ for some c > 0 and all bounded f. For a φ that is a distribution it is the former.
@@ -86,9 +86,9 @@ def _stability(numbers: ScalarNumbers, facts: Facts) -> Finding:
 
 
 def stability_witness(numbers: ScalarNumbers) -> Witness:
-    """`gcd` of the polyphase components, monic, and `starts` and `cofactors`: Laurent polynomials u_r, Σ u_r a_r = gcd.
+    """The witness of stability: `gcd` of the polyphase components, monic, and `starts` and `cofactors` u_r.
 
-    The latter are left out where they cost more than the effort.
+    The u_r are Laurent polynomials with Σ_r u_r a_r = gcd; they are left out where they cost more than the effort.
     """
     witness: dict[str, Data] = {"gcd": numbers.polyphase_gcd.coefficients()}
     if (cofactors := numbers.bezout_cofactors) is not None:

@@ -13,7 +13,7 @@ from subdiv_cli.model import findings as questions
 
 
 def residue_sums(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
-    """SD101: does S reproduce constants?
+    """SD101: whether S reproduces constants.
 
     Theorem (Dyn 1992, Proposition 2.1, for any arity p): a scheme that converges uniformly, to a limit that is not zero
     for some data, has Σ_β a_(γ+pβ) = 1 for every residue class γ mod p. No hypothesis. Equivalent: a(1) = p and a(ζ) =

@@ -41,6 +41,8 @@ def integer_values(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 
     Witness: `starts` and `values`, for j = 0, …, n the first index and the values of φ^(j) from there to the last that
     is not 0; `own_starts` and `own_values`, those of the reduced mask; `support`.
+
+    Raises ContradictionError where the values of φ at the integers do not sum to 1.
     """
     if facts.verdict(SMOOTHNESS) is not Verdict.PROVED:
         return (INTEGER_VALUES.skipped(_INTEGER_VALUES_QUESTION, "φ is not proved continuous"),)
@@ -69,7 +71,7 @@ def integer_values(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 
 def _line(values: Laurent, order: int) -> str:
-    """`φ(-1, 0, 1) = 1/6, 2/3, 1/6`."""
+    """The values as a line of text: `φ(-1, 0, 1) = 1/6, 2/3, 1/6`."""
     c = values.coefficients()
     places = [str(values.low + i) for i in range(len(c))]
     name = derivative("φ", order)
@@ -79,7 +81,7 @@ def _line(values: Laurent, order: int) -> str:
 
 
 def unusable(facts: Facts) -> str | None:
-    """Why limits cannot be spoken of with the values of φ; None where they can."""
+    """The reason why limits cannot be spoken of with the values of φ; None where they can."""
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
         return "S is not proved to converge"
     return None if facts.verdict(INTEGER_VALUES) is Verdict.PROVED else "the values of φ are not known"

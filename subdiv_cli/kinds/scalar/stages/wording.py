@@ -1,4 +1,4 @@
-"""What stages have in common: how operators and products are called, and reading the witnesses of earlier findings."""
+"""Wording that stages share: names of operators and products, and readers of the witnesses of earlier findings."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ NOT_NORMALISED = "a(1) is not the arity, so there is no refinable function with 
 
 
 def scaled(numbers: ScalarNumbers, nu: int) -> str:
-    """(1/p) S_ν as text: `½S_1`, `(1/7)S_1`, `½S0_1` for a reduced scheme."""
+    """The operator (1/p) S_ν as text: `½S_1`, `(1/7)S_1`, `½S0_1` for a reduced scheme."""
     return {2: "½", 3: "⅓", 4: "¼", 5: "⅕"}.get(numbers.p, f"(1/{numbers.p})") + f"{numbers.name}_{nu}"
 
 
 def last_difference(numbers: ScalarNumbers) -> str:
-    """D = S_(Δ^k) as text."""
+    """The operator D = S_(Δ^k) as text."""
     return f"{numbers.name}_(Δ^{numbers.order})"
 
 
 def power(operator: str, level: int) -> str:
-    """`‖½S_1‖∞` or `‖(½S_1)^3‖∞`."""
+    """A norm of a power as text: `‖½S_1‖∞` or `‖(½S_1)^3‖∞`."""
     return f"‖{operator}‖∞" if level == 1 else f"‖({operator})^{level}‖∞"
 
 
 def derived_names(last: int) -> str:
-    """`S_1`, `S_1 and S_2`, `S_1, …, S_4`."""
+    """The names of the derived schemes: `S_1`, `S_1 and S_2`, `S_1, …, S_4`."""
     return {1: "S_1", 2: "S_1 and S_2"}.get(last, f"S_1, …, S_{last}")
 
 
 def product_name(word: tuple[int, ...]) -> str:
-    """The product T_(w_ℓ) … T_(w_1) of a word: `T_1T_0^12`."""
+    """The product T_(w_ℓ) … T_(w_1) of a word as text: `T_1T_0^12`."""
     return product(word, "T")
 
 
