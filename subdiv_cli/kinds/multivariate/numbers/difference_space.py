@@ -92,11 +92,7 @@ def _invariant_window(
     scheme: MultivariateScheme, lattice: Lattice, cosets: Sequence[Index], start: Iterable[Index]
 ) -> list[Index] | None:
     """The smallest set that holds the start and the supports of all images of sequences on it."""
-    shifts = [
-        tuple(g - e for g, e in zip(gamma, epsilon, strict=True))
-        for gamma in scheme.terms
-        for epsilon in cosets
-    ]
+    shifts = [tuple(g - e for g, e in zip(gamma, epsilon, strict=True)) for gamma in scheme.terms for epsilon in cosets]
     found, queue = set(start), list(start)
     while queue:
         beta = queue.pop()

@@ -86,11 +86,7 @@ def difference_radius(numbers: MultivariateNumbers, facts: Facts) -> tuple[Findi
     value = enclosed(radius)
     size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
     statement = f"ρ_{space.order} {size} on V_{space.order} of dimension {space.basis.nrows()}{_how(radius)}"
-    return (
-        DIFFERENCE_RADIUS.proved(
-            statement, witness, value, proof={"space": _data(space), "radius": radius.proof}
-        ),
-    )
+    return (DIFFERENCE_RADIUS.proved(statement, witness, value, proof={"space": _data(space), "radius": radius.proof}),)
 
 
 def _how(radius: Radius) -> str:
