@@ -96,13 +96,15 @@ def test_every_path_in_a_command_exists():
 
 def test_every_name_in_the_code_exists():
     """Whatever is set as code and is a name, or dotted names, or a call of one: a word of the sources."""
-    folders = ("subdiv_cli", "tests")
-    words = set(re.findall(r"\w+", "".join(f.read_text("utf-8") for d in folders for f in (ROOT / d).rglob("*.py"))))
-    words |= {file.stem for folder in folders for file in (ROOT / folder).rglob("*")}
+    files = [
+        file for folder in ("subdiv_cli", "tests") for file in (ROOT / folder).rglob("*") if file != Path(__file__)
+    ]
+    sources = [file.read_text(encoding="utf-8") for file in files if file.suffix == ".py"]
+    words = {file.stem for file in files}.union(*(re.findall(r"\w+", source) for source in sources))
     named = {name for name in NAMED.findall(text()) if re.fullmatch(r"[A-Za-z_][\w.]*(\(.*\))?", name)}
     parts = {part for name in named for part in name.partition("(")[0].removesuffix(".md").split(".")}
     assert len(parts) > 40
-    assert parts - words == {"CHANGELOG", "SDnnn"}
+    assert parts - words <= {"CHANGELOG", "SDnnn"}
 
 
 def test_every_code_that_is_named_exists():
@@ -112,7 +114,7 @@ def test_every_code_that_is_named_exists():
 def test_it_is_read_in_a_quarter_of_an_hour():
     lines = text().splitlines()
     assert len(lines) <= 400
-    assert max(map(len, lines)) <= 120
+    assert max(len(line) for line in lines if not line.startswith("|")) <= 120
 
 
 if __name__ == "__main__":
