@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import random
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -16,6 +18,17 @@ from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import Effort, Finding, Result
 from subdiv_cli.pipeline import check
+
+
+def cases(ordinary: int = 1000) -> int:
+    """How many random cases: `ordinary`, or as many as SUBDIV_CASES asks for."""
+    return int(os.environ.get("SUBDIV_CASES", ordinary))
+
+
+def seeded(part: int) -> random.Random:
+    """The random numbers of a part of the cases: always the same, or those of SUBDIV_SEED (see conftest.py)."""
+    seed = os.environ.get("SUBDIV_SEED")
+    return random.Random(part if seed is None else f"{seed}, {part}")
 
 
 def scheme(coefficients: Sequence[int | str | Fraction], start: int = 0, arity: int = 2, over: int = 1) -> ScalarScheme:
