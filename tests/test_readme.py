@@ -3,11 +3,10 @@
 import os
 import re
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from support import subdiv
 
 ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
@@ -30,16 +29,7 @@ def directory(tmp_path):
 
 def output(command, directory):
     """stdout and stderr together, as a terminal of 100 columns without colour shows them."""
-    environment = {**os.environ, "NO_COLOR": "1", "COLUMNS": "100", "PYTHONIOENCODING": "utf-8"}
-    run = subprocess.run(
-        [sys.executable, "-m", "subdiv_cli", *shlex.split(command)[1:]],
-        cwd=directory,
-        env=environment,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        check=False,
-    )
-    return run.stdout.decode("utf-8")
+    return subdiv(*shlex.split(command)[1:], cwd=directory, NO_COLOR="1", COLUMNS="100").output
 
 
 def test_every_command_prints_what_is_shown(directory):
