@@ -16,6 +16,7 @@ from click.testing import CliRunner
 from click.testing import Result as ClickResult
 
 from subdiv_cli.catalog import masks_directory
+from subdiv_cli.catalog.run import check_all
 from subdiv_cli.cli import main
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import Scheme
@@ -85,6 +86,12 @@ def answer(mask: ScalarScheme | MultivariateScheme, work: int = 20_000) -> Resul
 def surface(terms: Mapping[tuple[int, ...], Fraction], dilation: IntMatrix = ((2, 0), (0, 2))) -> MultivariateScheme:
     """A mask in several variables."""
     return MultivariateScheme(dilation=dilation, terms=terms)
+
+
+@cache
+def shipped_results() -> list[Result]:
+    """What is found of each mask of the catalog without a cache, once for all tests."""
+    return list(check_all([str(masks_directory())]))
 
 
 @cache

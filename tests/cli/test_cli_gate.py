@@ -11,6 +11,7 @@ from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.explain import page
 
 SCALAR = masks_directory() / "scalar"
+SOME = (SCALAR / "counterexamples", masks_directory() / "multivariate" / "counterexamples")
 FOUR_POINT = """name = "four-point"
 [parameters]
 w = "1/16"
@@ -262,11 +263,11 @@ def test_patterns(mask, tmp_path):
 
 
 def test_the_parts_of_a_run_merged_are_the_run(tmp_path):
-    whole = subdiv("check", SCALAR, "--format", "json").stdout
+    whole = subdiv("check", *SOME, "--format", "json").stdout
     parts = []
     for i in (1, 2, 3):
         part = tmp_path / f"part-{i}.json"
-        assert subdiv("check", SCALAR, "--shard", f"{i}/3", "-o", part, "-q").returncode == 0
+        assert subdiv("check", *SOME, "--shard", f"{i}/3", "-o", part, "-q").returncode == 0
         assert json.loads(part.read_text())["shard"] == {"index": i, "count": 3}
         parts.append(part)
     for order in (parts, parts[::-1]):
@@ -276,8 +277,8 @@ def test_the_parts_of_a_run_merged_are_the_run(tmp_path):
     assert (done.returncode, done.stdout) == (0, "")
     assert merged.read_text("utf-8") == whole
     for form in ("text", "junit", "sarif", "markdown", "github", "concise"):
-        assert subdiv("merge", *parts, "--format", form).stdout == subdiv("check", SCALAR, "--format", form).stdout
-    assert (tmp_path / "all.xml").read_text("utf-8") == subdiv("check", SCALAR, "--format", "junit").stdout
+        assert subdiv("merge", *parts, "--format", form).stdout == subdiv("check", *SOME, "--format", form).stdout
+    assert (tmp_path / "all.xml").read_text("utf-8") == subdiv("check", *SOME, "--format", "junit").stdout
 
 
 def test_parts_that_do_not_fit(tmp_path):

@@ -47,7 +47,7 @@ def test_show(run):
 
 @pytest.mark.parametrize("file", sorted(MASKS.rglob("*.toml"))[::3], ids=lambda file: file.stem)
 @pytest.mark.parametrize("form", ["text", "markdown", "latex", "json"])
-def test_every_shipped_mask_is_shown_in_every_format(run, file, form):
+def test_every_shipped_mask_is_shown_in_every_format(run, analysed_once, file, form):
     shown = run("show", str(file), "--format", form)
     assert (shown.exit_code, shown.stderr) == (0, "")
     text = shown.stdout

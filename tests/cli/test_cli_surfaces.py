@@ -245,7 +245,7 @@ SHOWN = sorted(file for file in MASKS.rglob("*.toml") if "seven" not in file.ste
 
 
 @pytest.mark.parametrize("file", [Path(LOOP), *SHOWN], ids=lambda file: file.stem)
-def test_show_as_markdown_and_latex(run, file):
+def test_show_as_markdown_and_latex(run, analysed_once, file):
     """The same in both: sections, numbers of stencils, findings."""
     markdown, latex = (run("show", str(file), "--format", form) for form in ("markdown", "latex"))
     for shown in (markdown, latex):
