@@ -58,9 +58,10 @@ def analyses():
 def analysed_once(monkeypatch, analyses):
     """Where the formats are the point: the first of them has a mask analysed, for all."""
 
-    def show(*asked, show=pipeline.show):
-        if (key := repr(asked)) not in analyses:
-            analyses[key] = show(*asked)
-        return analyses[key]
+    def show(scheme, tolerance, effort, show=pipeline.show):
+        asked = repr((scheme, tolerance, effort.work))
+        if asked not in analyses:
+            analyses[asked] = show(scheme, tolerance, effort)
+        return analyses[asked]
 
     monkeypatch.setattr(pipeline, "show", show)
