@@ -12,7 +12,7 @@ from hashlib import sha256
 from pathlib import Path
 
 import pytest
-from support import shipped_results
+from support import shipped_results, subdiv
 
 from subdiv_cli.catalog import cache as module
 from subdiv_cli.catalog.cache import Cache, Entry, directory, key
@@ -338,8 +338,7 @@ SUBDIV = [sys.executable, "-m", "subdiv_cli"]
 def test_a_file_where_the_directory_should_be_does_not_stop_a_run(tmp_path):
     place = tmp_path / "cache"
     place.write_text("a file")
-    arguments = ["check", str(FOUR_POINT), "-q", "--cache-dir", str(place / "below")]
-    run = subprocess.run([*SUBDIV, *arguments], capture_output=True, text=True, check=False)
+    run = subdiv("check", FOUR_POINT, "-q", "--cache-dir", place / "below")
     assert (run.returncode, run.stdout) == (0, "")
     assert run.stderr == "note: results cannot be kept in the cache: Not a directory\n"
 

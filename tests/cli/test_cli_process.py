@@ -168,6 +168,5 @@ def test_other_toml_files_of_a_directory_are_counted_when_verbose(tmp_path):
     (tmp_path / "settings.toml").write_text("[tool]\n")
     (tmp_path / "chaikin.toml").write_text("[mask]\nstart = 0\ncoefficients = ['1/4', '3/4', '3/4', '1/4']\n")
     for options, told in (((), ""), (("-v",), "skipped 1 TOML file without kind, mask or matrices\n")):
-        command = [sys.executable, "-m", "subdiv_cli", "check", str(tmp_path), *options]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        run = subdiv("check", tmp_path, *options)
         assert (run.returncode, run.stderr) == (0, told)
