@@ -1,6 +1,11 @@
-"""Hypothesis without deadlines on shared machines, in CI the same examples every time; a cache of its own."""
+"""Hypothesis without deadlines on shared machines, in CI the same examples every time; a cache of its own.
+
+`SUBDIV_CASES=10000` asks the fuzzers for so many cases each, of a fresh seed that is printed at the end: with it as
+`SUBDIV_SEED` they come again. Without it the cases are the same in every run.
+"""
 
 import os
+import secrets
 import shutil
 import tempfile
 
@@ -11,12 +16,27 @@ settings.register_profile("local", **quiet)
 settings.register_profile("ci", derandomize=True, **quiet)
 settings.load_profile("ci" if os.environ.get("CI") else "local")
 
+WORKER = "PYTEST_XDIST_WORKER" in os.environ
+"""Then the process that started this one has chosen the cache and the seed."""
+
 for name in [name for name in os.environ if name.startswith("SUBDIV_")]:
-    if not name.endswith(("_SIZE", "_ATTACK")):
+    if name not in ("SUBDIV_CASES", "SUBDIV_SEED") and not (WORKER and name == "SUBDIV_CACHE_DIR"):
         del os.environ[name]
-CACHE = os.environ["SUBDIV_CACHE_DIR"] = tempfile.mkdtemp(prefix="subdiv-cache-")
+if "SUBDIV_CASES" in os.environ:
+    os.environ.setdefault("SUBDIV_SEED", str(secrets.randbelow(10**9)))
+if "SUBDIV_CACHE_DIR" not in os.environ:
+    os.environ["SUBDIV_CACHE_DIR"] = tempfile.mkdtemp(prefix="subdiv-cache-")
+
+
+def pytest_terminal_summary(terminalreporter):
+    """How to have the same cases again."""
+    if seed := os.environ.get("SUBDIV_SEED"):
+        cases = os.environ.get("SUBDIV_CASES")
+        again = f"SUBDIV_CASES={cases} SUBDIV_SEED={seed}" if cases else f"SUBDIV_SEED={seed}"
+        terminalreporter.write_line(f"the same cases again: {again} python -m pytest")
 
 
 def pytest_unconfigure():
     """No test leaves anything behind."""
-    shutil.rmtree(CACHE, ignore_errors=True)
+    if not WORKER:
+        shutil.rmtree(os.environ["SUBDIV_CACHE_DIR"], ignore_errors=True)

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+import os
+import random
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import chdir
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any
 
+from click.testing import CliRunner
+from click.testing import Result as ClickResult
+
 from subdiv_cli.catalog import masks_directory
+from subdiv_cli.catalog.run import check_all
+from subdiv_cli.cli import main
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import Scheme
 from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
@@ -16,6 +25,48 @@ from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import Effort, Finding, Result
 from subdiv_cli.pipeline import check
+
+
+class Run:
+    """What a command has said: texts, which are read in its encoding alone; `output` is both as a terminal has them."""
+
+    def __init__(self, done: ClickResult, encoding: str) -> None:
+        self.returncode, self.stdout_bytes = done.exit_code, done.stdout_bytes
+        self._done, self._encoding = done, encoding
+
+    @property
+    def stdout(self) -> str:
+        return self.stdout_bytes.decode(self._encoding)
+
+    @property
+    def stderr(self) -> str:
+        return self._done.stderr_bytes.decode(self._encoding)
+
+    @property
+    def output(self) -> str:
+        return self._done.output_bytes.decode(self._encoding)
+
+
+def subdiv(
+    *arguments: object, cwd: Path | None = None, stdin: str = "", encoding: str = "utf-8", **environment: str | None
+) -> Run:
+    """A command as a shell would run it, but in this process; a variable that is None is taken from the environment."""
+    variables = {"COLUMNS": None, "NO_COLOR": None, "FORCE_COLOR": None, **environment}
+    with chdir(cwd or Path()):
+        runner = CliRunner(charset=encoding)
+        done = runner.invoke(main, [*map(str, arguments)], input=stdin, env=variables, prog_name="subdiv")
+    return Run(done, encoding)
+
+
+def cases(ordinary: int = 1000) -> int:
+    """How many random cases: `ordinary`, or as many as SUBDIV_CASES asks for."""
+    return int(os.environ.get("SUBDIV_CASES", ordinary))
+
+
+def seeded(part: int) -> random.Random:
+    """The random numbers of a part of the cases: always the same, or those of SUBDIV_SEED (see conftest.py)."""
+    seed = os.environ.get("SUBDIV_SEED")
+    return random.Random(part if seed is None else f"{seed}, {part}")
 
 
 def scheme(coefficients: Sequence[int | str | Fraction], start: int = 0, arity: int = 2, over: int = 1) -> ScalarScheme:
@@ -35,6 +86,12 @@ def answer(mask: ScalarScheme | MultivariateScheme, work: int = 20_000) -> Resul
 def surface(terms: Mapping[tuple[int, ...], Fraction], dilation: IntMatrix = ((2, 0), (0, 2))) -> MultivariateScheme:
     """A mask in several variables."""
     return MultivariateScheme(dilation=dilation, terms=terms)
+
+
+@cache
+def shipped_results() -> list[Result]:
+    """What is found of each mask of the catalog without a cache, once for all tests."""
+    return list(check_all([str(masks_directory())]))
 
 
 @cache

@@ -3,11 +3,10 @@
 import os
 import re
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from support import subdiv
 
 ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
@@ -30,16 +29,7 @@ def directory(tmp_path):
 
 def output(command, directory):
     """stdout and stderr together, as a terminal of 100 columns without colour shows them."""
-    environment = {**os.environ, "NO_COLOR": "1", "COLUMNS": "100", "PYTHONIOENCODING": "utf-8"}
-    run = subprocess.run(
-        [sys.executable, "-m", "subdiv_cli", *shlex.split(command)[1:]],
-        cwd=directory,
-        env=environment,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        check=False,
-    )
-    return run.stdout.decode("utf-8")
+    return subdiv(*shlex.split(command)[1:], cwd=directory, NO_COLOR="1", COLUMNS="100").output
 
 
 def test_every_command_prints_what_is_shown(directory):
@@ -76,6 +66,7 @@ def test_the_test_command_is_what_ci_runs():
     """`.ci/run` installs and tests as the README says, in an environment of its own."""
     script = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
     readme = README.read_text(encoding="utf-8")
-    assert 'pip install -e ".[test]" && .venv/bin/python -m pytest' in readme
+    (arguments,) = re.findall(r'pip install -e "\.\[test\]" && \.venv/bin/python -m pytest(.*)', readme)
     assert re.search(r'pip install .*-e "\.\[test\]"', script)
-    assert "python -m pytest" in script
+    (run,) = re.findall(r"^python -m pytest(?: -q)?(.*)$", script, re.MULTILINE)
+    assert run == arguments == " -n auto --dist worksteal"

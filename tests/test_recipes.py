@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 import yaml
 from junitparser import JUnitXml
+from support import subdiv
 
 from subdiv_cli.cli.settings import KEYS
 
@@ -31,9 +32,7 @@ def run(line, cwd, code=0):
     """A `subdiv` command as a shell would run it."""
     program, *arguments = shlex.split(line)
     assert program == "subdiv"
-    done = subprocess.run(
-        [sys.executable, "-m", "subdiv_cli", *arguments], cwd=cwd, capture_output=True, text=True, check=False
-    )
+    done = subdiv(*arguments, cwd=cwd)
     assert done.returncode == code, done.stderr
     return done.stdout
 

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from support import subdiv
 
 from subdiv_cli.catalog import ClusterError
 from subdiv_cli.catalog import cluster as module
@@ -36,10 +37,11 @@ def test_the_same_results_in_the_same_order(scheduler):
 
 
 def test_from_the_command_line(scheduler):
-    command = [sys.executable, "-m", "subdiv_cli", "check", str(COUNTEREXAMPLES), "--format", "json", "--no-cache"]
-    there = subprocess.run([*command, "--dask", scheduler.scheduler_address], capture_output=True, check=True)
-    here = subprocess.run(command, capture_output=True, check=True)
-    assert there.stdout == here.stdout
+    arguments = ["check", str(COUNTEREXAMPLES), "--format", "json", "--no-cache"]
+    command = [sys.executable, "-m", "subdiv_cli", *arguments, "--dask", scheduler.scheduler_address]
+    there = subprocess.run(command, capture_output=True, check=True)
+    here = subdiv(*arguments)
+    assert (here.returncode, here.stdout_bytes) == (0, there.stdout)
     assert there.stderr == b""
     assert len(json.loads(there.stdout)["results"]) == 21
 

@@ -9,13 +9,12 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support import shipped_results
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "report"))
 import report_samples as samples
 
 from subdiv_cli.catalog.record import UnreadableRecordError, decode, encode
-from subdiv_cli.catalog.run import check_all
-from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.model import Exponent, Finding, Log, Result, Verdict
 
 
@@ -44,7 +43,7 @@ def test_samples(result):
 
 
 def test_the_catalog():
-    for result in check_all([str(masks_directory())]):
+    for result in shipped_results():
         same(again(result), result)
 
 

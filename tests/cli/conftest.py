@@ -7,6 +7,7 @@ import pytest
 from cli_samples import result
 from click.testing import CliRunner
 
+from subdiv_cli import pipeline
 from subdiv_cli.catalog.task import Done
 from subdiv_cli.cli import main
 
@@ -45,3 +46,22 @@ def catalog(monkeypatch):
 def run(catalog):
     """run("check", "a.toml") -> click's result, with stdout and stderr apart."""
     return lambda *args, **more: CliRunner().invoke(main, args, prog_name="subdiv", **more)
+
+
+@pytest.fixture(scope="module")
+def analyses():
+    """What `show` has found of a mask so far."""
+    return {}
+
+
+@pytest.fixture
+def analysed_once(monkeypatch, analyses):
+    """Where the formats are the point: the first of them has a mask analysed, for all."""
+
+    def show(scheme, tolerance, effort, show=pipeline.show):
+        asked = repr((scheme, tolerance, effort.work))
+        if asked not in analyses:
+            analyses[asked] = show(scheme, tolerance, effort)
+        return analyses[asked]
+
+    monkeypatch.setattr(pipeline, "show", show)

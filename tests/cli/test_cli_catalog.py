@@ -10,20 +10,15 @@ import sys
 import pytest
 from click.shell_completion import BashComplete, FishComplete, ZshComplete
 from click.testing import CliRunner
+from support import subdiv
 
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.cli import main
 from subdiv_cli.cli.group import COMMANDS
 
-SUBDIV = [sys.executable, "-m", "subdiv_cli"]
-
-
-def subdiv(*arguments, **more):
-    return subprocess.run([*SUBDIV, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
-
 
 def test_list_shows_every_shipped_mask_with_what_is_proved():
-    run = subdiv("list", env={**os.environ, "COLUMNS": "200"})
+    run = subdiv("list", COLUMNS="200")
     assert run.returncode == 0
     count = len(list(masks_directory().rglob("*.toml")))
     assert run.stdout.splitlines()[-1] == f"{count} masks"
@@ -48,7 +43,7 @@ def test_clean(tmp_path):
     run = subdiv("clean", "--cache-dir", cache)
     assert re.fullmatch(rf"removed 1 result, 0\.0 MB, from {re.escape(str(cache))}\n", run.stdout)
     assert not cache.exists()
-    assert subdiv("clean", env={**os.environ, "SUBDIV_CACHE_DIR": str(cache)}).stdout.startswith("removed 0 results, ")
+    assert subdiv("clean", SUBDIV_CACHE_DIR=str(cache)).stdout.startswith("removed 0 results, ")
 
 
 def complete(words, cursor_at, shell=BashComplete):
@@ -149,9 +144,9 @@ def test_a_real_shell_completes(shell, tmp_path):
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_every_help_has_examples_or_exit_codes_and_fits(command):
-    run = subdiv(command, "--help", env={**os.environ, "COLUMNS": "80"})
+    run = subdiv(command, "--help", COLUMNS="80")
     assert run.returncode == 0
-    assert "Usage: subdiv " + command in run.stdout.replace("python -m subdiv_cli", "subdiv")
+    assert "Usage: subdiv " + command in run.stdout
     assert "Examples:" in run.stdout or "Exit codes:" in run.stdout or "every shell" in run.stdout
     assert all(len(line) <= 100 for line in run.stdout.splitlines())
 

@@ -1,18 +1,17 @@
 """The gate on real masks: requirements, baselines, selections, lists of files, shards and merge."""
 
 import json
-import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from support import subdiv
 
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.explain import page
 
 SCALAR = masks_directory() / "scalar"
+SOME = (SCALAR / "counterexamples", masks_directory() / "multivariate" / "counterexamples")
 FOUR_POINT = """name = "four-point"
 [parameters]
 w = "1/16"
@@ -20,14 +19,6 @@ w = "1/16"
 start = -3
 coefficients = ["-w", 0, "1/2 + w", 1, "1/2 + w", 0, "-w"]
 """
-SUBDIV = [sys.executable, "-m", "subdiv_cli"]
-
-
-def subdiv(*arguments, cwd=None, stdin=b"", **environment):
-    command = [*SUBDIV, *map(str, arguments)]
-    return subprocess.run(
-        command, cwd=cwd, input=stdin, capture_output=True, env={**os.environ, **environment}, check=False, timeout=120
-    )
 
 
 def report(*arguments, **more):
@@ -80,15 +71,15 @@ def test_require_comes_beside_what_the_file_expects(mask):
 def test_a_requirement_that_is_none(mask):
     done = subdiv("check", mask, "--require", "C1", "--require", "smothness>=1", "--require", "holder")
     assert done.returncode == 2
-    assert done.stdout == b""
-    assert done.stderr.count(b"error[SD012]") == 2
-    assert b"did you mean smoothness?" in done.stderr
+    assert done.stdout == ""
+    assert done.stderr.count("error[SD012]") == 2
+    assert "did you mean smoothness?" in done.stderr
 
 
 def test_an_annotation_stands_on_the_line_of_the_expectation(mask):
     mask.write_text(FOUR_POINT + "\n[expect]\nsmoothness = 2\n")
     done = subdiv("check", mask, "--format", "github")
-    assert re.search(rb"^::error .*four\.toml,line=9::expected smoothness = 2: refuted", done.stdout, re.MULTILINE)
+    assert re.search(r"^::error .*four\.toml,line=9::expected smoothness = 2: refuted", done.stdout, re.MULTILINE)
 
 
 # baselines
@@ -104,7 +95,7 @@ def test_nothing_is_worse(mask, tmp_path):
     file = baseline(mask, tmp_path)
     done = subdiv("check", "masks", "--baseline", file, cwd=tmp_path)
     assert done.returncode == 0
-    assert b"passed: nothing is worse than in the baseline" in done.stdout
+    assert "passed: nothing is worse than in the baseline" in done.stdout
 
 
 def test_what_is_worse(mask, tmp_path):
@@ -124,7 +115,7 @@ def test_what_is_worse(mask, tmp_path):
     assert sobolev.startswith("the Sobolev exponent was in [2.44")
     for form in ("github", "sarif", "junit", "markdown", "html", "text"):
         done = subdiv("check", "masks", "--baseline", file, "--format", form, cwd=tmp_path)
-        assert b"convergence was proved and is refuted" in done.stdout
+        assert "convergence was proved and is refuted" in done.stdout
 
 
 def test_undecided_is_worse_than_proved_and_better_than_refuted(mask, tmp_path):
@@ -186,7 +177,7 @@ def test_missing_masks_are_listed(mask, tmp_path):
     assert done.returncode == 0
     name = str(Path("masks") / "other.toml")
     assert json.loads(done.stdout)["missing"] == [name]
-    assert done.stderr.decode() == f"note: 1 mask of the baseline not checked: {name}\n"
+    assert done.stderr == f"note: 1 mask of the baseline not checked: {name}\n"
 
 
 @pytest.mark.parametrize(
@@ -207,10 +198,10 @@ def test_a_baseline_that_is_no_report(mask, tmp_path, text, said):
     for command in (["check", mask, "--baseline", file], ["merge", file]):
         done = subdiv(*command)
         assert done.returncode == 2
-        assert b"error[SD020]" in done.stderr
-        assert said in done.stderr.decode()
-        assert done.stdout == b""
-    assert b"error[SD002]" in subdiv("merge", tmp_path / "none.json").stderr
+        assert "error[SD020]" in done.stderr
+        assert said in done.stderr
+        assert done.stdout == ""
+    assert "error[SD002]" in subdiv("merge", tmp_path / "none.json").stderr
 
 
 def test_the_page_of_the_baseline_shows_what_is_worse(tmp_path):
@@ -236,7 +227,7 @@ def test_select_and_ignore_show_less_and_change_no_exit_code(mask):
     assert [f["code"] for f in read["results"][0]["findings"]] == ["SD101", "SD102", "SD103", "SD104"]
     done = subdiv("check", mask, "--select", "SD7")
     assert done.returncode == 2
-    assert b"no finding code begins with 'SD7'" in done.stderr
+    assert "no finding code begins with 'SD7'" in done.stderr
 
 
 # which files
@@ -247,13 +238,13 @@ def test_files_from(mask, tmp_path):
     other.write_text(FOUR_POINT)
     names = [str(mask), str(other)]
     for data in ("\n".join(names) + "\n", "\0".join(names) + "\0", "\r\n".join(names)):
-        code, read = report("--files-from", "-", stdin=data.encode())
+        code, read = report("--files-from", "-", stdin=data)
         assert (code, [r["file"] for r in read["results"]]) == (0, names)
     listed = tmp_path / "list.txt"
     listed.write_text("\n".join(names))
     assert report("--files-from", listed)[1]["summary"]["files"] == 2
     assert subdiv("check", "--files-from", tmp_path / "none").returncode == 2
-    assert subdiv("check", "--files-from", "-", stdin=b"").returncode == 0, "no file, nothing wrong"
+    assert subdiv("check", "--files-from", "-", stdin="").returncode == 0, "no file, nothing wrong"
 
 
 def test_patterns(mask, tmp_path):
@@ -272,22 +263,22 @@ def test_patterns(mask, tmp_path):
 
 
 def test_the_parts_of_a_run_merged_are_the_run(tmp_path):
-    whole = subdiv("check", SCALAR, "--format", "json").stdout
+    whole = subdiv("check", *SOME, "--format", "json").stdout
     parts = []
     for i in (1, 2, 3):
         part = tmp_path / f"part-{i}.json"
-        assert subdiv("check", SCALAR, "--shard", f"{i}/3", "-o", part, "-q").returncode == 0
+        assert subdiv("check", *SOME, "--shard", f"{i}/3", "-o", part, "-q").returncode == 0
         assert json.loads(part.read_text())["shard"] == {"index": i, "count": 3}
         parts.append(part)
     for order in (parts, parts[::-1]):
         assert subdiv("merge", *order).stdout == whole
     merged = tmp_path / "all.json"
     done = subdiv("merge", *parts, "-o", merged, "-o", f"junit:{tmp_path / 'all.xml'}")
-    assert (done.returncode, done.stdout) == (0, b"")
-    assert merged.read_bytes() == whole
+    assert (done.returncode, done.stdout) == (0, "")
+    assert merged.read_text("utf-8") == whole
     for form in ("text", "junit", "sarif", "markdown", "github", "concise"):
-        assert subdiv("merge", *parts, "--format", form).stdout == subdiv("check", SCALAR, "--format", form).stdout
-    assert (tmp_path / "all.xml").read_bytes() == subdiv("check", SCALAR, "--format", "junit").stdout
+        assert subdiv("merge", *parts, "--format", form).stdout == subdiv("check", *SOME, "--format", form).stdout
+    assert (tmp_path / "all.xml").read_text("utf-8") == subdiv("check", *SOME, "--format", "junit").stdout
 
 
 def test_parts_that_do_not_fit(tmp_path):
@@ -298,12 +289,12 @@ def test_parts_that_do_not_fit(tmp_path):
 
     first, second, other = part("1.json", "--shard", "1/3"), part("2.json", "--shard", "2/3"), part("w.json")
     for files, said in (
-        ((first, second), b"of 3 parts, missing: 3"),
-        ((first, first, second), b"a part comes twice"),
-        ((first, other), b"not the parts of one run"),
+        ((first, second), "of 3 parts, missing: 3"),
+        ((first, first, second), "a part comes twice"),
+        ((first, other), "not the parts of one run"),
     ):
         done = subdiv("merge", *files)
-        assert (done.returncode, done.stdout) == (2, b"")
+        assert (done.returncode, done.stdout) == (2, "")
         assert said in done.stderr
     assert json.loads(subdiv("merge", first).stdout)["shard"] == {"index": 1, "count": 3}
 
@@ -319,9 +310,9 @@ def test_reports_of_different_runs_follow_one_another(mask, tmp_path):
     subdiv("check", mask, "-p", "w=1/16", "--effort", "3", "-o", three)
     done = subdiv("merge", one, three)
     assert done.returncode == 2
-    assert b"two results for" in done.stderr
+    assert "two results for" in done.stderr
 
 
-@pytest.mark.parametrize("shard", ["0/3", "4/3", "1", "a/b", "1/0", "-1/3", "1/99999999999"])
+@pytest.mark.parametrize("shard", ["0/3", "4/3", "1", "a/", "1/0", "-1/3", "1/99999999999"])
 def test_shards_that_are_none(mask, shard):
-    assert b"is no part: write 1/4" in subdiv("check", mask, "--shard", shard).stderr
+    assert "is no part: write 1/4" in subdiv("check", mask, "--shard", shard).stderr

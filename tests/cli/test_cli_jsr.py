@@ -1,15 +1,12 @@
 """`subdiv jsr` as a user runs it: text, JSON, a certificate for `subdiv verify`, exit codes."""
 
 import json
-import subprocess
-import sys
 from fractions import Fraction
 
 import pytest
-from click.testing import CliRunner
+from support import subdiv
 
 from subdiv_cli.checker import Outcome
-from subdiv_cli.cli import main
 
 FAMILY = """\
 name = "two shears"
@@ -17,11 +14,6 @@ matrices = [[[1, 1], [0, 1]], [["a", 0], ["a", "a"]]]
 [parameters]
 a = "9/10"
 """
-
-
-def subdiv(*arguments, stdin=None):
-    command = [sys.executable, "-m", "subdiv_cli", *map(str, arguments)]
-    return subprocess.run(command, input=stdin, capture_output=True, text=True, encoding="utf-8", check=False)
 
 
 @pytest.fixture
@@ -109,10 +101,10 @@ def test_a_proof_beyond_the_checker_is_said_not_to_be_written(family, tmp_path, 
     exhausted = Outcome(False, lambda: "NOT VERIFIED claim 0: too much work", exhausted=True)
     monkeypatch.setattr("subdiv_cli.pipeline.check_document", lambda _: exhausted)
     proof = tmp_path / "proof.json"
-    run = CliRunner().invoke(main, ["jsr", str(family), "--certificate", str(proof)], prog_name="subdiv")
-    assert run.exit_code == 3
+    run = subdiv("jsr", family, "--certificate", proof)
+    assert run.returncode == 3
     assert run.stderr == f"warning: {proof} is not written: the proof asks more than the checker does\n"
     assert run.stdout.startswith("✓ joint spectral radius = root(")
     assert "certificate" not in run.stdout
     assert not proof.exists()
-    assert CliRunner().invoke(main, ["jsr", str(family)], prog_name="subdiv").exit_code == 0
+    assert subdiv("jsr", family).returncode == 0

@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+from support import subdiv
 
 HEAVY = ("numpy", "flint", "rich", "matplotlib", "highspy", "mpmath")
 ASCII = [{"PYTHONIOENCODING": "ascii"}, {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}]
@@ -142,10 +143,30 @@ def test_module_and_version():
     assert done.stdout.startswith("subdiv, version ")
 
 
+@pytest.mark.parametrize(
+    ("args", "code"),
+    [
+        (["check", "mask.toml"], 0),
+        (["check", "mask.toml", "none.toml", "--require", "C7"], 2),
+        (["explain", "SD201"], 0),
+    ],
+)
+@pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
+def test_a_process_says_what_a_run_in_this_one_says(args, code, encoding, tmp_path):
+    """The other tests of commands have no process of their own: nothing is different there."""
+    (tmp_path / "mask.toml").write_text("[mask]\nstart = 0\ncoefficients = ['1/4', '3/4', '3/4', '1/4']\n")
+    keep = {key: value for key, value in os.environ.items() if key not in ("COLUMNS", "NO_COLOR", "FORCE_COLOR")}
+    command = [sys.executable, "-m", "subdiv_cli", *args]
+    environment = {**keep, "PYTHONIOENCODING": encoding}
+    there = subprocess.run(command, cwd=tmp_path, capture_output=True, env=environment, check=False, timeout=60)
+    here = subdiv(*args, cwd=tmp_path, encoding=encoding)
+    assert there.returncode == here.returncode == code
+    assert (there.stdout.decode(encoding), there.stderr.decode(encoding)) == (here.stdout, here.stderr)
+
+
 def test_other_toml_files_of_a_directory_are_counted_when_verbose(tmp_path):
     (tmp_path / "settings.toml").write_text("[tool]\n")
     (tmp_path / "chaikin.toml").write_text("[mask]\nstart = 0\ncoefficients = ['1/4', '3/4', '3/4', '1/4']\n")
     for options, told in (((), ""), (("-v",), "skipped 1 TOML file without kind, mask or matrices\n")):
-        command = [sys.executable, "-m", "subdiv_cli", "check", str(tmp_path), *options]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        run = subdiv("check", tmp_path, *options)
         assert (run.returncode, run.stderr) == (0, told)

@@ -1,12 +1,10 @@
 """[tool.subdiv] in pyproject.toml: nearest wins, beneath the environment and the command line; slips are told."""
 
 import json
-import os
 import re
-import subprocess
-import sys
 
 import pytest
+from support import subdiv
 
 from subdiv_cli.cli.settings import KEYS
 from subdiv_cli.explain import page
@@ -28,9 +26,7 @@ def settings(directory, text):
 
 
 def check(cwd, *arguments, **environment):
-    command = [sys.executable, "-m", "subdiv_cli", "check", *map(str, arguments)]
-    environment = {**os.environ, **environment}
-    return subprocess.run(command, cwd=cwd, capture_output=True, text=True, env=environment, check=False)
+    return subdiv("check", *arguments, cwd=cwd, **environment)
 
 
 def asked(run):
@@ -79,21 +75,16 @@ def test_every_key(tree):
     run = check(tree / "masks", "m.toml")
     assert (run.returncode, run.stderr) == (0, "note: 1 mask of the baseline not checked: masks/m.toml\n")
     assert [f["code"] for f in json.loads(run.stdout)["results"][0]["findings"]] == ["SD201"]
-    environment = {key: value for key, value in os.environ.items() if key != "SUBDIV_CACHE_DIR"}
-    command = [sys.executable, "-m", "subdiv_cli", "check", "m.toml"]
-    subprocess.run(command, cwd=tree / "masks", env=environment, capture_output=True, check=True)
+    assert subdiv("check", "m.toml", cwd=tree / "masks", SUBDIV_CACHE_DIR=None).returncode == 0
     assert len(list((tree / "kept").rglob("*.entry"))) == 1, "paths are relative to the file"
-    clean = [sys.executable, "-m", "subdiv_cli", "clean"]
-    said = subprocess.run(clean, cwd=tree / "masks", env=environment, capture_output=True, text=True, check=True).stdout
+    said = subdiv("clean", cwd=tree / "masks", SUBDIV_CACHE_DIR=None).stdout
     assert said.startswith("removed 1 result, ")
     assert not (tree / "kept").exists()
 
 
 def test_no_cache(tree):
     settings(tree, 'cache = false\ncache-dir = "kept"')
-    environment = {key: value for key, value in os.environ.items() if key != "SUBDIV_CACHE_DIR"}
-    command = [sys.executable, "-m", "subdiv_cli", "check", "masks"]
-    subprocess.run(command, cwd=tree, env=environment, capture_output=True, check=True)
+    assert subdiv("check", "masks", cwd=tree, SUBDIV_CACHE_DIR=None).returncode == 0
     assert not (tree / "kept").exists()
 
 

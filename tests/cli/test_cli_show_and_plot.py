@@ -1,15 +1,13 @@
 """`show` and `plot` as commands: what they print and write, exit codes, bad input."""
 
 import json
-import os
-import subprocess
 import sys
 from pathlib import Path
 
 import jsonschema
 import pytest
 from click.testing import CliRunner
-from support import looks_like_latex
+from support import looks_like_latex, subdiv
 
 from subdiv_cli.checker import check_text
 from subdiv_cli.cli import main
@@ -49,7 +47,7 @@ def test_show(run):
 
 @pytest.mark.parametrize("file", sorted(MASKS.rglob("*.toml"))[::3], ids=lambda file: file.stem)
 @pytest.mark.parametrize("form", ["text", "markdown", "latex", "json"])
-def test_every_shipped_mask_is_shown_in_every_format(run, file, form):
+def test_every_shipped_mask_is_shown_in_every_format(run, analysed_once, file, form):
     shown = run("show", str(file), "--format", form)
     assert (shown.exit_code, shown.stderr) == (0, "")
     text = shown.stdout
@@ -164,9 +162,9 @@ def test_plot_in_the_terminal(run):
 
 
 def test_plot_on_an_ascii_terminal():
-    environment = {**os.environ, "PYTHONIOENCODING": "ascii", "COLUMNS": "70"}
-    command = [sys.executable, "-m", "subdiv_cli", "plot", FOUR, "--derivatives", "0"]
-    shown = subprocess.run(command, capture_output=True, env=environment, check=True).stdout.decode("ascii")
+    run = subdiv("plot", FOUR, "--derivatives", "0", encoding="ascii", COLUMNS="70")
+    assert run.returncode == 0
+    shown = run.stdout
     assert shown.startswith("phi -- four-point scheme")
     assert max(map(len, shown.splitlines())) <= 70
 

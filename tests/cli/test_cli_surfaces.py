@@ -1,9 +1,7 @@
 """`show` and `plot` of masks in several variables as commands: what they print and write, exit codes, bad input."""
 
 import json
-import os
 import re
-import subprocess
 import sys
 from fractions import Fraction
 from itertools import product
@@ -11,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from support import looks_like_latex
+from support import looks_like_latex, subdiv
 
 from subdiv_cli.checker import check_text
 from subdiv_cli.cli import main
@@ -39,9 +37,9 @@ def net(tmp_path):
 
 @pytest.mark.parametrize(("columns", "encoding"), [("40", "utf-8"), ("40", "ascii"), ("100", "utf-8"), ("20", "ascii")])
 def test_plot_in_the_terminal(columns, encoding):
-    environment = {**os.environ, "PYTHONIOENCODING": encoding, "COLUMNS": columns}
-    command = [sys.executable, "-m", "subdiv_cli", "plot", ZWART]
-    shown = subprocess.run(command, capture_output=True, env=environment, check=True).stdout.decode(encoding)
+    run = subdiv("plot", ZWART, encoding=encoding, COLUMNS=columns)
+    assert run.returncode == 0
+    shown = run.stdout
     lines = shown.splitlines()
     assert lines[0] == ("φ — Zwart-Powell element" if encoding == "utf-8" else "phi -- Zwart-Powell element")
     assert max(map(len, lines)) <= max(int(columns), 27)
@@ -247,7 +245,7 @@ SHOWN = sorted(file for file in MASKS.rglob("*.toml") if "seven" not in file.ste
 
 
 @pytest.mark.parametrize("file", [Path(LOOP), *SHOWN], ids=lambda file: file.stem)
-def test_show_as_markdown_and_latex(run, file):
+def test_show_as_markdown_and_latex(run, analysed_once, file):
     """The same in both: sections, numbers of stencils, findings."""
     markdown, latex = (run("show", str(file), "--format", form) for form in ("markdown", "latex"))
     for shown in (markdown, latex):

@@ -1,19 +1,13 @@
 """`subdiv verify` as a user runs it: certificates of real masks, forged ones, other masks, files that are none."""
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from support import subdiv
 
 ROOT = Path(__file__).parents[2]
 SCALAR = ROOT / "masks" / "scalar"
-
-
-def subdiv(*arguments, cwd=None):
-    command = [sys.executable, "-m", "subdiv_cli", *map(str, arguments)]
-    return subprocess.run(command, cwd=cwd, capture_output=True, text=True, encoding="utf-8", check=False)
 
 
 @pytest.fixture(scope="module")

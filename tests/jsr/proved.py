@@ -91,21 +91,19 @@ def products(matrices, most=2000):
     while True:
         for norm in (1, 2, np.inf):
             upper = min(upper, float(np.linalg.norm(total, ord=norm, axis=(1, 2)).max()) ** (1 / length))
-        lower = max(lower, *(certain_radius(product) ** (1 / length) for product in total))
+        lower = max(lower, float(certain_radii(total).max()) ** (1 / length))
         if len(total) * letters > most or length > 12:
             return Products(lower * (1 - 1e-12), upper * (1 + 1e-12))
         total = (family[:, None] @ total[None]).reshape(-1, order, order)
         length += 1
 
 
-def certain_radius(product):
-    """A lower bound of the spectral radius."""
-    size = float(np.abs(product).max())
-    if size == 0:
-        return 0.0
-    values, vectors = np.linalg.eig(product / size)
-    off = min(1e-13 * float(np.linalg.cond(vectors)), 1e-4) * len(product)
-    return max(0.0, float(np.abs(values).max()) - off) * size
+def certain_radii(matrices):
+    """Lower bounds of the spectral radii."""
+    sizes = np.abs(matrices).max(axis=(1, 2))
+    values, vectors = np.linalg.eig(matrices / np.where(sizes, sizes, 1)[:, None, None])
+    off = np.fmin(1e-13 * np.linalg.cond(vectors), 1e-4) * matrices.shape[1]
+    return np.fmax(0, np.abs(values).max(axis=1) - off) * sizes
 
 
 def product_radius(matrices, word):

@@ -1,19 +1,18 @@
 """Mutants of the shipped masks, half of them still masks: no crash, nothing proved that the checker does not verify.
 
-Ten thousand in four parts; `SUBDIV_FUZZ_SIZE` asks for another number. Those in several variables are read, and written
-again.
+A thousand in four parts, always the same; `SUBDIV_CASES` asks for another number of fresh ones. Those in several
+variables are read, and written again.
 """
 
 import json
 import os
-import random
 import re
 from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from support import canonical
+from support import canonical, cases, seeded
 
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.catalog.task import Settings, Task, perform
@@ -23,8 +22,8 @@ from subdiv_cli.kinds.writing import from_scheme, write
 from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.model import Verdict
 
-COUNT = int(os.environ.get("SUBDIV_FUZZ_SIZE", "10000"))
 PARTS = 4
+COUNT = cases() // PARTS
 TEXTS = [path.read_bytes() for path in sorted((masks_directory() / "scalar").rglob("*.toml"))]
 SURFACES = {path: path.read_bytes() for path in sorted((masks_directory() / "multivariate").rglob("*.toml"))}
 NUMBER = re.compile(rb"(?<=[\[\s\"(])-?\d+(?:/\d+)?(?=[\"\],\s)])")
@@ -153,30 +152,29 @@ def hold(data, done):
 
 @pytest.mark.parametrize("part", range(PARTS))
 def test_mutants(part, capsys):
-    rng, mix, sizes = random.Random(part), Counter(), []
+    rng, mix, sizes = seeded(part), Counter(), []
     settings = Settings(work=1000, certificates=True)
-    for number in range(COUNT // PARTS):
+    for number in range(COUNT):
         data = mutant(rng, rng.choice(TEXTS))
         done = perform(Task("mutant.toml", data=data), settings)
         hold(data, done)
         mix[done.result.status] += 1
         mix[done.result.convergent.value] += done.result.status != "invalid"
-        if number % max(1, COUNT // PARTS // 5) == 0:
+        if number % max(1, COUNT // 5) == 0:
             sizes.append(resident())
     with capsys.disabled():
-        print(f"\n  {COUNT // PARTS} mutants, part {part}: {dict(mix)}, {sizes[1]:.0f} … {sizes[-1]:.0f} MiB")
-    total = COUNT // PARTS
-    assert mix["invalid"] <= total * 0.55, "half of them are still masks"
-    assert mix["invalid"] >= total * 0.25
-    assert mix["proved"] >= total * 0.1
-    assert mix["refuted"] >= total * 0.1
+        print(f"\n  {COUNT} mutants, part {part}: {dict(mix)}, {sizes[1]:.0f} … {sizes[-1]:.0f} MiB")
+    assert mix["invalid"] <= COUNT * 0.55, "half of them are still masks"
+    assert mix["invalid"] >= COUNT * 0.25
+    assert mix["proved"] >= COUNT * 0.1
+    assert mix["refuted"] >= COUNT * 0.1
     assert sizes[-1] < sizes[1] + 40, "memory stays where it is"
 
 
 @pytest.mark.parametrize("part", range(PARTS))
 def test_mutants_in_several_variables_are_read(part):
-    rng, mix = random.Random(part), Counter()
-    for _ in range(COUNT // PARTS):
+    rng, mix = seeded(part), Counter()
+    for _ in range(COUNT):
         file = rng.choice(list(SURFACES))
         data = mutant(rng, SURFACES[file])
         try:
@@ -189,4 +187,4 @@ def test_mutants_in_several_variables_are_read(part):
         again = read_bytes(write(from_scheme(scheme)).encode(), file="again")
         assert canonical(again.scheme()) == canonical(scheme), data
         assert read_bytes(write(mask).encode(), file=str(file)) == mask, data
-    assert COUNT // PARTS * 0.25 <= mix["refused"] <= COUNT // PARTS * 0.67, "a third of them are still masks"
+    assert COUNT * 0.25 <= mix["refused"] <= COUNT * 0.67, "a third of them are still masks"
