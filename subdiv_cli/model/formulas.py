@@ -26,6 +26,14 @@ def number(x: Fraction) -> str:
     return str(x) if short else truncated(x)
 
 
+def near_one(x: Fraction) -> str:
+    """As `number`; what differs from 1 in digits that are not shown is `1 - 2.4100000000…e-9`."""
+    off = abs(x - 1)
+    if not off or off * 10**4 > 1 or (is_short(x) and len(str(x)) <= _LONGEST_EXACT):
+        return number(x)
+    return f"1 {'-' if x < 1 else '+'} {truncated(off, 3)}"
+
+
 def is_short(x: Fraction) -> bool:
     """Whether a rational can be printed in full without thought."""
     return max(x.numerator.bit_length(), x.denominator.bit_length()) <= _LONGEST_BITS

@@ -5,7 +5,11 @@ from fractions import Fraction
 import pytest
 from support import b_spline, four_point, scheme
 
+from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.facts import facts, hints
+from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
+from subdiv_cli.kinds.scalar.stages.sum_rules import residue_sums
+from subdiv_cli.model import Effort
 
 
 def test_facts_of_the_four_point_scheme():
@@ -30,6 +34,13 @@ def test_symmetries_and_types():
     assert (lopsided["symmetry"], lopsided["centre"], lopsided["type"]) == (None, None, None)
     assert facts(scheme([1, 0, 0, 2, 0, 0, 1], over=2))["spacing"] == 3
     assert facts(scheme([2]))["spacing"] == 0
+
+
+_CDF_9_7 = [
+    "-0.091271763114", "-0.057543526229", "0.591271763114", "1.11508705", "0.591271763114", "-0.057543526229",
+    "-0.091271763114",
+]  # fmt: skip
+"""Irrational numbers: no simple fraction has these decimals."""
 
 
 @pytest.mark.parametrize(
@@ -60,7 +71,13 @@ def test_hints(coefficients, fragments):
         scheme([1, 1]),
         scheme(["0.546", "0.454", "0.454", "0.546"]),
         scheme(["0.125", "0.375", "0.375", "0.125"], over=Fraction(1, 2)),
+        scheme(_CDF_9_7),
     ],
 )
 def test_no_hint_for_a_good_mask(mask):
     assert hints(mask) == ()
+
+
+def test_sums_that_are_nearly_one_say_how_far_off_they_are():
+    (finding,) = residue_sums(ScalarNumbers(scheme(_CDF_9_7), Effort()), Facts())
+    assert finding.statement.endswith("Σ a_(0+2β) = 1 - 2.458…e-9, Σ a_(1+2β) = 1")

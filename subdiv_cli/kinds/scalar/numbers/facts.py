@@ -64,6 +64,8 @@ def _alone_in_class(scheme: ScalarScheme, index: int) -> bool:
 
 _ROUNDED = Fraction(1, 2)
 """The share of the last decimal by which a rounded fraction is off at most."""
+_DOUBLE = Fraction(1, 10**15)
+"""How far off a double near 1 may be."""
 _NEAR = Fraction(1, 1000)
 """Residue sums off by less than this come from cut decimals or from a root of the arity."""
 
@@ -113,7 +115,7 @@ def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
     for largest in (12, 64, 1024):
         simple = tuple(c.limit_denominator(largest) for c in scheme.coefficients)
         pairs = [(c, q) for c, q in zip(scheme.coefficients, simple, strict=True) if c != q]
-        if _sums(scheme, simple) == [1] * scheme.arity and all(abs(c - q) < _NEAR for c, q in pairs):
+        if _sums(scheme, simple) == [1] * scheme.arity and all(_is_spelled(c, q) for c, q in pairs):
             meant = ", ".join(f'{_decimal(c)} for "{q}"' for c, q in dict(pairs).items())
             yield f"cut decimals? {meant} would give residue sums of exactly 1."
             return
@@ -132,6 +134,12 @@ def _cut_decimals_with_right_sums(scheme: ScalarScheme) -> Iterator[str]:
         if off < 1 and (places > 3 or off <= _ROUNDED):
             yield f'cut decimals? {_decimal(c)} is close to "{simple}"; every number is taken as it is written.'
             return
+
+
+def _is_spelled(decimal: Fraction, meant: Fraction) -> bool:
+    """Whether a decimal is the other number rounded, or cut, to its places; doubles are off by a little more."""
+    places = _places(decimal)
+    return places is not None and abs(decimal - meant) < Fraction(1, 10**places) + _DOUBLE
 
 
 def _places(x: Fraction) -> int | None:

@@ -10,6 +10,7 @@ from subdiv_cli.kinds.scalar.rules import DERIVED_SCHEMES, GENERATION, REPRODUCT
 from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, derived_names
 from subdiv_cli.model import Data, Finding
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.formulas import near_one
 
 
 def residue_sums(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -24,7 +25,7 @@ def residue_sums(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     p, sums = numbers.p, numbers.residue_sums
     if all(s == 1 for s in sums):
         return (RESIDUE_SUMS.proved(f"each of the {p} residue classes of the mask sums to 1", {"sums": sums}),)
-    listed = ", ".join(f"Σ a_({gamma}+{p}β) = {number(s)}" for gamma, s in enumerate(sums))
+    listed = ", ".join(f"Σ a_({gamma}+{p}β) = {near_one(s)}" for gamma, s in enumerate(sums))
     return (RESIDUE_SUMS.refuted(f"the residue classes must sum to 1 each, but {listed}", {"sums": sums}),)
 
 
