@@ -154,5 +154,5 @@ def _looks_like_mask(path: Path) -> bool:
 def _without_masks(path: str, others: int) -> Problem:
     """The problem of a directory in which there are no masks."""
     what = f" ({others} other TOML files)" if others > 1 else " (one other TOML file)" if others else ""
-    help = "a mask file is a *.toml with kind, mask or matrices at the top; name another directory or a file"
+    help = "a mask file is a *.toml with kind or mask at the top; name another directory or a file"
     return faults.NO_MASKS.problem(f"no mask files in this directory{what}", help, file=path)

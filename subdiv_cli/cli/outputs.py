@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Sequence
 from pathlib import PurePath
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -59,10 +59,15 @@ class OutputType(click.ParamType[Output]):
         return click.Path().shell_complete(ctx, param, incomplete)
 
     def _by_suffix(self, file: str, param: click.Parameter | None, ctx: click.Context | None) -> str | None:
-        suffix = PurePath(file).suffix.lower()
-        if suffix in _FOREIGN and suffix not in SUFFIXES:
-            self.fail(f"no format {suffix}; there are {_formats()}. Say which, as in -o text:{file}", param, ctx)
-        return SUFFIXES.get(suffix)
+        if (foreign := promised(file, SUFFIXES)) is not None:
+            self.fail(f"no format {foreign}; there are {_formats()}. Say which, as in -o text:{file}", param, ctx)
+        return SUFFIXES.get(PurePath(file).suffix.lower())
+
+
+def promised(file: str, suffixes: Container[str]) -> str | None:
+    """The suffix of a file if it promises a format that is not among these; None where it promises none."""
+    suffix = PurePath(file).suffix.lower()
+    return suffix if suffix in _FOREIGN and suffix not in suffixes else None
 
 
 def _formats() -> str:

@@ -205,12 +205,14 @@ def _drawn(
 def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
     """The exit code of a drawing without blocks; the reason is written to stderr."""
     from subdiv_cli.model import Verdict
-    from subdiv_cli.model.findings import answering
+    from subdiv_cli.model.findings import CONVERGENCE, answering
     from subdiv_cli.report.numbers import exact
 
     assert drawing.result is not None, "what is missing rests on a verdict"
     assert drawing.question is not None
     found = answering(drawing.result.findings, drawing.question)
+    if found is None or found.verdict is Verdict.SKIPPED:  # there is no φ to ask of
+        found = answering(drawing.result.findings, CONVERGENCE)
     refuted = found is not None and found.verdict is Verdict.REFUTED
     at = ", ".join(f"{name} = {exact(value)}" for name, value in one.parameters.items())
     name = f"{one.mask.name or one.mask.file}{f' at {at}' if at else ''}"

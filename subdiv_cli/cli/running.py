@@ -133,7 +133,7 @@ def _left_out(result: Result) -> Iterator[str]:
 
 def _tell_skipped(count: int) -> None:
     if count:
-        emit(f"skipped {count} TOML file{'' if count == 1 else 's'} without kind, mask or matrices\n", sys.stderr)
+        emit(f"skipped {count} TOML file{'' if count == 1 else 's'} without kind or mask\n", sys.stderr)
 
 
 def _baseline(file: str | None) -> Baseline | None:

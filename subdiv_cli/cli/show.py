@@ -12,6 +12,7 @@ from click.core import ParameterSource
 from subdiv_cli.cli import single
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.options import debug as debug_option
+from subdiv_cli.cli.outputs import promised
 from subdiv_cli.cli.streams import look_of, put, put_file, why_not
 from subdiv_cli.cli.values import TOLERANCE
 from subdiv_cli.report.look import Look
@@ -83,6 +84,8 @@ def command(
     """
     if output is not None and (reason := why_not(output)) is not None:
         raise click.BadParameter(f"{output!r} cannot be written: {reason}", param_hint="-o")
+    if output is not None and form is None and (foreign := promised(output, SUFFIXES)) is not None:
+        raise click.BadParameter(f"no format {foreign}; say which, as in --format text -o {output}", param_hint="-o")
     files = () if file is None else (file,)
     one = single.read(single.Named("show", "portraits", files, mask, start, arity, parameters))
     form = form or _by_suffix(output)

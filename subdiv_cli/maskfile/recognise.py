@@ -9,7 +9,7 @@ from subdiv_cli.maskfile.problems import near
 MARKS = ("kind", "mask", "matrices")
 """The keys of which a mask file has one at its top level."""
 
-_OWN = re.compile(r"masks?|matrices|coef[a-z]*|symbol|expect")
+_OWN = re.compile(r"masks?|coef[a-z]*|symbol|expect")
 """The keys and tables by which a file is meant as a mask, `kind` as a key too: it may lack the marks by mistake."""
 _SHARED = {"parameters", "start", "arity"}
 """The keys that other programs' files have as well: they count where nothing foreign stands beside them."""
@@ -25,7 +25,8 @@ _KEY = re.compile(rb"\s*" + _NAME + rb"[.=]")
 def is_mask(data: bytes) -> bool:
     """Whether the bytes look like a mask file, broken ones included; decided line by line, never by parsing.
 
-    An empty file does, comments or not, since a gate would pass over a mask that was lost. Case does not count.
+    An empty file does, comments or not, since a gate would pass over a mask that was lost. A family of matrices, which
+    has no kind, does not: it is for `subdiv jsr`. Case does not count.
     """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):  # the reader says that it is not UTF-8
         data = data.decode("utf-16", "replace").encode()

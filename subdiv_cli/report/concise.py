@@ -34,6 +34,7 @@ def _lines(result: Result, look: Look) -> Iterator[str]:
     for found in look.shown(result.findings):
         yield f"{result.file}: {_finding(found)}"
     yield from _judged(result, result.expectations)
+    yield from _regressions(result)
     yield from _notes(result)
     if not result.problems and answering(result.findings, CONVERGENCE) is None and not result.expectations:
         yield f"{result.file}: {result.status}"
@@ -42,7 +43,10 @@ def _lines(result: Result, look: Look) -> Iterator[str]:
 def _missed(result: Result) -> Iterator[str]:
     """The lines that tell why a mask did not pass."""
     yield from _problems(result)
-    yield from _judged(result, (judged for judged in result.expectations if judged.verdict is not Verdict.PROVED))
+    if result.regressions is not None:
+        yield from _regressions(result)
+    else:
+        yield from _judged(result, (judged for judged in result.expectations if judged.verdict is not Verdict.PROVED))
     if not result.problems and not result.expectations:
         yield f"{result.file}: {words.verdict_sentence(result)}"
     yield from _notes(result)
@@ -51,6 +55,11 @@ def _missed(result: Result) -> Iterator[str]:
 def _problems(result: Result) -> Iterator[str]:
     for problem in result.problems:
         yield problem_line(problem, result.file)
+
+
+def _regressions(result: Result) -> Iterator[str]:
+    for worse in result.regressions or ():
+        yield f"{result.file}: worse than the baseline: {worse.message}"
 
 
 def _judged(result: Result, judgements: Iterable[Judgement]) -> Iterator[str]:

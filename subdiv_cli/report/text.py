@@ -44,7 +44,9 @@ class _Page(Page):
             self.headline(result)
             self.notes(result)
             self.problems(result)
-            for judged in result.expectations:
+            for worse in result.regressions or ():
+                self.put(f"worse than the baseline: {worse.message}", "bad", indent=INDENT, hanging=INDENT)
+            for judged in result.expectations if result.regressions is None else ():
                 if judged.verdict is not Verdict.PROVED:
                     self.missed(result, judged)
         if failing and len(results) > 1:

@@ -22,7 +22,7 @@ def tree(tmp_path: Path) -> Path:
         "a.toml": 'kind = "vector"\n',
         "notes.txt": MASK,
         "settings.toml": "[tool]\nx = 1\n",
-        "sub/c.toml": "matrices = []\n",
+        "sub/c.toml": 'kind = "matrices"\nmatrices = []\n',
         "sub/broken.toml": "[mask]\ncoefficients = [1/2]\n",
         "sub/deep/d.toml": MASK,
         "Z/e.toml": MASK,

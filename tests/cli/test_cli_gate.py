@@ -316,3 +316,26 @@ def test_reports_of_different_runs_follow_one_another(mask, tmp_path):
 @pytest.mark.parametrize("shard", ["0/3", "4/3", "1", "a/", "1/0", "-1/3", "1/99999999999"])
 def test_shards_that_are_none(mask, shard):
     assert "is no part: write 1/4" in subdiv("check", mask, "--shard", shard).stderr
+
+
+@pytest.mark.parametrize("form", ["text", "concise"])
+def test_what_is_worse_is_said_in_short_reports_too(mask, tmp_path, form):
+    mask.write_text(FOUR_POINT + "[expect]\nsmoothness = 1\n")
+    file = baseline(mask, tmp_path)
+    more = ("--baseline", file, "-q", "--format", form)
+    done = subdiv("check", "masks", "-p", "w=1/2", "--no-cache", *more, cwd=tmp_path)
+    assert done.returncode == 1
+    said = " ".join(done.stdout.split())
+    assert "worse than the baseline: convergence was proved and is refuted" in said
+    assert "worse than the baseline: the order of smoothness was 1 and is not known" in said
+    assert "expected smoothness" not in said
+
+
+def test_a_family_of_matrices_in_a_directory_is_no_mask(mask, tmp_path):
+    (tmp_path / "family.toml").write_text("matrices = [[[1, 1], [0, 1]]]\n", encoding="utf-8")
+    run = subdiv("check", tmp_path, "--no-cache", "-v")
+    assert run.returncode == 0
+    assert "skipped 1 TOML file without kind or mask" in run.stderr
+    named = subdiv("check", tmp_path / "family.toml", "--no-cache")
+    assert named.returncode == 2
+    assert "`subdiv jsr` computes the joint spectral radius of matrices" in named.stderr

@@ -219,3 +219,19 @@ def test_a_missing_extra(run, monkeypatch, tmp_path):
     assert shown.exit_code == 2
     assert "matplotlib, which is not installed: pip install 'subdiv-cli[plot]'" in shown.stderr
     assert not list(tmp_path.iterdir())
+
+
+def test_a_page_is_not_written_under_the_name_of_another_format(run, tmp_path):
+    done = run("show", FOUR, "-o", tmp_path / "page.pdf")
+    assert done.exit_code == 2
+    assert "no format .pdf; say which, as in --format text -o" in done.output
+    assert not list(tmp_path.iterdir())
+    assert run("show", FOUR, "--format", "latex", "-o", tmp_path / "page.pdf").exit_code == 0
+
+
+def test_without_a_refinable_function_plot_says_what_check_says(run):
+    drawn, checked = run("plot", "--mask", "[1, 2, 2]/4"), run("check", "--mask", "[1, 2, 2]/4", "-q")
+    assert (drawn.exit_code, checked.exit_code) == (1, 1)
+    why = "the residue classes must sum to 1 each, but Σ a_(0+2β) = 3/4, Σ a_(1+2β) = 1/2"
+    assert why in " ".join(drawn.output.split())
+    assert why in " ".join(checked.output.split())

@@ -150,7 +150,6 @@ def test_is_mask() -> None:
         "[mask.x]",
         "mask.arity = 2",
         "\ufeffkind = 1",
-        "matrices = [",
     ]
     yes += ["[parameters]\nw = 1/16\n[mask]\n", "name = broken\n[[parameters]]\n[mask]"]
     yes += [
@@ -172,7 +171,15 @@ def test_is_mask() -> None:
         "arity = 2 # p",
     ]
     yes += ["name = 'x'\n[msk]\nstart = 0\ncoefs = [1]\n", "[maks]\nsymbol = '1'"]
-    no = ["[tool]\nkind = 1", "[project]\nmask = 2\n", "name = 'x'", "[tool.mask]\nx = 1", "[kind]\nx = 1"]
+    no = [
+        "matrices = [",
+        "matrices = [[[1]]]\n[parameters]\na = 1",
+        "[tool]\nkind = 1",
+        "[project]\nmask = 2\n",
+        "name = 'x'",
+        "[tool.mask]\nx = 1",
+        "[kind]\nx = 1",
+    ]
     no += ["start = 1\nend = 2\n", "[parameters]\nlr = 0.1\n[training]\n", "[task]\nstart = 1\n[parameters]"]
     no += [
         "[project]\ncoefficients = [1]",

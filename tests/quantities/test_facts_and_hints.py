@@ -80,4 +80,4 @@ def test_no_hint_for_a_good_mask(mask):
 
 def test_sums_that_are_nearly_one_say_how_far_off_they_are():
     (finding,) = residue_sums(ScalarNumbers(scheme(_CDF_9_7), Effort()), Facts())
-    assert finding.statement.endswith("Σ a_(0+2β) = 1 - 2.458…e-9, Σ a_(1+2β) = 1")
+    assert finding.statement.endswith("Σ a_(0+2β) = 1, Σ a_(1+2β) = 1 - 2.458…e-9")
