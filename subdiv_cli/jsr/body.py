@@ -35,7 +35,7 @@ class Image(NamedTuple):
     """Σ |weights|."""
 
 
-class Body:
+class Polytope:
     """The polytope so far. Each vertex v stands for `copies` columns: v; its conjugate, where vectors are complex; and
 
     in a symmetric family the reflections of these. Column u·copies + c is copy c of vertex u.

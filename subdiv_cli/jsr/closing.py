@@ -53,7 +53,7 @@ def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dic
     for by in (*_PUSHES, None):
         places = _places(family, leaders, grown)
         with ctx.workprec(places + 64):
-            proof = (_Monotone if grown.body.monotone else _Closing)(family, leaders, grown)
+            proof = (_MonotoneClosing if grown.body.monotone else _Closing)(family, leaders, grown)
             if not proof.spans or proof.is_large:
                 return None
             for bits in _WEIGHT_BITS:
@@ -128,7 +128,7 @@ class _Closing:
         return self._matrices[letter] * of / self._sigma
 
     def _vertex(self, number: int) -> list[Ball]:
-        """By the certificate's number: copy c of vertex u, as `Body` counts copies, is u + c n."""
+        """By the certificate's number: copy c of vertex u, as `Polytope` counts copies, is u + c n."""
         copy, u = divmod(number, self._body.size)
         entries: list[Ball] = self._vertices[u].entries()
         if self._body.complex and copy % 2:
@@ -249,7 +249,7 @@ class _Closing:
         return {**data, **disc_data(leader.eigenvalue)}
 
 
-class _Monotone(_Closing):
+class _MonotoneClosing(_Closing):
     """The same in a monotone hull: `basis` has for each coordinate a vertex where it is large, and a vector r is below
 
     Σ_k max(r_k, 0)/(coordinate k of basis vertex k) times a convex combination of these.

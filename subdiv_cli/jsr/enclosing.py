@@ -32,14 +32,14 @@ _SLACK = (34, 31, 26, 16)
 _PRECISION = 192
 
 
-class Bound(NamedTuple):
+class RadiusBound(NamedTuple):
     """JSR <= `upper`, and the rule, `polytope` or `monotone-polytope`, with its witness."""
 
     upper: Fraction
     witness: dict[str, Data]
 
 
-def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
+def enclose(family: Family, grown: Grown, sigma: Fraction) -> RadiusBound | None:
     """The bound σ·(largest gauge of an image), raised a little; σ is what the body's matrices were divided by.
 
     None where roundings spoil it, or vertices are complex, or too large for a certificate.
@@ -48,17 +48,17 @@ def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
         return None
     with ctx.workprec(_PRECISION):
         try:
-            proof = (_Monotone if grown.body.monotone else _Enclosing)(family, grown)
+            proof = (_MonotoneEnclosing if grown.body.monotone else _Enclosing)(family, grown)
         except ZeroDivisionError:  # the rounded vertices do not span
             return None
         for slack in _SLACK:
             x = _short(sigma * max(Fraction(1), Fraction(grown.value)) * (1 + Fraction(1, 1 << slack)))
             if (images := proof.images(float(sigma / x), x)) is not None:
-                return Bound(x, proof.witness(images))
+                return RadiusBound(x, proof.witness(images))
     return None
 
 
-def by_columns(family: Family) -> Bound:
+def by_columns(family: Family) -> RadiusBound:
     """JSR <= the largest absolute column sum of a matrix, raised a little: the polytope with the vertices ±e_j.
 
     Weights are entries over the bound, so roundings to multiples of 2^-w cost N 2^-w at most. Needs a matrix ≠ 0.
@@ -73,7 +73,7 @@ def by_columns(family: Family) -> Bound:
         images.append(tuple(part for pair in weights if pair[1] for part in pair))
     corners = tuple(tuple(int(i == j) for i in range(n)) for j in range(n))
     witness: dict[str, Data] = {"symmetry": 0, "bits": 0, "vertices": corners, "basis": tuple(range(n))}
-    return Bound(x, {**witness, "weight_bits": _WEIGHT_BITS, "images": tuple(images)})
+    return RadiusBound(x, {**witness, "weight_bits": _WEIGHT_BITS, "images": tuple(images)})
 
 
 def _short(x: Fraction) -> Fraction:
@@ -158,7 +158,7 @@ class _Enclosing:
         }
 
 
-class _Monotone(_Enclosing):
+class _MonotoneEnclosing(_Enclosing):
     """The same in a monotone hull, where `basis` has for each coordinate a vertex where it is large."""
 
     def _condition(self) -> None:

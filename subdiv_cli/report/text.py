@@ -20,7 +20,7 @@ TITLES = ("property", "verdict", "value", "proof")
 
 def render(results: Sequence[Result], look: Look) -> str:
     """The report on these masks, in this order."""
-    page = _Page(look)
+    page = _TextReport(look)
     if look.verbosity < 0:
         page.failures(results)
     elif len(results) == 1:
@@ -31,7 +31,7 @@ def render(results: Sequence[Result], look: Look) -> str:
     return paint(page.lines, colour=look.colour)
 
 
-class _Page(Page):
+class _TextReport(Page):
     """The parts of the report, put onto a page."""
 
     # several masks

@@ -8,7 +8,7 @@ from typing import Any
 
 from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import rounded_up
-from subdiv_cli.jsr.products import Product
+from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import ContradictionError, Facts, Part
 from subdiv_cli.kinds.multivariate.numbers.difference_space import DifferenceSpace
@@ -356,10 +356,10 @@ def proved_by(numbers: MultivariateNumbers, facts: Facts, n: int) -> str | None:
     return MATRIX_NORMS.code if MATRIX_NORMS in facts and n <= integer(facts[MATRIX_NORMS], "smooth") else None
 
 
-def reaches(numbers: MultivariateNumbers, product: Product, n: int) -> bool:
+def reaches(numbers: MultivariateNumbers, product: WordProduct, n: int) -> bool:
     """Whether the product proves ρ_k >= λ^-n: its s-th power has an eigenvalue of modulus at least m^(-n length)."""
     assert numbers.space is not None
-    power = Product.of_word(numbers.space.matrices, product.word * numbers.dimension)
+    power = WordProduct.of_word(numbers.space.matrices, product.word * numbers.dimension)
     return power.eigenvalue.compare_modulus(Fraction(1, numbers.lattice.index ** (n * len(product.word)))) >= 0
 
 
