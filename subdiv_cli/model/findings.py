@@ -7,7 +7,7 @@ question. A rule is a row of a kind's table: what all findings of one code share
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
 from typing import NamedTuple, NoReturn
@@ -126,6 +126,8 @@ class Finding:
     """The questions that it answers; a second proof of the same, and a member of a series, answer none."""
     reason: str | None = None
     """Why it is undecided or skipped."""
+    why: str | None = None
+    """Where the statement is `what: why`, the second half: for those who have said what."""
     value: Interval | None = None
     witness: Mapping[str, Data] = field(default_factory=dict)
     """Enough to recheck the verdict without a search; the stage's docstring says what its keys mean."""
@@ -173,9 +175,12 @@ class Rule(NamedTuple):
         """A finding that is proved; `answers` are those that neither the verdict nor the value tells."""
         return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
 
-    def refuted(self, statement: str, witness: Witness, answers: Answers | None = None) -> Finding:
-        """A finding that is refuted."""
-        return self._finding(Verdict.REFUTED, statement, None, witness, answers=answers)
+    def refuted(
+        self, statement: str, witness: Witness, answers: Answers | None = None, why: str | None = None
+    ) -> Finding:
+        """A finding that is refuted; `why` is put behind the statement."""
+        statement = f"{statement}: {why}" if why else statement
+        return replace(self._finding(Verdict.REFUTED, statement, None, witness, answers=answers), why=why)
 
     def undecided(self, asked: str, reason: str, witness: Witness | None = None) -> Finding:
         """What was asked and could not be decided, and why."""
