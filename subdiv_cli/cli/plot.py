@@ -205,14 +205,14 @@ def _drawn(
 def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
     """Why there is nothing to draw, on stderr."""
     from subdiv_cli.model import Verdict
+    from subdiv_cli.model.closed import rational
     from subdiv_cli.model.findings import answering
-    from subdiv_cli.report.numbers import exact
 
     assert drawing.result is not None, "what is missing rests on a verdict"
     assert drawing.question is not None
     found = answering(drawing.result.findings, drawing.question)
     refuted = found is not None and found.verdict is Verdict.REFUTED
-    at = ", ".join(f"{name} = {exact(value)}" for name, value in one.parameters.items())
+    at = ", ".join(f"{name} = {rational(value)}" for name, value in one.parameters.items())
     name = f"{one.mask.name or one.mask.file}{f' at {at}' if at else ''}"
     why = found.statement if found is not None and refuted else _UNPROVED[drawing.question.name]
     emit(f"{name}: nothing to draw, {why}\n", sys.stderr)

@@ -78,6 +78,10 @@ class Polytope:
     def columns(self) -> Numbers:
         return self._columns[:, : self.size * self.copies]
 
+    def numbers(self, columns: Iterable[int]) -> list[int]:
+        """Columns as certificates number vertices: copy c of vertex u is u + c n."""
+        return [j // self.copies + self.size * (j % self.copies) for j in columns]
+
     def image(self, u: int, letter: int) -> Numbers:
         return np.asarray(self.scaled[letter] @ self._columns[:, u * self.copies])
 

@@ -137,8 +137,7 @@ class _Closing:
 
     def _independent(self) -> list[int]:
         """Numbers of N vertices, a well-conditioned basis as floats see it."""
-        size, copies = self._body.size, self._body.copies
-        return [j // copies + size * (j % copies) for j in independent_columns(self._body.columns)]
+        return self._body.numbers(independent_columns(self._body.columns))
 
     def _condition(self) -> arb | None:
         """κ = ‖V_B^(-1)‖₁: a vector r lies in κ‖r‖₁ times the hull."""
@@ -256,8 +255,7 @@ class _MonotoneClosing(_Closing):
     """
 
     def _independent(self) -> list[int]:
-        size, copies = self._body.size, self._body.copies
-        return [int(j) // copies + size * (int(j) % copies) for j in self._body.columns.argmax(axis=1)]
+        return self._body.numbers(self._body.columns.argmax(axis=1).tolist())
 
     def _condition(self) -> arb | None:
         """The largest 1/x of coordinates x that a checker must see to be positive, if they are: those of the basis

@@ -9,7 +9,7 @@ of vectors that are not negative, proves the same with inequalities: rule `monot
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -93,14 +93,9 @@ class _Enclosing:
 
     def _condition(self) -> None:
         """A basis of vertices, and κ."""
-        self._basis = self._numbers(independent_columns(self._body.columns))
+        self._basis = self._body.numbers(independent_columns(self._body.columns))
         inverse = arb_mat([list(row) for row in zip(*map(self._vertex, self._basis), strict=True)]).inv()
         self._kappa = arb(max(sum(map(abs, column), arb(0)).upper() for column in zip(*inverse.table(), strict=True)))
-
-    def _numbers(self, columns: Iterable[int]) -> list[int]:
-        """Columns of the body as certificates number vertices."""
-        size, copies = self._body.size, self._body.copies
-        return [j // copies + size * (j % copies) for j in columns]
 
     def _distance(self, rest: Sequence[arb]) -> arb:
         """A multiple of the hull that this vector is in."""
@@ -127,7 +122,7 @@ class _Enclosing:
     def _flat(self, u: int, letter: int, shrink: float) -> list[int]:
         if (u, letter) in self._body.images:
             image = self._body.images[u, letter]
-            numbers = self._numbers(image.columns)
+            numbers = self._body.numbers(image.columns)
             weights = [weight.real for weight in image.weights]
         else:
             numbers, weights = [self._body.target(u, letter)[0]], [self._body.target(u, letter)[1]]
@@ -162,7 +157,7 @@ class _MonotoneEnclosing(_Enclosing):
     """The same in a monotone hull, where `basis` has for each coordinate a vertex where it is large."""
 
     def _condition(self) -> None:
-        self._basis = self._numbers(int(j) for j in self._body.columns.argmax(axis=1))
+        self._basis = self._body.numbers(self._body.columns.argmax(axis=1).tolist())
         self._floors = [self._vertex(number)[k] for k, number in enumerate(self._basis)]
 
     def _distance(self, rest: Sequence[arb]) -> arb:

@@ -9,11 +9,12 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from subdiv_cli.model import Exponent, Finding, Judgement, Result, Verdict
+from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import answering
 from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report import findings, words
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import at_least, at_most, exact, finite, worth
+from subdiv_cli.report.numbers import at_least, at_most, finite, worth
 from subdiv_cli.report.page import INDENT, Cell, Page, joined, paint
 
 
@@ -123,7 +124,7 @@ class _TextReport(Page):
         items = [result.file] if result.name and result.file else []
         if result.kind:
             items.append(result.kind)
-        items += [f"{name} = {exact(value)}" for name, value in result.parameters.items()]
+        items += [f"{name} = {rational(value)}" for name, value in result.parameters.items()]
         if result.reference:
             items.append(result.reference)
         separator = " · " if self.look.unicode else "; "

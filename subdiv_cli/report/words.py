@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from subdiv_cli.model import Data, Expectation, Exponent, Judgement, Result, Smoothness, Verdict
+from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import CONVERGENCE, SUMS, answering
 from subdiv_cli.model.properties import BY_KEY, Property
-from subdiv_cli.report.numbers import LONGEST, data, exact, interval
+from subdiv_cli.report.numbers import LONGEST, data, interval
 
 MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
 ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
@@ -192,7 +193,7 @@ def value(result: Result, row: Property, *, bare: bool = False) -> str | None:
         return shown if shown is None or row.key != "holder" else labelled(shown, given)
     if row.form == "verdict":
         return {Verdict.PROVED: row.key, Verdict.REFUTED: f"not {row.key}"}.get(given) if bare else None
-    return None if given is None else exact(given) if bare else f"{row.form} {given}"
+    return None if given is None else rational(given) if bare else f"{row.form} {given}"
 
 
 def _decided(result: Result) -> str | None:

@@ -36,7 +36,7 @@ from subdiv_cli.exact.linalg import Combination, combinations
 from subdiv_cli.kinds.multivariate.lattice import Lattice, box, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated, multiplied
 from subdiv_cli.kinds.multivariate.numbers.difference_space import difference
-from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme, times
 from subdiv_cli.model import Effort
 
 Terms = dict[Index, Fraction]
@@ -101,7 +101,7 @@ def problem(scheme: MultivariateScheme, lattice: Lattice, k: int, power: int) ->
     if symbol is None:
         return None
     for _ in range(power - 1):
-        dilation = _product(lattice.dilation, dilation)
+        dilation = times(lattice.dilation, dilation)
     whole, parts = Lattice(dilation), list[CosetPart]()
     for row, mu in enumerate(indices_of_degree(s, k)):
         cosets: dict[Index, Terms] = {}
@@ -178,10 +178,6 @@ def _part(lattice: Lattice, row: int, terms: Terms) -> CosetPart:
 
 def _sum(alpha: Index, beta: Index) -> Index:
     return tuple(i + j for i, j in zip(alpha, beta, strict=True))
-
-
-def _product(a: IntMatrix, b: IntMatrix) -> IntMatrix:
-    return tuple(tuple(sum(x * y for x, y in zip(row, col, strict=True)) for col in zip(*b, strict=True)) for row in a)
 
 
 HIGHEST_POWER = 3

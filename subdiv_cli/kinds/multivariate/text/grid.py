@@ -10,7 +10,7 @@ from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.integers import index_of_key, integer_list
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_DIMENSION, MAX_GRID, MAX_MASK_LENGTH
-from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.entries import Table, read_number
 from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
@@ -116,19 +116,6 @@ class _Rows:
             self._problems.add(Fault(faults.BAD_SHAPE, message, _NESTED), path)
             return None
         return read_number(value, path, self._parameters, self._problems, self._work)
-
-
-def read_number(
-    value: object, path: KeyPath, parameters: Collection[str], problems: Collector, work: Work
-) -> Expression | None:
-    """A coefficient; None where it is wrong, which is recorded."""
-    try:
-        entry = read_expression(value, path, parameters)
-        check_fixed(entry, work)
-    except Fault as fault:
-        problems.add(fault, path)
-        return None
-    return entry
 
 
 def read_terms(table: Table, dilation: Dilation, parameters: Collection[str]) -> Terms | None:

@@ -55,18 +55,10 @@ def integer_values(scheme: ScalarScheme) -> dict[int, Fraction] | None:
     The left eigenvector v of A_0[α,β] = a_(α-pβ) for the eigenvalue 1 with Σv = 1 has v_β = φ(-β) (Dyn 4.3, 4.6).
     Convergence makes it unique.
     """
-    p, s, n = scheme.arity, scheme.start, scheme.degree
-    window = range((p - 1 - s - n) // (p - 1), -(s // (p - 1)) + 1)
-    if len(window) > LONGEST:
-        return None
+    from subdiv_cli.kinds.scalar.numbers import operators, spectra
 
-    def a(k: int) -> Fraction:
-        return scheme.coefficients[k - s] if s <= k <= s + n else Fraction(0)
-
-    from subdiv_cli.exact.linalg import matrix, solution
-
-    rows = [[a(alpha - p * beta) - (alpha == beta) for alpha in window] for beta in window]
-    v = solution(matrix([*rows, [1] * len(window)]), [*[Fraction(0)] * len(window), Fraction(1)])
+    window = operators.refinement_window(scheme)
+    v = None if len(window) > LONGEST else spectra.limit_stencil(operators.refinement_matrices(scheme)[0])
     return None if v is None else {-beta: value for beta, value in zip(window, v, strict=True)}
 
 
