@@ -150,6 +150,16 @@ def test_only_a_kind_asks_whether_a_scheme_is_of_it():
     assert not found, "\n".join(found)
 
 
+def test_no_class_name_stands_twice():
+    places = {}
+    for file in FILES:
+        for node in ast.walk(TREES[file]):
+            if isinstance(node, ast.ClassDef):
+                places.setdefault(node.name, []).append(f"{file.relative_to(ROOT)}:{node.lineno}")
+    found = [f"{name}: {', '.join(where)}" for name, where in sorted(places.items()) if len(where) > 1]
+    assert not found, "\n".join(found)
+
+
 def test_no_tolerance_in_a_proof_path():
     found = [
         f"{file.relative_to(ROOT)}:{node.lineno}: {node.value}"

@@ -85,12 +85,7 @@ def _perform(task: Task, settings: Settings) -> Done:
     result = done.result
     return done._replace(
         result=replace(
-            result,
-            file=mask.file,
-            name=mask.name,
-            kind=mask.kind,
-            reference=mask.reference,
-            parameters=parameters,
+            mask.labelled(result, parameters),
             expectations=tuple(_placed(judged, mask) for judged in result.expectations),
             sections=_sections(scheme, result) if settings.sections else (),
         ),

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.checker.json_text import parse
-from subdiv_cli.checker.matrices import MatrixFamily
+from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.numerals import shown
 from subdiv_cli.checker.reading import Exhausted, Fields, Rejected, read_object, require, require_few
 
@@ -74,7 +74,7 @@ class Step(NamedTuple):
 class Subject:
     """The mask or family that a document's claims are about, and what is left of the bound on the sizes of numbers."""
 
-    def __init__(self, letters: int, about: Any, families: Sequence[MatrixFamily] = ()) -> None:
+    def __init__(self, letters: int, about: Any, families: Sequence[RationalFamily] = ()) -> None:
         self.letters = letters
         """The arity of the mask, m = |det M| of its dilation, or the number of matrices of the family."""
         self.about = about
@@ -114,13 +114,13 @@ class Claim:
         self.witness = witness
         self._subject, self._work, self._uses = subject, work, uses
 
-    def family(self) -> MatrixFamily:
+    def family(self) -> RationalFamily:
         """The matrices of the family that the statement names."""
         number: int = self.statement["family"]
         require(number < len(self._subject.families), f"there is no family {number}")
         return self._subject.families[number]
 
-    def introduce(self, number: int, family: MatrixFamily) -> None:
+    def introduce(self, number: int, family: RationalFamily) -> None:
         """Add a new family, numbered as the statement says."""
         families = self._subject.families
         require(number == len(families), f"the next family is number {len(families)}")

@@ -14,7 +14,7 @@ from subdiv_cli.checker.polynomials import Polynomial
 Matrix = list[list[int]]
 
 
-class MatrixFamily(NamedTuple):
+class RationalFamily(NamedTuple):
     """A family of square matrices of one order, as numerators over one common denominator > 0."""
 
     matrices: list[Matrix]
@@ -45,10 +45,12 @@ class MatrixFamily(NamedTuple):
         return all(b == [[sign * x for x in reversed(row)] for row in reversed(a)] for a, b in pairs)
 
 
-def family(matrices: list[Matrix], denominator: int) -> MatrixFamily:
+def family(matrices: list[Matrix], denominator: int) -> RationalFamily:
     """The family of these matrices over this denominator, in lowest terms."""
     common = gcd(denominator, *(gcd(*row) for matrix in matrices for row in matrix))
-    return MatrixFamily([[[x // common for x in row] for row in matrix] for matrix in matrices], denominator // common)
+    return RationalFamily(
+        [[[x // common for x in row] for row in matrix] for matrix in matrices], denominator // common
+    )
 
 
 def section(f: Polynomial, p: int, offset: int, order: int) -> Matrix:

@@ -9,7 +9,7 @@ from itertools import pairwise
 from math import lcm
 from typing import Any
 
-from subdiv_cli.checker.matrices import MatrixFamily, family
+from subdiv_cli.checker.matrices import RationalFamily, family
 from subdiv_cli.checker.numerals import (
     MAX_DIGITS,
     OversizedError,
@@ -179,7 +179,7 @@ def _polynomial(value: object) -> Polynomial:
     return f
 
 
-def _family(value: object) -> MatrixFamily:
+def _family(value: object) -> RationalFamily:
     """Square matrices of one order, rows of rationals, over one common denominator."""
     matrices = _members(_rows, MAX_LETTERS, value, "a matrix of ")
     demand(len(matrices) > 0, "is empty")
@@ -202,7 +202,7 @@ def _rows(value: object) -> tuple[tuple[tuple[int, int], ...], ...]:
     return rows
 
 
-def _matrix(value: object) -> MatrixFamily:
+def _matrix(value: object) -> RationalFamily:
     return _family([value])
 
 

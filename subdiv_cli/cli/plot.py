@@ -205,8 +205,8 @@ def _drawn(
 def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
     """The exit code of a drawing without blocks; the reason is written to stderr."""
     from subdiv_cli.model import Verdict
+    from subdiv_cli.model.closed import rational
     from subdiv_cli.model.findings import CONVERGENCE, answering
-    from subdiv_cli.report.numbers import exact
 
     assert drawing.result is not None, "what is missing rests on a verdict"
     assert drawing.question is not None
@@ -214,7 +214,7 @@ def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
     if found is None or found.verdict is Verdict.SKIPPED:  # there is no φ to ask of
         found = answering(drawing.result.findings, CONVERGENCE)
     refuted = found is not None and found.verdict is Verdict.REFUTED
-    at = ", ".join(f"{name} = {exact(value)}" for name, value in one.parameters.items())
+    at = ", ".join(f"{name} = {rational(value)}" for name, value in one.parameters.items())
     name = f"{one.mask.name or one.mask.file}{f' at {at}' if at else ''}"
     why = found.statement if found is not None and refuted else _UNPROVED[drawing.question.name]
     emit(f"{name}: nothing to draw, {why}\n", sys.stderr)

@@ -27,26 +27,16 @@ class One(NamedTuple):
 
     def title(self, family: Sequence[One] = ()) -> str:
         """The name of the mask, and its parameters, among others only where some of these have the same name."""
-        from subdiv_cli.report.numbers import exact
+        from subdiv_cli.model.closed import rational
 
         name = self.mask.name or self.mask.file
         alike = sum(other.mask.file == self.mask.file for other in family)
-        given = f"{', '.join(f'{key} = {exact(value)}' for key, value in self.parameters.items())}"
+        given = f"{', '.join(f'{key} = {rational(value)}' for key, value in self.parameters.items())}"
         return f"{name}, {given}" if given and (alike > 1 or not family) else name
 
     def label(self, result: Result) -> Result:
         """The result with the names and parameters of the file."""
-        from dataclasses import replace
-
-        mask = self.mask
-        return replace(
-            result,
-            file=mask.file,
-            name=mask.name,
-            kind=mask.kind,
-            reference=mask.reference,
-            parameters=self.parameters,
-        )
+        return self.mask.labelled(result, self.parameters)
 
 
 options = all_of(named, effort("Work one question may cost."))

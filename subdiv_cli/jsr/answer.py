@@ -15,7 +15,7 @@ from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.exact.rationals import whole
 from subdiv_cli.exact.text import certain
 from subdiv_cli.jsr.family import Family
-from subdiv_cli.jsr.products import Product, radius_bound
+from subdiv_cli.jsr.products import WordProduct, radius_bound
 from subdiv_cli.jsr.radius import joint_spectral_radius, rough_radius
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.model import Data, Effort, Interval, Root, exact_root
@@ -32,7 +32,7 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
     stopped: Literal["budget"] | None = "budget" if effort.struck else None
     if radius is None:
         return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)
-    product = None if radius.word is None else Product.of_word(family.matrices, radius.word)
+    product = None if radius.word is None else WordProduct.of_word(family.matrices, radius.word)
     bounds = _enclosed(radius, product)
     lower: dict[str, Data] = {}
     if radius.exact is None and product is not None and product.eigenvalue.rational != 0:
@@ -54,7 +54,7 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
     )
 
 
-def _enclosed(radius: Radius, product: Product | None) -> Interval:
+def _enclosed(radius: Radius, product: WordProduct | None) -> Interval:
     length, bound = radius.upper
     with ctx.workprec(192):
         power = ball(1) / length

@@ -13,7 +13,7 @@ from functools import reduce
 import numpy as np
 
 from subdiv_cli.jsr.arrays import Array
-from subdiv_cli.jsr.body import Body, Start
+from subdiv_cli.jsr.body import Polytope, Start
 from subdiv_cli.jsr.measure import gauge
 from subdiv_cli.jsr.polytope import ROUGHLY, grow
 from subdiv_cli.model import Effort
@@ -24,7 +24,7 @@ _SWEEPS = 64
 _SMALLEST = 1e-3
 
 
-def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Effort) -> list[Fraction]:
+def scales(starts: Sequence[Start], body_of: Callable[[Start], Polytope], effort: Effort) -> list[Fraction]:
     """A list of positive factors, one for every leader, 1 for the first one."""
     grown = [grow(body_of(start), effort.limited(_WORK), ROUGHLY).body for start in starts]
     functionals = [_functional(start, body) for start, body in zip(starts, grown, strict=True)]
@@ -40,7 +40,7 @@ def scales(starts: Sequence[Start], body_of: Callable[[Start], Body], effort: Ef
     return [Fraction(max(1, round(64 * x)), 64) for x in np.exp(balanced - balanced[0]).tolist()]
 
 
-def _reach(start: Start, functional: Array | None, body: Body) -> float:
+def _reach(start: Start, functional: Array | None, body: Polytope) -> float:
     """The largest factor by which a body reaches in the direction of a leader.
 
     With f the functional of its product, f(v) = 1, Π^n x / μ^n tends to f(x) v where the eigenvalue is simple: it is
@@ -52,7 +52,7 @@ def _reach(start: Start, functional: Array | None, body: Body) -> float:
     return 1 / value if value else 0.0
 
 
-def _functional(start: Start, body: Body) -> Array | None:
+def _functional(start: Start, body: Polytope) -> Array | None:
     """The left eigenvector of the leader's product, a row of N entries with the value 1 at the leader.
 
     None where the eigenvalue is not simple or not real, or where the product is the reversal times that of the word.

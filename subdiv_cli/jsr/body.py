@@ -35,7 +35,7 @@ class Image(NamedTuple):
     """The sum of the |weights|."""
 
 
-class Body:
+class Polytope:
     """A polytope while it grows: its vertices, with what each of them is the image of.
 
     Each vertex v stands for `copies` columns: v; its conjugate, where vectors are complex; and in a symmetric family
@@ -79,6 +79,10 @@ class Body:
     def columns(self) -> Numbers:
         """The N×(size·copies) matrix of all vertices and their copies, as columns."""
         return self._columns[:, : self.size * self.copies]
+
+    def numbers(self, columns: Iterable[int]) -> list[int]:
+        """Columns as certificates number vertices: copy c of vertex u is u + c n."""
+        return [j // self.copies + self.size * (j % self.copies) for j in columns]
 
     def image(self, u: int, letter: int) -> Numbers:
         """The vector M_letter v / σ of N entries, v the vertex number u."""

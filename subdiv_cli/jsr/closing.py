@@ -55,7 +55,7 @@ def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dic
     for by in (*_PUSHES, None):
         places = _places(family, leaders, grown)
         with ctx.workprec(places + 64):
-            proof = (_Monotone if grown.body.monotone else _Closing)(family, leaders, grown)
+            proof = (_MonotoneClosing if grown.body.monotone else _Closing)(family, leaders, grown)
             if not proof.spans or proof.is_large:
                 return None
             for bits in _WEIGHT_BITS:
@@ -130,7 +130,7 @@ class _Closing:
         return self._matrices[letter] * of / self._sigma
 
     def _vertex(self, number: int) -> list[Ball]:
-        """The vertex with this number of the certificate: copy c of vertex u, as `Body` counts copies, is u + c n."""
+        """The vertex with this number of the certificate: copy c of vertex u, as `Polytope` counts them, is u + c n."""
         copy, u = divmod(number, self._body.size)
         entries: list[Ball] = self._vertices[u].entries()
         if self._body.complex and copy % 2:
@@ -139,8 +139,7 @@ class _Closing:
 
     def _independent(self) -> list[int]:
         """The numbers of N vertices that are a well-conditioned basis, as floats see it."""
-        size, copies = self._body.size, self._body.copies
-        return [j // copies + size * (j % copies) for j in independent_columns(self._body.columns)]
+        return self._body.numbers(independent_columns(self._body.columns))
 
     def _condition(self) -> arb | None:
         """The number κ = ‖V_B^(-1)‖₁, or None where it is not finite: a vector r lies in κ‖r‖₁ times the hull."""
@@ -255,7 +254,7 @@ class _Closing:
         return {**data, **disc_data(leader.eigenvalue)}
 
 
-class _Monotone(_Closing):
+class _MonotoneClosing(_Closing):
     """A polytope with its proof in balls, as `_Closing`, for a monotone hull.
 
     `basis` has for each coordinate a vertex where it is large, and a vector r is below Σ_k max(r_k, 0)/(coordinate k of
@@ -263,8 +262,7 @@ class _Monotone(_Closing):
     """
 
     def _independent(self) -> list[int]:
-        size, copies = self._body.size, self._body.copies
-        return [int(j) // copies + size * (int(j) % copies) for j in self._body.columns.argmax(axis=1)]
+        return self._body.numbers(self._body.columns.argmax(axis=1).tolist())
 
     def _condition(self) -> arb | None:
         """The largest 1/x of the coordinates x that a checker must see to be positive; None where some x is not.

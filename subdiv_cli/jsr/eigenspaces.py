@@ -20,7 +20,7 @@ from flint import ctx
 
 from subdiv_cli.exact.enclosures import ball
 from subdiv_cli.jsr.arrays import Array
-from subdiv_cli.jsr.body import Body, Start
+from subdiv_cli.jsr.body import Polytope, Start
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.gauge import Bases, gauges
 from subdiv_cli.jsr.leaders import MOST_LEADERS, Ball, Leader, Leaders, eigenvectors
@@ -54,7 +54,7 @@ _ROUNDING = 1e-6
 
 
 def surrounding(
-    family: Family, found: Leaders, body_of: Callable[[Sequence[Start]], Body], effort: Effort
+    family: Family, found: Leaders, body_of: Callable[[Sequence[Start]], Polytope], effort: Effort
 ) -> Leaders | None:
     """More leaders where an eigenspace has several dimensions; None where none has, or where no hulls are reached."""
     groups: dict[Candidate, list[Leader]] = {}
@@ -75,7 +75,7 @@ def surrounding(
 
 
 def _surround(
-    spaces: Sequence[_Eigenspace], body_of: Callable[[Sequence[Start]], Body], margin: float, effort: Effort
+    spaces: Sequence[_Eigenspace], body_of: Callable[[Sequence[Start]], Polytope], margin: float, effort: Effort
 ) -> bool:
     """Whether hulls grow until the ways in the tree of a body that grows from them lead inside; they are changed."""
     ways: dict[tuple[object, ...], _Way] = {}
@@ -193,7 +193,7 @@ class _Way(NamedTuple):
         return bool(np.abs(np.linalg.eigvals(self.matrix)).max() * (1 + margin) >= 1)
 
 
-def _ways(spaces: Sequence[_Eigenspace], body: Body) -> list[_Way]:
+def _ways(spaces: Sequence[_Eigenspace], body: Polytope) -> list[_Way]:
     """The ways by the words in the tree of a body, and in a symmetric family their reversals."""
     numbers = [k for k, space in enumerate(spaces) for _ in space.corners.T]
     images: list[tuple[int, Array] | None] = []

@@ -9,7 +9,7 @@ proves the same with inequalities: rule `monotone-polytope`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -32,14 +32,14 @@ _SLACK = (34, 31, 26, 16)
 _PRECISION = 192
 
 
-class Bound(NamedTuple):
+class RadiusBound(NamedTuple):
     """An upper bound JSR <= `upper`, and the rule, `polytope` or `monotone-polytope`, with its witness."""
 
     upper: Fraction
     witness: dict[str, Data]
 
 
-def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
+def enclose(family: Family, grown: Grown, sigma: Fraction) -> RadiusBound | None:
     """The bound σ·(largest gauge of an image), raised a little; σ is what the body's matrices were divided by.
 
     None where roundings spoil it, or vertices are complex, or too large for a certificate.
@@ -48,17 +48,17 @@ def enclose(family: Family, grown: Grown, sigma: Fraction) -> Bound | None:
         return None
     with ctx.workprec(_PRECISION):
         try:
-            proof = (_Monotone if grown.body.monotone else _Enclosing)(family, grown)
+            proof = (_MonotoneEnclosing if grown.body.monotone else _Enclosing)(family, grown)
         except ZeroDivisionError:  # the rounded vertices do not span
             return None
         for slack in _SLACK:
             x = _short(sigma * max(Fraction(1), Fraction(grown.value)) * (1 + Fraction(1, 1 << slack)))
             if (images := proof.images(float(sigma / x), x)) is not None:
-                return Bound(x, proof.witness(images))
+                return RadiusBound(x, proof.witness(images))
     return None
 
 
-def by_columns(family: Family) -> Bound:
+def by_columns(family: Family) -> RadiusBound:
     """The bound by the largest absolute column sum of a matrix, raised a little: the polytope of the vertices ±e_j.
 
     Weights are entries over the bound, so roundings to multiples of 2^-w cost N 2^-w at most. Needs a matrix ≠ 0.
@@ -73,7 +73,7 @@ def by_columns(family: Family) -> Bound:
         images.append(tuple(part for pair in weights if pair[1] for part in pair))
     corners = tuple(tuple(int(i == j) for i in range(n)) for j in range(n))
     witness: dict[str, Data] = {"symmetry": 0, "bits": 0, "vertices": corners, "basis": tuple(range(n))}
-    return Bound(x, {**witness, "weight_bits": _WEIGHT_BITS, "images": tuple(images)})
+    return RadiusBound(x, {**witness, "weight_bits": _WEIGHT_BITS, "images": tuple(images)})
 
 
 def _short(x: Fraction) -> Fraction:
@@ -93,14 +93,9 @@ class _Enclosing:
 
     def _condition(self) -> None:
         """Choose a basis of N vertices, and compute κ."""
-        self._basis = self._numbers(independent_columns(self._body.columns))
+        self._basis = self._body.numbers(independent_columns(self._body.columns))
         inverse = arb_mat([list(row) for row in zip(*map(self._vertex, self._basis), strict=True)]).inv()
         self._kappa = arb(max(sum(map(abs, column), arb(0)).upper() for column in zip(*inverse.table(), strict=True)))
-
-    def _numbers(self, columns: Iterable[int]) -> list[int]:
-        """The numbers of columns of the body in the numbering of certificates."""
-        size, copies = self._body.size, self._body.copies
-        return [j // copies + size * (j % copies) for j in columns]
 
     def _distance(self, rest: Sequence[arb]) -> arb:
         """A number t such that the vector lies in t times the hull."""
@@ -127,7 +122,7 @@ class _Enclosing:
     def _flat(self, u: int, letter: int, shrink: float) -> list[int]:
         if (u, letter) in self._body.images:
             image = self._body.images[u, letter]
-            numbers = self._numbers(image.columns)
+            numbers = self._body.numbers(image.columns)
             weights = [weight.real for weight in image.weights]
         else:
             numbers, weights = [self._body.target(u, letter)[0]], [self._body.target(u, letter)[1]]
@@ -158,11 +153,11 @@ class _Enclosing:
         }
 
 
-class _Monotone(_Enclosing):
+class _MonotoneEnclosing(_Enclosing):
     """The same proof in a monotone hull, where `basis` has for each coordinate a vertex where it is large."""
 
     def _condition(self) -> None:
-        self._basis = self._numbers(int(j) for j in self._body.columns.argmax(axis=1))
+        self._basis = self._body.numbers(self._body.columns.argmax(axis=1).tolist())
         self._floors = [self._vertex(number)[k] for k, number in enumerate(self._basis)]
 
     def _distance(self, rest: Sequence[arb]) -> arb:

@@ -16,10 +16,10 @@ from flint import arb, ctx
 from subdiv_cli.exact.enclosures import ball, bounds
 from subdiv_cli.jsr.arrays import Array, Numbers
 from subdiv_cli.jsr.balance import scales
-from subdiv_cli.jsr.body import Body, Start
+from subdiv_cli.jsr.body import Polytope, Start
 from subdiv_cli.jsr.closing import close
 from subdiv_cli.jsr.eigenspaces import surrounding
-from subdiv_cli.jsr.enclosing import Bound, enclose
+from subdiv_cli.jsr.enclosing import RadiusBound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.polytope import Grown, grow, grow_on, measured
@@ -100,7 +100,9 @@ def bounded(family: Family, limit: tuple[int, Fraction], effort: Effort) -> Radi
     with ctx.workprec(128):
         sigma = bounds(ball(bound) ** (arb(1) / length))[0] * (1 - Fraction(1, 1 << _MARGIN))
     start = _leading_vector(family)
-    body = Body(family.floats, float(sigma / family.unit), symmetric=bool(family.symmetry), starts=[Start((), start)])
+    body = Polytope(
+        family.floats, float(sigma / family.unit), symmetric=bool(family.symmetry), starts=[Start((), start)]
+    )
     grown = grow(body, effort.limited(_QUICK_WORK))
     found = enclose(family, grown, sigma) if grown.closed else None
     if found is None or found.upper**length > bound:
@@ -162,10 +164,10 @@ class _Attempt:
             return [_start(self.family, leader) for leader in more.each]
         return self._balanced(starts, effort) if len(starts) > 1 else starts
 
-    def _body(self, starts: Sequence[Start], sigma: Fraction) -> Body:
+    def _body(self, starts: Sequence[Start], sigma: Fraction) -> Polytope:
         if self.monotone:
             starts = [start._replace(vector=np.maximum(start.vector, 0.0)) for start in starts]
-        return Body(
+        return Polytope(
             self.family.floats,
             float(sigma / self.family.unit),
             symmetric=bool(self.family.symmetry),
@@ -220,7 +222,7 @@ class _Attempt:
             slack = slack / 4 if grown.closed else slack * 4
         return found
 
-    def _at_most(self, bound: Bound) -> Radius:
+    def _at_most(self, bound: RadiusBound) -> Radius:
         assert self.leaders is not None
         word = self.family.full_word(self.leaders.each[0].candidate)
         proof: dict[str, Data] = {"length": 1, "bound": bound.upper, **bound.witness}

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from subdiv_cli.jsr.arrays import Numbers, as_real
-from subdiv_cli.jsr.body import Body
+from subdiv_cli.jsr.body import Polytope
 from subdiv_cli.jsr.dominance import Dominations, domination
 from subdiv_cli.jsr.gauge import Bases, Gauges, gauges, inverses_of
 
@@ -19,7 +19,7 @@ _REMEMBERED = 48
 class Balanced:
     """Gauges in the hull of all ±v, from bases that were good for earlier targets."""
 
-    def __init__(self, body: Body) -> None:
+    def __init__(self, body: Polytope) -> None:
         self._body = body
         first = np.array([independent_columns(body.columns)])
         turns = np.ones(first.shape, dtype=body.columns.dtype)
@@ -56,7 +56,7 @@ class Balanced:
 class Monotone:
     """Gauges in the hull of all x >= 0 that are below a convex combination of vertices."""
 
-    def __init__(self, body: Body) -> None:
+    def __init__(self, body: Polytope) -> None:
         self._body = body
 
     def measure(
@@ -66,12 +66,12 @@ class Monotone:
         return Dominations([domination(self._body.columns, target) for target in targets])
 
 
-def measure_of(body: Body) -> Balanced | Monotone:
+def measure_of(body: Polytope) -> Balanced | Monotone:
     """The measure of gauges in a body of this sort."""
     return Monotone(body) if body.monotone else Balanced(body)
 
 
-def gauge(body: Body, vector: Numbers) -> float:
+def gauge(body: Polytope, vector: Numbers) -> float:
     """The gauge of one vector in a body whose columns span the space."""
     return float(measure_of(body).measure(vector[None]).value[0])
 

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from subdiv_cli.jsr.arrays import Numbers
-from subdiv_cli.jsr.body import Body, Image
+from subdiv_cli.jsr.body import Image, Polytope
 from subdiv_cli.jsr.dominance import Dominations
 from subdiv_cli.jsr.gauge import PRECISION, Gauges
 from subdiv_cli.jsr.measure import Balanced, Monotone, measure_of
@@ -42,7 +42,7 @@ _SMALL_ORDER = 20
 class Grown(NamedTuple):
     """A polytope after growth, with its state: closed or not, and the images left."""
 
-    body: Body
+    body: Polytope
     closed: bool
     """Whether no image lies outside, as floats see it."""
     left: list[tuple[int, int]]
@@ -56,7 +56,7 @@ class Grown(NamedTuple):
         return max((image.value for image in self.body.images.values()), default=0.0)
 
 
-def grow(body: Body, effort: Effort, within: float = 1.0) -> Grown:
+def grow(body: Polytope, effort: Effort, within: float = 1.0) -> Grown:
     """The body after growth, closed or at the end of the effort; images of gauges up to `within` >= 1 may stay outside.
 
     Work is counted in gauges, those in large bodies many times, as they take.
@@ -70,7 +70,7 @@ def grow_on(grown: Grown, effort: Effort) -> Grown:
     return _grow(grown.body, grown.left, effort)
 
 
-def push_out(body: Body, images: Iterable[tuple[int, int]], by: float, effort: Effort) -> Grown:
+def push_out(body: Polytope, images: Iterable[tuple[int, int]], by: float, effort: Effort) -> Grown:
     """A copy of a closed body in which these images are inner points, after more growth.
 
     It has a vertex a little beyond each of them. The images of such a vertex are those of an inner point nearly, so
@@ -81,7 +81,7 @@ def push_out(body: Body, images: Iterable[tuple[int, int]], by: float, effort: E
     return _grow(body, [*images, *body.pending(extras)], effort)
 
 
-def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort, within: float = 1.0) -> Grown:
+def _grow(body: Polytope, pending: list[tuple[int, int]], effort: Effort, within: float = 1.0) -> Grown:
     spent = 0
     with np.errstate(all="ignore"):  # a gauge that overflows is a large one
         memory = measure_of(body)
@@ -97,7 +97,7 @@ def _grow(body: Body, pending: list[tuple[int, int]], effort: Effort, within: fl
     return Grown(body, True, [], spent)
 
 
-def _span(body: Body) -> None:
+def _span(body: Polytope) -> None:
     """Add images as vertices until there are N independent columns; where images do not suffice, small unit vectors."""
     frame: list[Numbers] = []
 
@@ -126,7 +126,7 @@ def _span(body: Body) -> None:
             body.add_extra(unit * _SMALL)
 
 
-def _cover(body: Body) -> None:
+def _cover(body: Polytope) -> None:
     """Add images as vertices until every coordinate is positive somewhere; then the monotone hull is full-dimensional.
 
     Where images do not suffice, small unit vectors.
@@ -147,7 +147,7 @@ def _cover(body: Body) -> None:
             body.add_extra(unit * _SMALL)
 
 
-def _absorb(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]], within: float) -> list[int]:
+def _absorb(body: Polytope, memory: Balanced | Monotone, pairs: list[tuple[int, int]], within: float) -> list[int]:
     """The numbers of the new vertices: images inside are recorded with weights, others become vertices.
 
     The farthest come first.
@@ -170,7 +170,7 @@ def _absorb(body: Body, memory: Balanced | Monotone, pairs: list[tuple[int, int]
     return fresh
 
 
-def _coincidences(body: Body, pairs: list[tuple[int, int]]) -> list[tuple[int, int]]:
+def _coincidences(body: Polytope, pairs: list[tuple[int, int]]) -> list[tuple[int, int]]:
     """The images that are no vertices up to sign; those that are vertices are recorded."""
     targets = np.array([body.image(*pair) for pair in pairs])
     rest = []
@@ -186,7 +186,7 @@ def _coincidences(body: Body, pairs: list[tuple[int, int]]) -> list[tuple[int, i
     return rest
 
 
-def _record(body: Body, pair: tuple[int, int], found: Gauges | Dominations, k: int) -> None:
+def _record(body: Polytope, pair: tuple[int, int], found: Gauges | Dominations, k: int) -> None:
     columns, weights = found.shares(k)
     body.images[pair] = Image(*pair, columns, weights, float(found.value[k]))
 

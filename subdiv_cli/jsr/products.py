@@ -25,7 +25,7 @@ _TIE = 1e-9
 """Logarithms of radii closer than this count as equal in the search."""
 
 
-class Product(NamedTuple):
+class WordProduct(NamedTuple):
     """A product Π = T_(w_ℓ) … T_(w_1) for the word w, and its eigenvalue λ that is largest as balls see it."""
 
     word: tuple[int, ...]
@@ -33,7 +33,7 @@ class Product(NamedTuple):
     eigenvalue: AlgebraicNumber
 
     @classmethod
-    def of_word(cls, matrices: Sequence[fmpq_mat], word: tuple[int, ...]) -> Product:
+    def of_word(cls, matrices: Sequence[fmpq_mat], word: tuple[int, ...]) -> WordProduct:
         """The product of a word and its largest eigenvalue."""
         matrix = reduce(lambda product, letter: matrices[letter] * product, word[1:], matrices[word[0]])
         return cls(word, matrix, roots(matrix.charpoly())[0][0])
@@ -59,7 +59,7 @@ class Product(NamedTuple):
         return any(meets_circle(f, target) for f in factors)
 
 
-def radius_bound(product: Product) -> Fraction:
+def radius_bound(product: WordProduct) -> Fraction:
     """The number |λ| where λ is rational, else a rational r <= |λ| of twenty digits. Needs λ ≠ 0."""
     if (rational := product.eigenvalue.rational) is not None:
         return abs(rational)
@@ -70,7 +70,7 @@ def radius_bound(product: Product) -> Fraction:
     return low // unit * unit
 
 
-def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> Product | None:
+def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> WordProduct | None:
     """The product with the largest |λ|^(1/ℓ) among short words in p N×N matrices; None without any.
 
     All are nilpotent then, or the effort is nil. The words are primitive and one of each rotation class.
@@ -89,7 +89,7 @@ def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> Product | None
         if (estimate := _log_radius_estimate(product) / len(word)) > -math.inf:
             ranked.append((estimate, word, product))
     ranked.sort(key=lambda entry: (-entry[0], len(entry[1]), entry[1]))
-    best: tuple[float, Product] | None = None
+    best: tuple[float, WordProduct] | None = None
     for estimate, word, product in ranked:
         if best is not None and estimate < best[0] - _TIE:
             break
@@ -98,13 +98,13 @@ def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> Product | None
         if number.rational == 0:
             continue
         size = float(number.region.__abs__().log().mid()) / len(word) + math.log(denominator)
-        candidate = size, Product(word, exact, number)
+        candidate = size, WordProduct(word, exact, number)
         if best is None or _better(candidate, best):
             best = candidate
     return None if best is None else best[1]
 
 
-def _better(a: tuple[float, Product], b: tuple[float, Product]) -> bool:
+def _better(a: tuple[float, WordProduct], b: tuple[float, WordProduct]) -> bool:
     if abs(a[0] - b[0]) > _TIE:
         return a[0] > b[0]
     return (len(a[1].word), a[1].word) < (len(b[1].word), b[1].word)

@@ -21,7 +21,7 @@ from subdiv_cli.exact.algebraic import AlgebraicNumber, negated
 from subdiv_cli.exact.enclosures import ball
 from subdiv_cli.exact.field import root_in_field, solve
 from subdiv_cli.exact.rationals import to_fmpq, to_fraction
-from subdiv_cli.jsr.body import Body
+from subdiv_cli.jsr.body import Polytope
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.leaders import Leader, Leaders
 
@@ -68,7 +68,7 @@ Smaller = Callable[[int, int, Sequence[tuple[int, arb]], int], bool]
 class Ties:
     """The exact vertices of one polytope, each computed once, on first use."""
 
-    def __init__(self, family: Family, leaders: Leaders, body: Body, smaller: Smaller) -> None:
+    def __init__(self, family: Family, leaders: Leaders, body: Polytope, smaller: Smaller) -> None:
         self._family, self._leaders, self._body, self._smaller = family, leaders, body, smaller
         first = leaders.each[0].eigenvalue
         self._gamma = negated(first) if first.is_real and first.region.real < 0 else first

@@ -144,6 +144,28 @@ def check_fixed(expression: Expression, work: Work) -> None:
         evaluate(expression.node, {}, work)
 
 
+def read_number(
+    value: object, path: KeyPath, parameters: Collection[str], problems: Collector, work: Work
+) -> Expression | None:
+    """A coefficient; None where it is wrong, which is recorded."""
+    try:
+        entry = read_expression(value, path, parameters)
+        check_fixed(entry, work)
+    except Fault as fault:
+        problems.add(fault, path)
+        return None
+    return entry
+
+
+def read_symbol(table: Table, names: Collection[str], help: str) -> Expression | None:
+    """The expression at `symbol`; None where it is wrong, which is recorded."""
+    path, value = (*table.path, "symbol"), table.data["symbol"]
+    if isinstance(value, str):
+        return read_number(value, path, names, table.problems, Work())
+    table.problems.add(Fault(faults.WRONG_TYPE, f"symbol must be a string, not {described(value)}", help), path)
+    return None
+
+
 def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expression | None]:
     """The defaults by name, in order of declaration: a number, an expression in earlier parameters, or None for ""."""
     found: dict[str, Expression | None] = {}

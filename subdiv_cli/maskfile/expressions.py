@@ -8,11 +8,11 @@ from fractions import Fraction
 from subdiv_cli.maskfile import laurent
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.grammar import parse
-from subdiv_cli.maskfile.laurent import VARIABLES, Laurent, TooLargeError, Work, packed
+from subdiv_cli.maskfile.laurent import VARIABLES, BoundedLaurent, TooLargeError, Work, packed
 from subdiv_cli.maskfile.nodes import Logarithm, Name, Node, Number, Power, Product, RootOf, Sum
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, shown, shown_number
 
-_MONOMIALS = {name: Laurent({packed([0] * i + [1]): 1}) for i, name in enumerate(VARIABLES)}
+_MONOMIALS = {name: BoundedLaurent({packed([0] * i + [1]): 1}) for i, name in enumerate(VARIABLES)}
 
 
 def names_in(node: Node) -> frozenset[str]:
@@ -34,7 +34,7 @@ def is_fixed(node: Node) -> bool:
     return names_in(node) <= _MONOMIALS.keys()
 
 
-def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
+def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> BoundedLaurent:
     """The Laurent polynomial of an expression; `values` has every name in it but the variables.
 
     Raises Fault at the offending subexpression: SD007 or SD011 for a zero divisor, SD008 for a division that is not
@@ -58,7 +58,7 @@ def evaluate(node: Node, values: Mapping[str, Fraction], work: Work) -> Laurent:
     raise AssertionError(f"{type(node).__name__} has no value as a Laurent polynomial")
 
 
-def _product(node: Product, values: Mapping[str, Fraction], work: Work) -> Laurent:
+def _product(node: Product, values: Mapping[str, Fraction], work: Work) -> BoundedLaurent:
     """The value of a product: what multiplies comes first, then what divides; (1+z)^2/(1-z) (1-z) has a value."""
     result = laurent.constant(Fraction(1))
     divisors = []
@@ -80,7 +80,7 @@ def _product(node: Product, values: Mapping[str, Fraction], work: Work) -> Laure
     return result
 
 
-def _power(node: Power, values: Mapping[str, Fraction], work: Work) -> Laurent:
+def _power(node: Power, values: Mapping[str, Fraction], work: Work) -> BoundedLaurent:
     if node.exponent >= 0:
         return laurent.power(evaluate(node.base, values, work), node.exponent, work)
     base = _nonzero(node.base, node.at, values, work)
@@ -89,7 +89,7 @@ def _power(node: Power, values: Mapping[str, Fraction], work: Work) -> Laurent:
     return laurent.power(inverse, -node.exponent, work)
 
 
-def _quotient(a: Laurent, divisor: Laurent, at: int, work: Work) -> Laurent:
+def _quotient(a: BoundedLaurent, divisor: BoundedLaurent, at: int, work: Work) -> BoundedLaurent:
     """The quotient. Raises Fault where there is a remainder."""
     if (result := laurent.quotient(a, divisor, work)) is not None:
         return result
@@ -98,7 +98,7 @@ def _quotient(a: Laurent, divisor: Laurent, at: int, work: Work) -> Laurent:
     raise Fault(faults.BAD_EXPRESSION, f"{small} does not divide {large} exactly", help, at)
 
 
-def _nonzero(node: Node, at: int, values: Mapping[str, Fraction], work: Work) -> Laurent:
+def _nonzero(node: Node, at: int, values: Mapping[str, Fraction], work: Work) -> BoundedLaurent:
     """The value of a divisor. Raises Fault for zero."""
     divisor = evaluate(node, values, work)
     if divisor.numerators:
@@ -142,7 +142,7 @@ def number_of(
 
 def polynomial_of(
     expression: Expression, values: Mapping[str, Fraction], problems: Collector, work: Work
-) -> Laurent | None:
+) -> BoundedLaurent | None:
     """The Laurent polynomial of a symbol; None where it has no value, as in `number_of`."""
     try:
         return evaluate(expression.node, values, work)

@@ -38,7 +38,7 @@ class Work:
             raise TooLargeError("multiplying this out takes too long")
 
 
-class Laurent:
+class BoundedLaurent:
     """The Laurent polynomial Σ numerators[k] z^k / denominator: no zero numerators, denominator > 0, lowest terms.
 
     k is an exponent of z, or `packed` from those of several variables.
@@ -103,12 +103,12 @@ def _bound(exponent: int) -> None:
         raise TooLargeError(f"an exponent of z beyond {MAX_EXPONENT}")
 
 
-def constant(value: Fraction) -> Laurent:
+def constant(value: Fraction) -> BoundedLaurent:
     """The constant polynomial of a number. Raises TooLargeError."""
-    return Laurent({0: value.numerator}, value.denominator)
+    return BoundedLaurent({0: value.numerator}, value.denominator)
 
 
-def total(terms: Iterable[tuple[int, Laurent]], work: Work) -> Laurent:
+def total(terms: Iterable[tuple[int, BoundedLaurent]], work: Work) -> BoundedLaurent:
     """The sum Σ sign · term. Raises TooLargeError."""
     numerators: dict[int, int] = {}
     denominator = 1
@@ -125,28 +125,28 @@ def total(terms: Iterable[tuple[int, Laurent]], work: Work) -> Laurent:
         work.charge(30 + len(term.numerators), term.bits, factor.bit_length())
         for k, n in term.numerators.items():
             numerators[k] = numerators.get(k, 0) + factor * n
-    return Laurent(numerators, denominator)
+    return BoundedLaurent(numerators, denominator)
 
 
-def times(a: Laurent, b: Laurent, work: Work) -> Laurent:
+def times(a: BoundedLaurent, b: BoundedLaurent, work: Work) -> BoundedLaurent:
     """The product a · b. Raises TooLargeError."""
     work.charge(30 + len(a.numerators) * len(b.numerators), a.bits, b.bits)
     numerators: dict[int, int] = {}
     for j, m in a.numerators.items():
         for k, n in b.numerators.items():
             numerators[j + k] = numerators.get(j + k, 0) + m * n
-    return Laurent(numerators, a.denominator * b.denominator)
+    return BoundedLaurent(numerators, a.denominator * b.denominator)
 
 
-def inverse(a: Laurent) -> Laurent | None:
+def inverse(a: BoundedLaurent) -> BoundedLaurent | None:
     """The inverse 1/a of a monomial c z^k, c ≠ 0; None for anything else."""
     if len(a.numerators) != 1:
         return None
     ((k, n),) = a.numerators.items()
-    return Laurent({-k: a.denominator if n > 0 else -a.denominator}, abs(n))
+    return BoundedLaurent({-k: a.denominator if n > 0 else -a.denominator}, abs(n))
 
 
-def quotient(a: Laurent, b: Laurent, work: Work) -> Laurent | None:
+def quotient(a: BoundedLaurent, b: BoundedLaurent, work: Work) -> BoundedLaurent | None:
     """The quotient a / b for b ≠ 0; None where it is no Laurent polynomial. Raises TooLargeError.
 
     Long division from the lowest monomial, in integers: a polynomial with integer coefficients that a primitive one
@@ -177,16 +177,16 @@ def quotient(a: Laurent, b: Laurent, work: Work) -> Laurent | None:
                 if (at := k - lowest + j) not in rest:
                     heappush(waiting, at)
                 rest[at] = rest.get(at, 0) - factor * m
-    return Laurent({k: n * b.denominator for k, n in found.items()}, a.denominator * content)
+    return BoundedLaurent({k: n * b.denominator for k, n in found.items()}, a.denominator * content)
 
 
-def _box(a: Laurent) -> list[tuple[int, int]]:
+def _box(a: BoundedLaurent) -> list[tuple[int, int]]:
     """The lowest and the highest exponent of each variable; (0, 0) for zero."""
     columns = list(zip(*map(exponents, a.numerators or {0: 0}), strict=True))
     return [(min(column), max(column)) for column in columns]
 
 
-def spelled(a: Laurent, limit: int = 5) -> str | None:
+def spelled(a: BoundedLaurent, limit: int = 5) -> str | None:
     """The polynomial as a message may quote it, "1 - 2 z"; None for a long one."""
     if len(a.numerators) > limit or a.bits > 30:
         return None
@@ -200,16 +200,16 @@ def spelled(a: Laurent, limit: int = 5) -> str | None:
     return out or "0"
 
 
-def power(a: Laurent, n: int, work: Work) -> Laurent:
+def power(a: BoundedLaurent, n: int, work: Work) -> BoundedLaurent:
     """The power a^n for n >= 0, a^0 = 1. Raises TooLargeError, before numbers or terms grow out of hand."""
     if n == 0:
-        return Laurent({0: 1})
+        return BoundedLaurent({0: 1})
     if len(a.numerators) == 1:
         ((k, c),) = a.numerators.items()
         _bound(max(map(abs, exponents(k))) * n)
         if max(abs(c).bit_length() - 1, a.denominator.bit_length() - 1) * n > MAX_BITS:
             raise TooLargeError(f"numbers of more than {MAX_DIGITS} digits come up")
-        return Laurent({k * n: c**n}, a.denominator**n)
+        return BoundedLaurent({k * n: c**n}, a.denominator**n)
     result = a
     for bit in bin(n)[3:]:
         result = times(result, result, work)

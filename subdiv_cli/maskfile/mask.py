@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import lcm
 from typing import Any, Protocol
@@ -13,7 +13,7 @@ from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.expressions import Expression, is_fixed, number_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, Source, near, shown
-from subdiv_cli.model import Expectation
+from subdiv_cli.model import Expectation, Result
 
 
 class Body(Protocol):
@@ -95,6 +95,12 @@ class MaskFile:
         problems.raise_any()
         assert scheme is not None, "what keeps a mask from being expanded is a problem"
         return scheme
+
+    def labelled(self, result: Result, parameters: Mapping[str, Fraction]) -> Result:
+        """A result of this mask at these values, with what the file says about it."""
+        return replace(
+            result, file=self.file, name=self.name, kind=self.kind, reference=self.reference, parameters=parameters
+        )
 
 
 def parameter_values(

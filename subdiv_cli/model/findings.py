@@ -126,6 +126,8 @@ class Finding:
     """The questions that it answers; a second proof of the same, and a member of a series, answer none."""
     reason: str | None = None
     """The reason why it is undecided or skipped."""
+    why: str | None = None
+    """Where the statement is `what: why`, the second half: for those who have said what."""
     value: Interval | None = None
     witness: Mapping[str, Data] = field(default_factory=dict)
     """Data from which the verdict can be rechecked without a search; the stage's docstring explains the keys."""
@@ -193,9 +195,12 @@ class Rule(NamedTuple):
         """A finding that is proved; `answers` are those that follow neither from the verdict nor from the value."""
         return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
 
-    def refuted(self, statement: str, witness: Witness, answers: Answers | None = None) -> Finding:
-        """A finding that is refuted."""
-        return self._finding(Verdict.REFUTED, statement, None, witness, answers=answers)
+    def refuted(
+        self, statement: str, witness: Witness, answers: Answers | None = None, why: str | None = None
+    ) -> Finding:
+        """A finding that is refuted; `why` is put behind the statement."""
+        statement = f"{statement}: {why}" if why else statement
+        return replace(self._finding(Verdict.REFUTED, statement, None, witness, answers=answers), why=why)
 
     def undecided(self, asked: str, reason: str, witness: Witness | None = None) -> Finding:
         """A finding that could not be decided: the question, and why."""

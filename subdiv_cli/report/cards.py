@@ -20,6 +20,7 @@ from subdiv_cli.model.blocks import (
     Text,
     Words,
 )
+from subdiv_cli.model.closed import rational
 from subdiv_cli.model.formulas import derivative
 from subdiv_cli.model.properties import PROPERTIES
 from subdiv_cli.report import svg, words
@@ -27,7 +28,7 @@ from subdiv_cli.report.blocks import put
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.notices import notices
-from subdiv_cli.report.numbers import data, exact
+from subdiv_cli.report.numbers import data
 from subdiv_cli.report.page import Page, paint
 
 MOST_WEIGHTS = 40
@@ -74,7 +75,7 @@ def _about(result: Result) -> str:
     """The HTML of file, kind, parameters, reference, then the facts."""
     items = [f"<code>{text(result.file)}</code>"]
     items += [text(result.kind)] if result.kind else []
-    items += [f'<span class="exact">{text(name)} = {exact(value)}</span>' for name, value in result.parameters.items()]
+    items += [f'<span class="exact">{text(name)} = {rational(x)}</span>' for name, x in result.parameters.items()]
     items += [text(result.reference)] if result.reference else []
     return " · ".join([*items, *map(text, words.facts(result))])
 

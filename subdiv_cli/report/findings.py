@@ -10,9 +10,10 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER
 from subdiv_cli.report import words
 from subdiv_cli.report.numbers import data, interval
-from subdiv_cli.report.page import INDENT, Page, led, stacked
+from subdiv_cli.report.page import INDENT, Cell, Page, led, stacked
 
 NARROW = 60
 """The columns below which findings are indented less."""
@@ -94,7 +95,7 @@ def _finding(page: Page, found: Finding) -> None:
     if page.look.width >= NARROW:
         page.lines.append([(" " * INDENT, ""), (verdict, role), (title, "code")])
     else:
-        page.lines += stacked([[(verdict, role), (title, "code")]], page.look.width - INDENT, INDENT)
+        page.lines += stacked([[Cell(verdict, role), Cell(title, "code")]], page.look.width - INDENT, INDENT)
     page.put(found.statement, indent=indent, hanging=2)
     if (shown := _unsaid(found)) is not None:
         page.put(f"value: {shown}", indent=indent, hanging=2)
@@ -107,8 +108,8 @@ def _finding(page: Page, found: Finding) -> None:
 
 
 def _unsaid(found: Finding) -> str | None:
-    """The value of a finding whose statement does not have it already."""
-    said = found.statement.startswith("α")  # the statement is the value
+    """The value of a finding whose statement does not have it already; that of a Hölder exponent always does."""
+    said = any(question in (HOLDER_LOWER, HOLDER_UPPER) for question, _ in found.answers)
     if found.value is None or said or (found.value.exact is not None and found.value.exact in found.statement):
         return None
     shown = interval(found.value)

@@ -9,10 +9,10 @@ from typing import Any
 
 import subdiv_cli
 from subdiv_cli.model import Data, Exponent, Finding, Interval, Judgement, Problem, Result, Smoothness
-from subdiv_cli.model.closed import spelled
+from subdiv_cli.model.closed import rational, spelled
 from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import exact, finite
+from subdiv_cli.report.numbers import finite
 from subdiv_cli.report.words import found, summary
 
 _LONG = 10**4000
@@ -152,5 +152,5 @@ def plain(data: Data) -> Any:
     if isinstance(data, tuple | list):
         return [plain(value) for value in data]
     if isinstance(data, Fraction) or (isinstance(data, int) and abs(data) >= _LONG):
-        return exact(data)
+        return rational(data)
     return data

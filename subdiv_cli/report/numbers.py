@@ -7,23 +7,12 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from subdiv_cli.model import Data, Exponent, Interval
-from subdiv_cli.model.closed import spelled
+from subdiv_cli.model.closed import rational, spelled
 
 PLACES = 10
 """The most decimal places, where a number is not known exactly."""
 LONGEST = 160
 """The most characters of a closed form that is still read with profit."""
-
-
-def exact(value: Fraction | int) -> str:
-    """A rational as `p/q`, of any length (str refuses above 4300 digits)."""
-    try:
-        return str(value)
-    except ValueError:
-        from decimal import Decimal
-
-        value = Fraction(value)
-        return f"{Decimal(value.numerator):f}" + (f"/{Decimal(value.denominator):f}" if value.denominator > 1 else "")
 
 
 def finite(bound: float | None) -> float | None:
@@ -35,7 +24,7 @@ def decimal(value: Fraction, places: int, *, up: bool) -> str:
     """The nearest decimal with so many places that is not below (`up`) or not above the value."""
     scaled = value * 10**places
     digits = math.ceil(scaled) if up else math.floor(scaled)
-    sign, text = "-" if digits < 0 else "", exact(abs(digits)).rjust(places + 1, "0")
+    sign, text = "-" if digits < 0 else "", rational(abs(digits)).rjust(places + 1, "0")
     return sign + (f"{text[:-places]}.{text[-places:]}" if places else text)
 
 
@@ -115,7 +104,7 @@ def data(value: Data) -> str:
     if isinstance(value, str):
         return value
     if isinstance(value, int | Fraction):
-        return exact(value)
+        return rational(value)
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{key}: {data(item)}" for key, item in value.items()) + "}"
     return "(" + ", ".join(map(data, value)) + ")"

@@ -7,12 +7,12 @@ is the only thing here that needs rich, which it loads only where there is colou
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from subdiv_cli.report.letters import letters, width
 from subdiv_cli.report.look import Look
 
 Line = list[tuple[str, str]]
-Cell = tuple[str, str]
 
 STYLES = {
     "good": "green", "bad": "bold red", "open": "yellow", "none": "bright_black", "head": "bold",
@@ -20,6 +20,13 @@ STYLES = {
 }  # fmt: skip
 GAP = 2
 INDENT = 2
+
+
+class Cell(NamedTuple):
+    """A cell of a table."""
+
+    text: str
+    role: str = "text"
 
 
 class Page:
@@ -35,7 +42,7 @@ class Page:
 
     def cell(self, text: str | None, role: str = "text") -> Cell:
         """A cell of a table."""
-        return self.say(text or ""), role
+        return Cell(self.say(text or ""), role)
 
     def put(self, text: str, role: str = "text", *, indent: int = 0, hanging: int = 0) -> None:
         """Add a paragraph."""
@@ -123,7 +130,7 @@ def table(
     widths = _widths(header, rows, columns)
     if widths is None:
         return stacked(rows, columns, indent)
-    lines = _row([(title, "quiet") for title in header], widths, indent)
+    lines = _row([Cell(title, "quiet") for title in header], widths, indent)
     lines.append([(" " * indent, ""), ((" " * GAP).join(rule * size for size in widths), "quiet")])
     for row in rows:
         lines += _row(row, widths, indent)
@@ -132,7 +139,7 @@ def table(
 
 def _widths(header: Sequence[str], rows: Sequence[Sequence[Cell]], columns: int) -> list[int] | None:
     """The width of each column, or None where they do not fit without breaking words."""
-    texts = [[title, *(row[i][0] for row in rows)] for i, title in enumerate(header)]
+    texts = [[title, *(row[i].text for row in rows)] for i, title in enumerate(header)]
     natural = [max(map(width, column)) for column in texts]
     least = [_least(column) for column in texts]
     room = columns - GAP * (len(header) - 1)
@@ -171,7 +178,7 @@ def stacked(rows: Sequence[Sequence[Cell]], columns: int, indent: int) -> list[L
     lines: list[Line] = []
     for (title, role), *others in rows:
         lines += paragraph(title, columns + indent, role=role, indent=indent)
-        if len(lines[-1]) and others and width(title) + GAP + width(others[0][0]) <= columns:
+        if len(lines[-1]) and others and width(title) + GAP + width(others[0].text) <= columns:
             lines[-1] += [(" " * GAP, ""), others.pop(0)]
         for text, its in others:
             if text:

@@ -5,22 +5,34 @@ One mask has the full report; several have a line each, then the full report of 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from subdiv_cli.model import Exponent, Finding, Judgement, Result, Verdict
+from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import answering
 from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report import findings, words
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import at_least, at_most, exact, finite, worth
+from subdiv_cli.report.numbers import at_least, at_most, finite, worth
 from subdiv_cli.report.page import INDENT, Cell, Page, joined, paint
+
+
+class PropertyRow(NamedTuple):
+    """A row of the table: a property, whether it has it, its value or why there is none, the codes that prove it."""
+
+    title: Cell
+    verdict: Cell
+    value: Cell
+    proof: Cell
+
 
 TITLES = ("property", "verdict", "value", "proof")
 
 
 def render(results: Sequence[Result], look: Look) -> str:
     """The text of the report on these masks, in this order."""
-    page = _Page(look)
+    page = _TextReport(look)
     if look.verbosity < 0:
         page.failures(results)
     elif len(results) == 1:
@@ -31,7 +43,7 @@ def render(results: Sequence[Result], look: Look) -> str:
     return paint(page.lines, colour=look.colour)
 
 
-class _Page(Page):
+class _TextReport(Page):
     """The page of the report, with a method for each of its parts."""
 
     # several masks
@@ -96,10 +108,9 @@ class _Page(Page):
         if result.status == "invalid":
             return
         rows = [row for row in self.properties(result) if row]
-        _once(rows)
         if rows:
             self.blank()
-            self.table(TITLES, rows)
+            self.table(TITLES, list(_once(rows)))
         for line in words.figures(result, digits=self.look.verbosity > 0):
             self.put(line, "quiet", indent=INDENT, hanging=2)
         self.expectations(result)
@@ -115,7 +126,7 @@ class _Page(Page):
         items = [result.file] if result.name and result.file else []
         if result.kind:
             items.append(result.kind)
-        items += [f"{name} = {exact(value)}" for name, value in result.parameters.items()]
+        items += [f"{name} = {rational(value)}" for name, value in result.parameters.items()]
         if result.reference:
             items.append(result.reference)
         separator = " · " if self.look.unicode else "; "
@@ -139,11 +150,11 @@ class _Page(Page):
             self.blank()
             self.lines += problem_lines(problem, self.look)
 
-    def properties(self, result: Result) -> list[list[Cell] | None]:
+    def properties(self, result: Result) -> list[PropertyRow | None]:
         """The rows of the table; None for a property nothing is known of and no question was about."""
         return [row for each in PROPERTIES for row in self.rows_of(result, each)]
 
-    def rows_of(self, result: Result, row: Property) -> list[list[Cell] | None]:
+    def rows_of(self, result: Result, row: Property) -> list[PropertyRow | None]:
         """The row of a property; of an exponent that is only enclosed one for each bound, both with the same places."""
         exponent = result.holder or Exponent()
         if row.key != "holder" or exponent.exact is not None:
@@ -158,7 +169,7 @@ class _Page(Page):
             for title, value, found in zip(("Hölder, lower", "Hölder, upper"), (below, above), findings, strict=True)
         ]
 
-    def property(self, result: Result, row: Property) -> list[Cell] | None:
+    def property(self, result: Result, row: Property) -> PropertyRow | None:
         """The row of a property: proved by one finding, and shown to be sharp by others."""
         found = answering(result.findings, row.question, *row.instead)
         verdict = getattr(result, row.key) if row.form == "verdict" else found.verdict if found else None
@@ -169,7 +180,7 @@ class _Page(Page):
 
     def line(
         self, title: str, verdict: Verdict | None, value: str | None, found: Finding | None, *also: Finding
-    ) -> list[Cell] | None:
+    ) -> PropertyRow | None:
         """The cells of title, verdict, value or reason, and codes of the findings; None where there is none of them."""
         if found is None and value is None and verdict in (None, Verdict.SKIPPED):
             return None
@@ -177,21 +188,20 @@ class _Page(Page):
             value = found.reason
         shown = ("", "text") if verdict is None else (words.mark(verdict), words.ROLES[verdict])
         codes = ", ".join(each.code for each in (found, *also) if each is not None)
-        return [self.cell(title), self.cell(*shown), self.cell(value), self.cell(codes, "quiet")]
+        return PropertyRow(self.cell(title), self.cell(*shown), self.cell(value), self.cell(codes, "quiet"))
 
     def expectations(self, result: Result) -> None:
         """Put the expectations of the mask, each judged; where it was not proved, with what holds instead."""
         if not result.expectations:
             return
+        found = [words.found_instead(result, judged) for judged in result.expectations]
         rows = []
-        for judged in result.expectations:
-            verdict = judged.verdict
-            found = words.found_instead(result, judged)
-            shown = self.cell(words.mark(verdict), words.ROLES[verdict])
-            rows.append([self.cell(words.asked(judged.expectation)), shown, self.cell(found)])
+        for judged, instead in zip(result.expectations, found, strict=True):
+            shown = self.cell(words.mark(judged.verdict), words.ROLES[judged.verdict])
+            rows.append([self.cell(words.asked(judged.expectation)), shown, self.cell(instead)])
         self.blank()
-        header = ("expected", "verdict", "found" if any(row[2][0] for row in rows) else "")
-        self.table(header if header[2] else header[:2], [row if header[2] else row[:2] for row in rows])
+        header = ("expected", "verdict", "found") if any(found) else ("expected", "verdict")
+        self.table(header, [row[: len(header)] for row in rows])
 
     def stencils(self, result: Result) -> None:
         """Put the sections that have grids of numbers, with -v."""
@@ -216,11 +226,10 @@ class _Page(Page):
             self.unbroken(f"proof: {result.certificate}", indent=indent)
 
 
-def _once(rows: list[list[Cell]]) -> None:
-    """Keep the reason why properties were skipped in the first of their rows only."""
+def _once(rows: Sequence[PropertyRow]) -> Iterator[PropertyRow]:
+    """Keep the reason why properties were skipped in the first of theirs only."""
     told: set[str] = set()
     for row in rows:
-        reason = row[2]
-        if row[1][1] == words.ROLES[Verdict.SKIPPED]:
-            row[2] = ("", reason[1]) if reason[0] in told else reason
-            told.add(reason[0])
+        reason = row.value.text if row.verdict.role == words.ROLES[Verdict.SKIPPED] else ""
+        yield row._replace(value=Cell("")) if reason and reason in told else row
+        told.add(reason)

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from subdiv_cli.model import Data, Expectation, Exponent, Judgement, Result, Smoothness, Verdict
-from subdiv_cli.model import findings as questions
-from subdiv_cli.model.findings import answering
+from subdiv_cli.model.closed import rational
+from subdiv_cli.model.findings import CONVERGENCE, SUMS, answering
 from subdiv_cli.model.properties import BY_KEY, Property
-from subdiv_cli.report.numbers import LONGEST, data, exact, interval
+from subdiv_cli.report.numbers import LONGEST, data, interval
 
 MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
 ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
@@ -131,12 +131,12 @@ def headline(result: Result) -> str:
         return f"not checked: {errors(result)}"
     if result.convergent is Verdict.PROVED:
         return _convergent(result)
+    asked = answering(result.findings, CONVERGENCE, SUMS)
     if result.convergent is Verdict.REFUTED:
         smooth = _order(result.refinable)
         verdict = f"φ is {smooth}, but this scheme does not converge" if smooth else "does not converge"
-        return _with(verdict, _statement(result, Verdict.REFUTED))
+        return _with(verdict, (asked.why or asked.statement) if asked else None)
     if result.convergent is Verdict.UNDECIDED:
-        asked = answering(result.findings, questions.CONVERGENCE)
         return _with("convergence undecided", asked.reason if asked else None)
     return "convergence not asked"
 
@@ -154,15 +154,6 @@ def _convergent(result: Result) -> str:
     text = f"{smooth or 'convergent'} — convergence proved"
     exponent = holder(result)
     return f"{text}; Hölder exponent {exponent}" if exponent else text
-
-
-def _statement(result: Result, verdict: Verdict) -> str | None:
-    """The statement of the most telling finding about convergence that has this verdict."""
-    for question in (questions.CONVERGENCE, questions.SUMS, questions.EIGEN_CONDITION):
-        found = answering(result.findings, question)
-        if found is not None and found.verdict is verdict:
-            return found.statement.partition(": ")[2] or found.statement
-    return None
 
 
 def _with(text: str, why: str | None) -> str:
@@ -205,7 +196,7 @@ def value(result: Result, row: Property, *, bare: bool = False) -> str | None:
         return shown if shown is None or row.key != "holder" else labelled(shown, given)
     if row.form == "verdict":
         return {Verdict.PROVED: row.key, Verdict.REFUTED: f"not {row.key}"}.get(given) if bare else None
-    return None if given is None else exact(given) if bare else f"{row.form} {given}"
+    return None if given is None else rational(given) if bare else f"{row.form} {given}"
 
 
 def _decided(result: Result) -> str | None:

@@ -16,7 +16,7 @@ from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.reading import read_path, read_text
 from subdiv_cli.kinds.writing import from_scheme, write
 from subdiv_cli.maskfile import MaskFile, MaskFileError
-from subdiv_cli.maskfile.laurent import Laurent, Work, exponents, packed, quotient, times
+from subdiv_cli.maskfile.laurent import BoundedLaurent, Work, exponents, packed, quotient, times
 
 HEAD = 'kind = "multivariate"\n[mask]\n'
 QUINCUNX = ((1, 1), (1, -1))
@@ -141,8 +141,8 @@ powers = st.tuples(*[st.integers(-9, 9)] * 3)
 polynomials = st.dictionaries(powers, st.integers(-9, 9).filter(bool), min_size=1, max_size=6)
 
 
-def laurent(terms: dict[tuple[int, ...], int]) -> Laurent:
-    return Laurent({packed((0, *k)): int(n) for k, n in terms.items()})
+def laurent(terms: dict[tuple[int, ...], int]) -> BoundedLaurent:
+    return BoundedLaurent({packed((0, *k)): int(n) for k, n in terms.items()})
 
 
 @settings(max_examples=200, deadline=None)

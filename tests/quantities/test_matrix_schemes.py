@@ -11,7 +11,7 @@ import pytest
 from support import answer, findings, shipped_surface, surface
 
 from subdiv_cli.kinds.multivariate.numbers.box_spline import multiplied
-from subdiv_cli.kinds.multivariate.numbers.matrix_norms import by_lemma, iterates, least, matrix_norm, question
+from subdiv_cli.kinds.multivariate.numbers.matrix_norms import by_lemma, iterates, least, matrix_norm, problem
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.model import Effort, Verdict
 
@@ -69,7 +69,7 @@ def added(parts):
 def test_differences_of_refined_data_come_from_differences(reduce, name, k, power):
     """∇^μ S^r f = Σ_ν S_(q_μν) ∇^ν f for random data."""
     numbers = numbers_of(name)
-    asked = question(numbers.scheme, numbers.lattice, k, power)
+    asked = problem(numbers.scheme, numbers.lattice, k, power)
     entries, rng = reduce(asked).entries(), random.Random(7)
     places = product(range(3), repeat=numbers.dimension)
     data = {at: Fraction(rng.randint(-9, 9)) for at in places}
@@ -86,7 +86,7 @@ def test_differences_of_refined_data_come_from_differences(reduce, name, k, powe
 
 def first_norms(name, k, reduce, count):
     numbers = numbers_of(name)
-    found = iterates(reduce(question(numbers.scheme, numbers.lattice, k, 1)), ENOUGH)
+    found = iterates(reduce(problem(numbers.scheme, numbers.lattice, k, 1)), ENOUGH)
     return [next(found).norm for _ in range(count)]
 
 
@@ -121,7 +121,7 @@ def test_least_is_least_on_a_line_of_data():
     """By duality a norm is at least Σ p_β f_β, |f_β - f_(β+e_i)| <= 1; here f = ±β_1 ± β_2, cut off at 0 and 1, …"""
     for name in ("butterfly", "bear", "quincunx_interpolatory", "loop", "zwart_powell", "kobbelt_sqrt3"):
         numbers = numbers_of(name)
-        asked = question(numbers.scheme, numbers.lattice, 1, 1)
+        asked = problem(numbers.scheme, numbers.lattice, 1, 1)
         best = least(asked).norm
         for part in asked.parts:
             for x, y, cut in product((-1, 0, 1), (-1, 0, 1), range(-4, 5)):

@@ -8,7 +8,8 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from subdiv_cli.model import Exponent, Interval, Log
-from subdiv_cli.report.numbers import at_least, at_most, data, digits, enclosed, exact, interval
+from subdiv_cli.model.closed import rational
+from subdiv_cli.report.numbers import at_least, at_most, data, digits, enclosed, interval
 
 doubles = st.floats(-1e6, 1e6) | st.floats(-4, 4) | st.integers(-8, 8).map(float)
 
@@ -123,12 +124,12 @@ def test_enclosed_says_nothing_of_nothing():
 
 @given(st.integers(-(10**30), 10**30), st.integers(1, 10**30))
 def test_exact_is_str(p, q):
-    assert exact(Fraction(p, q)) == str(Fraction(p, q))
+    assert rational(Fraction(p, q)) == str(Fraction(p, q))
 
 
 def test_exact_of_any_length():
-    assert exact(-(10**5000)) == "-1" + "0" * 5000
-    assert exact(Fraction(1, 10**5000)) == "1/1" + "0" * 5000
+    assert rational(-(10**5000)) == "-1" + "0" * 5000
+    assert rational(Fraction(1, 10**5000)) == "1/1" + "0" * 5000
 
 
 def test_data():

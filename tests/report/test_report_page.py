@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from subdiv_cli.report.letters import width
-from subdiv_cli.report.page import joined, led, paint, paragraph, table, wrap
+from subdiv_cli.report.page import Cell, joined, led, paint, paragraph, table, wrap
 
 texts = st.text(st.sampled_from("ab/φ中 "), max_size=80)
 
@@ -46,17 +46,17 @@ def test_items_in_a_row_keep_every_letter(items, columns):
 
 @given(st.lists(st.lists(texts, min_size=3, max_size=3), min_size=1, max_size=3), st.integers(10, 100))
 def test_tables_fit_and_keep_every_letter(rows, columns):
-    cells = [[(text, "text") for text in row] for row in rows]
+    cells = [[Cell(text) for text in row] for row in rows]
     shown = paint(table(("", "", ""), cells, columns, rule="─"))
     assert all(width(line) <= columns for line in shown.splitlines())
     assert sorted(flat(shown)) == sorted(flat("".join(map("".join, rows))))
 
 
 def test_a_table_that_fits_is_aligned():
-    shown = paint(table(("a", "bc"), [[("one", "text"), ("2", "text")], [("", "text"), ("33", "text")]], 20, rule="-"))
+    shown = paint(table(("a", "bc"), [[Cell("one"), Cell("2")], [Cell(""), Cell("33")]], 20, rule="-"))
     assert shown == "a    bc\n---  --\none  2\n     33\n"
 
 
 def test_a_table_that_does_not_fit_becomes_a_list():
-    row = [("name", "text"), ("yes", "text"), ("a long value", "text"), ("", "text")]
+    row = [Cell("name"), Cell("yes"), Cell("a long value"), Cell("")]
     assert paint(table(("", "", "", ""), [row], 12, rule="-")) == "name  yes\n  a long\n    value\n"

@@ -125,7 +125,9 @@ def test_headlines():
 
 
 def test_a_headline_does_not_stammer():
-    said = replace(samples.DIVERGENT.findings[0], code="SD201", statement="S does not converge uniformly: a(1) = 3")
+    said = replace(
+        samples.DIVERGENT.findings[0], code="SD201", statement="S does not converge uniformly: a(1) = 3", why="a(1) = 3"
+    )
     text = render([replace(samples.DIVERGENT, findings=(said,))], Look())
     assert text.splitlines()[0] == "✗ halved Chaikin: does not converge: a(1) = 3"
 

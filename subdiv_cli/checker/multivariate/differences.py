@@ -12,7 +12,7 @@ from math import comb, lcm, prod
 from operator import mul
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import MatrixFamily
+from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.multivariate.lattice import DilationMatrix, Index, Sparse, add, monomials, power
 from subdiv_cli.checker.multivariate.masks import SparseMask, mask_of
 from subdiv_cli.checker.multivariate.sum_rules import INDEX_BITS
@@ -111,7 +111,7 @@ def difference(mu: Index) -> Sparse:
 
 
 def _invariant(
-    a: SparseMask, cosets: Sequence[Index], basis: Rows, positions: dict[Index, int], family: MatrixFamily
+    a: SparseMask, cosets: Sequence[Index], basis: Rows, positions: dict[Index, int], family: RationalFamily
 ) -> None:
     """Check that T_(ε_e) b_i = Σ_j M_e[j][i] b_j, at all indices."""
     size = len(positions)

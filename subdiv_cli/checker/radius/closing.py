@@ -17,7 +17,7 @@ from operator import mul
 from typing import Any, NamedTuple
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import MatrixFamily
+from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.radius.disc import modulus_is, read_disc
 from subdiv_cli.checker.radius.eigenvectors import Vector, enclosed, slope_bits
 from subdiv_cli.checker.radius.polytopes import (
@@ -121,7 +121,7 @@ class _Polytope:
         return total >= middle[coordinate] + error
 
 
-def _count(c: Claim, family: MatrixFamily, root: RealRoot, tree: Tree) -> None:
+def _count(c: Claim, family: RationalFamily, root: RealRoot, tree: Tree) -> None:
     n, order, length = len(tree.parents), family.order, c.statement["length"]
     work = tree.letters * n * order**2 + weight_count(c) * order + order**3
     work += len(c.witness["leaders"]) * (length + 1) * order**3
@@ -160,13 +160,13 @@ def complex_closing(c: Claim) -> None:
     _check_complex_insides(c, family, vertices, tree, {*tree.children, *returns})
 
 
-def _count_complex(c: Claim, family: MatrixFamily, tree: Tree, length: int) -> None:
+def _count_complex(c: Claim, family: RationalFamily, tree: Tree, length: int) -> None:
     order, weights = family.order, sum(map(len, c.witness["images"])) // 3
     work = 2 * tree.letters * len(tree.parents) * order**2 + 4 * weights * order + 8 * order**3
     c.count(work + len(c.witness["leaders"]) * (length + 1) * order**3, max(family.bits, c.witness["bits"] + HEADROOM))
 
 
-def _copies(c: Claim, family: MatrixFamily, vertices: list[list[int]]) -> list[list[int]]:
+def _copies(c: Claim, family: RationalFamily, vertices: list[list[int]]) -> list[list[int]]:
     """The vertices, their conjugates, and the reflections of both where the symmetry of the family is claimed."""
     n = family.order
     both = vertices + [v[:n] + [-x for x in v[n:]] for v in vertices]
@@ -176,7 +176,7 @@ def _copies(c: Claim, family: MatrixFamily, vertices: list[list[int]]) -> list[l
     return both + [v[:n][::-1] + v[n:][::-1] for v in both]
 
 
-def _check_complex_insides(c: Claim, family: MatrixFamily, vertices: Vertices, tree: Tree, taken: set[int]) -> None:
+def _check_complex_insides(c: Claim, family: RationalFamily, vertices: Vertices, tree: Tree, taken: set[int]) -> None:
     """Check that all images but those taken lie inside, by their weights."""
     w, n = c.witness, family.order
     copies = _copies(c, family, vertices.vectors)

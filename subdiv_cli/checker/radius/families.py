@@ -7,7 +7,7 @@ from math import isqrt
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim, Statement
-from subdiv_cli.checker.matrices import Matrix, MatrixFamily
+from subdiv_cli.checker.matrices import Matrix, RationalFamily
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import fraction_bits, isolated_root
 
@@ -51,7 +51,7 @@ def distinct(c: Claim) -> None:
     for number, matrix in enumerate(family.matrices):
         negative = [[-x for x in row] for row in matrix]
         require(any(each in (matrix, negative) for each in kept), f"matrix {number} is another, up to sign too")
-    c.introduce(c.statement["part"], MatrixFamily(kept, family.denominator))
+    c.introduce(c.statement["part"], RationalFamily(kept, family.denominator))
 
 
 def of_distinct(c: Claim) -> None:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import MatrixFamily
+from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import fraction_bits
 
@@ -125,13 +125,13 @@ def monotone_body(
     return MonotoneBody(vertices, errors, floors, weight_bits)
 
 
-def require_nonnegative(family: MatrixFamily) -> None:
+def require_nonnegative(family: RationalFamily) -> None:
     """Raise Rejected where a matrix of the family has a negative entry."""
     entries = (x for matrix in family.matrices for row in matrix for x in row)
     require(all(x >= 0 for x in entries), "a matrix has a negative entry")
 
 
-def reflected(c: Claim, family: MatrixFamily, vertices: list[list[int]]) -> list[list[int]]:
+def reflected(c: Claim, family: RationalFamily, vertices: list[list[int]]) -> list[list[int]]:
     """The vertices, and after them their reflections J v where the symmetry of the family is claimed."""
     if (sign := c.witness["symmetry"]) == 0:
         return vertices

@@ -11,7 +11,7 @@ from math import lcm
 from typing import Any
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import MatrixFamily
+from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.radius.eigenvectors import Vector, common_denominator, nonzero_coordinates
 from subdiv_cli.checker.radius.vertices import Tree
@@ -26,7 +26,7 @@ The weights of the combination are enclosed.
 """
 
 
-def ties_work(c: Claim, family: MatrixFamily, root: RealRoot, tree: Tree) -> int:
+def ties_work(c: Claim, family: RationalFamily, root: RealRoot, tree: Tree) -> int:
     """The work n d N², and for each tie N g (g + its weights), g = d + the span of 0 and its e_k + the longest weight.
 
     With σ besides d² for every product: ℓ, and (1 + its weights) (the span of its e_k) for each tie.
@@ -65,7 +65,7 @@ class ExactTies:
     """The ties of a polytope, checked for polynomials in Λ modulo its m."""
 
     def __init__(
-        self, c: Claim, family: MatrixFamily, root: RealRoot, tree: Tree, leaders: list[Vector], at: Enclosure
+        self, c: Claim, family: RationalFamily, root: RealRoot, tree: Tree, leaders: list[Vector], at: Enclosure
     ) -> None:
         self._c, self._family, self._tree, self._at, self._m = c, family, tree, at, root.polynomial
         self._exact = _exact(c, family, tree, leaders)
@@ -141,7 +141,7 @@ class ExactTies:
         return power(self._sigma, exponent, self._m)
 
 
-def _exact(c: Claim, family: MatrixFamily, tree: Tree, leaders: list[Vector]) -> dict[int, Vector]:
+def _exact(c: Claim, family: RationalFamily, tree: Tree, leaders: list[Vector]) -> dict[int, Vector]:
     """The exact vectors X_u of the vertices in ties and those they come from, X a leader or M_letter X_parent."""
     n, needed = len(tree.parents), set()
     for tie in c.witness["ties"]:

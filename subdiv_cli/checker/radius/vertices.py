@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import MatrixFamily
+from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.polynomials import remainder
 from subdiv_cli.checker.radius.eigenvectors import Vector, leading_eigenvector, size_of_leader
 from subdiv_cli.checker.reading import MAX_VERTICES, Rejected, require, require_few
@@ -38,7 +38,7 @@ class Tree(NamedTuple):
     """The vertex that each image is, by the number of the image."""
 
 
-def read_tree(c: Claim, family: MatrixFamily) -> Tree:
+def read_tree(c: Claim, family: RationalFamily) -> Tree:
     """The tree of the claim's witness. Raises Rejected for one that is not well formed, Exhausted for a large one."""
     leaders, pairs, extras, p = len(c.witness["leaders"]), c.witness["tree"], c.witness["extras"], len(family.matrices)
     require(leaders > 0, "there is no leader")
@@ -78,7 +78,7 @@ def returns_of(c: Claim, tree: Tree, length: int) -> set[int]:
     return returns
 
 
-def leader_of(c: Claim, family: MatrixFamily, leader: dict[str, Any], sign: int, m: Sequence[int]) -> Vector:
+def leader_of(c: Claim, family: RationalFamily, leader: dict[str, Any], sign: int, m: Sequence[int]) -> Vector:
     """The vector x with Π x = sign γ x, exactly, γ any zero of m: g(Π) y = 0 and m(z) divides g(sign z).
 
     y = e_j or as given. The word has been looked at. Where the leader is reflected, Π is J times the word's product,
@@ -117,7 +117,7 @@ def _start(column: int | tuple[int, ...], order: int) -> Sequence[int]:
 class Vertices:
     """The vertices as integers / 2^bits, each with one error for all its coordinates, in units of 2^-bits."""
 
-    def __init__(self, c: Claim, family: MatrixFamily, root: RealRoot, more_bits: int = 0) -> None:
+    def __init__(self, c: Claim, family: RationalFamily, root: RealRoot, more_bits: int = 0) -> None:
         """Enclose Λ in `at`, with so many more bits than the vertices have."""
         bits = c.witness["bits"]
         tiny = max(0, root.low.denominator.bit_length() - root.low.numerator.bit_length() + 1)

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim, Statement
-from subdiv_cli.checker.matrices import MatrixFamily
+from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.polynomials import (
     Polynomial,
     count_zeros,
@@ -46,7 +46,7 @@ def transition(c: Claim) -> None:
     d = times_sigma(q, p, k - nu)
     first = d.start + (p - 1) * (order - 1)
     sections = [matrices.section(d, p, first + epsilon, order) for epsilon in range(p)]
-    c.introduce(c.statement["family"], MatrixFamily(sections, d.denominator))
+    c.introduce(c.statement["family"], RationalFamily(sections, d.denominator))
 
 
 def positive_symbol(c: Claim) -> None:

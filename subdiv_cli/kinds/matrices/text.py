@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_MATRICES, MAX_MATRIX_ORDER
-from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.entries import Table, read_number
 from subdiv_cli.maskfile.expressions import Expression, literal, number_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
@@ -117,13 +117,7 @@ class _Reader:
 
     def _entry(self, value: object, path: KeyPath) -> Expression:
         """The entry; zero where it is wrong."""
-        try:
-            expression = read_expression(value, path, self._names)
-            check_fixed(expression, self._work)
-        except Fault as fault:
-            self._problems.add(fault, path)
-            return read_expression(0, path, ())
-        return expression
+        return read_number(value, path, self._names, self._problems, self._work) or literal(Fraction(0))
 
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
         """The value, where it is a list of 1 to `most` entries; else None."""

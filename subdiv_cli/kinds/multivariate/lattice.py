@@ -7,7 +7,13 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import count, product
 
-from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, characteristic_polynomial
+from subdiv_cli.kinds.multivariate.scheme import (
+    Index,
+    IntMatrix,
+    characteristic_polynomial,
+    multiple_of_identity,
+    times,
+)
 
 MOST_PERIODS = 24
 """The most powers of M that are looked at for a multiple of the identity."""
@@ -88,13 +94,12 @@ class Lattice:
     @cached_property
     def scalar_power(self) -> tuple[int, int] | None:
         """The pair (r, c) with M^r = c I and the smallest such r; None where there is no r <= MOST_PERIODS."""
-        power, unit = self.dilation, [[int(i == j) for j in range(self.dimension)] for i in range(self.dimension)]
+        power = self.dilation
         for r in range(1, MOST_PERIODS + 1):
             c = power[0][0]
-            if [list(row) for row in power] == [[c * x for x in row] for row in unit]:
+            if power == multiple_of_identity(c, self.dimension):
                 return r, c
-            columns = list(zip(*self.dilation, strict=True))
-            power = tuple(tuple(sum(x * y for x, y in zip(row, col, strict=True)) for col in columns) for row in power)
+            power = times(power, self.dilation)
         return None
 
     @property

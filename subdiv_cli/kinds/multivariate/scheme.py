@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from operator import mul
 from typing import Any
 
 Index = tuple[int, ...]
@@ -60,6 +61,12 @@ def base(mask: Mapping[str, Any], variables: Sequence[int] | None) -> tuple[int,
 def multiple_of_identity(factor: int, dimension: int) -> IntMatrix:
     """The rows of the s×s matrix cI."""
     return tuple(tuple(factor * (i == j) for j in range(dimension)) for i in range(dimension))
+
+
+def times(g: IntMatrix, f: IntMatrix) -> IntMatrix:
+    """g f."""
+    columns = list(zip(*f, strict=True))
+    return tuple([tuple([sum(map(mul, row, column)) for column in columns]) for row in g])
 
 
 def is_expanding(matrix: Sequence[Sequence[int]]) -> bool:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_EXPONENT, MAX_MASK_LENGTH
-from subdiv_cli.maskfile.entries import Table, check_fixed, mask_table, read_expression
+from subdiv_cli.maskfile.entries import Table, mask_table, read_number, read_symbol
 from subdiv_cli.maskfile.expressions import Expression, literal, number_of, polynomial_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import too_precise, zero_mask
@@ -96,7 +96,6 @@ def read_scalar(table: Table, parameters: Collection[str], problems: Collector) 
 
 def _symbol(table: Table, arity: int | None, parameters: Collection[str]) -> Symbol | None:
     """The body that `symbol` gives; None where something is wrong, which is recorded."""
-    path = (*table.path, "symbol")
     for other in ("coefficients", "start"):
         if other in table.data:
             help = f"keep one of the two: {other}, or the exponents of symbol"
@@ -105,18 +104,8 @@ def _symbol(table: Table, arity: int | None, parameters: Collection[str]) -> Sym
                 (*table.path, other),
                 of_key=True,
             )
-    value = table.data["symbol"]
-    if not isinstance(value, str):
-        help = 'write an expression in z: symbol = "(1+z)^2 / 2"'
-        table.problems.add(Fault(faults.WRONG_TYPE, f"symbol must be a string, not {described(value)}", help), path)
-        return None
-    try:
-        expression = read_expression(value, path, {*parameters, "z"})
-        check_fixed(expression, Work())
-    except Fault as fault:
-        table.problems.add(fault, path)
-        return None
-    return None if arity is None else Symbol(arity=arity, expression=expression)
+    expression = read_symbol(table, {*parameters, "z"}, 'write an expression in z: symbol = "(1+z)^2 / 2"')
+    return None if arity is None or expression is None else Symbol(arity=arity, expression=expression)
 
 
 def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression, ...] | None:
@@ -136,16 +125,10 @@ def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression
         table.problems.add(fault, path)
         return None
     assert isinstance(values, list), "anything else is a fault"
-    entries = []
     work = Work()
-    for i, value in enumerate(values):
-        try:
-            entry = read_expression(value, (*path, i), parameters)
-            check_fixed(entry, work)
-            entries.append(entry)
-        except Fault as error:
-            table.problems.add(error, (*path, i))
-    return tuple(entries) if len(entries) == len(values) else None
+    found = [read_number(value, (*path, i), parameters, table.problems, work) for i, value in enumerate(values)]
+    entries = tuple(entry for entry in found if entry is not None)
+    return entries if len(entries) == len(values) else None
 
 
 def _scheme(

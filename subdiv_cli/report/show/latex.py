@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from subdiv_cli.model import Result
 from subdiv_cli.model.blocks import Block, Formula, Grid, Matrix, Picture, Portrait, Text
+from subdiv_cli.model.closed import rational
 from subdiv_cli.report import words
 from subdiv_cli.report.blocks import Draw, tabled
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import exact
 from subdiv_cli.report.show.tex import formula, label, sentence
 from subdiv_cli.report.show.tikz import picture
 
@@ -28,7 +28,7 @@ _HEAD = r"""\documentclass{article}
 
 def render(result: Result, portrait: Portrait, draw: Draw, look: Look) -> str:
     """The document; its pictures are TikZ."""
-    parameters = [f"{name} = {exact(x)}" for name, x in result.parameters.items()]
+    parameters = [f"{name} = {rational(x)}" for name, x in result.parameters.items()]
     about = ", ".join(
         filter(None, (label(result.file), *(sentence(item) for item in (*parameters, result.reference or ""))))
     )

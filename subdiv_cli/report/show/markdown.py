@@ -6,16 +6,16 @@ from collections.abc import Sequence
 
 from subdiv_cli.model import Result
 from subdiv_cli.model.blocks import Block, Formula, Grid, Matrix, Picture, Portrait, Text
+from subdiv_cli.model.closed import rational
 from subdiv_cli.report import words
 from subdiv_cli.report.blocks import Draw, tabled
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import exact
 
 
 def render(result: Result, portrait: Portrait, draw: Draw, look: Look) -> str:
     """The document."""
-    parameters = [f"{name} = {exact(x)}" for name, x in result.parameters.items()]
+    parameters = [f"{name} = {rational(x)}" for name, x in result.parameters.items()]
     about = " · ".join(_escaped(item) for item in (result.file, *parameters, result.reference or "") if item)
     lines = [f"# {_escaped(words.name(result))}", "", _escaped(words.headline(result)), "", about]
     for section in portrait.sections:

@@ -36,7 +36,7 @@ from subdiv_cli.exact.linalg import Combination, combinations
 from subdiv_cli.kinds.multivariate.lattice import Lattice, box, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated, multiplied
 from subdiv_cli.kinds.multivariate.numbers.difference_space import difference
-from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme, times
 from subdiv_cli.model import Effort
 
 Terms = dict[Index, Fraction]
@@ -47,7 +47,7 @@ _LARGEST_WINDOW = 128
 _MOST_PARTS = 400
 
 
-class Part(NamedTuple):
+class CosetPart(NamedTuple):
     """A coset of (1-z)^μ a^[r](z): the terms at γ + M^r β, `terms` from β = 0 of its smallest box."""
 
     row: int
@@ -57,14 +57,14 @@ class Part(NamedTuple):
     terms: Terms
 
 
-class Question(NamedTuple):
+class ReductionProblem(NamedTuple):
     """A division to be done: the parts of all cosets and μ, and a box that holds each of them."""
 
     order: int
     """The order k of the differences."""
     lattice: Lattice
     """The lattice of M^r."""
-    parts: tuple[Part, ...]
+    parts: tuple[CosetPart, ...]
     spans: Index
 
     @property
@@ -76,7 +76,7 @@ class Question(NamedTuple):
 class Reduction(NamedTuple):
     """The coefficients of the y^β (1-y)^ν for each part, and their largest sum of absolute values."""
 
-    question: Question
+    problem: ReductionProblem
     coefficients: tuple[dict[Shifted, Fraction], ...]
 
     @property
@@ -86,23 +86,23 @@ class Reduction(NamedTuple):
 
     def entries(self) -> dict[tuple[int, int], Terms]:
         """The Laurent polynomials q_μν that are not zero, by the numbers of μ and ν."""
-        components, total = self.question.components, dict[tuple[int, int], Terms]()
-        for part, found in zip(self.question.parts, self.coefficients, strict=True):
+        components, total = self.problem.components, dict[tuple[int, int], Terms]()
+        for part, found in zip(self.problem.parts, self.coefficients, strict=True):
             for (beta, nu), x in found.items():
-                at = _sum(part.origin, self.question.lattice.image(beta))
+                at = _sum(part.origin, self.problem.lattice.image(beta))
                 total.setdefault((part.row, components.index(nu)), {})[at] = x
         return total
 
 
-def question(scheme: MultivariateScheme, lattice: Lattice, k: int, power: int) -> Question | None:
+def problem(scheme: MultivariateScheme, lattice: Lattice, k: int, power: int) -> ReductionProblem | None:
     """The division for S^power and differences of order k >= 1, at most that of the sum rules; None if too large."""
     symbol = iterated(scheme, lattice, power)
     s, dilation = lattice.dimension, lattice.dilation
     if symbol is None:
         return None
     for _ in range(power - 1):
-        dilation = _product(lattice.dilation, dilation)
-    whole, parts = Lattice(dilation), list[Part]()
+        dilation = times(lattice.dilation, dilation)
+    whole, parts = Lattice(dilation), list[CosetPart]()
     for row, mu in enumerate(indices_of_degree(s, k)):
         cosets: dict[Index, Terms] = {}
         for alpha, x in multiplied(symbol, {beta: Fraction(y) for beta, y in difference(mu).items()}).items():
@@ -112,10 +112,10 @@ def question(scheme: MultivariateScheme, lattice: Lattice, k: int, power: int) -
     spans = tuple(max(k, *column) for column in highest)
     if prod(x + 1 for x in spans) > _LARGEST_WINDOW or len(parts) > _MOST_PARTS:
         return None
-    return Question(k, whole, tuple(parts), spans)
+    return ReductionProblem(k, whole, tuple(parts), spans)
 
 
-def by_lemma(asked: Question) -> Reduction:
+def by_lemma(asked: ReductionProblem) -> Reduction:
     """The reduction of one variable after the other, as in the proof of Lemma 6.6."""
     columns, names, basis, targets = _programme(asked)
     found = combinations(columns, targets, basis)
@@ -123,7 +123,7 @@ def by_lemma(asked: Question) -> Reduction:
     return _named(asked, names, found)
 
 
-def least(asked: Question) -> Reduction:
+def least(asked: ReductionProblem) -> Reduction:
     """The reduction of least norm within the box, as far as floats tell; exact, whether or not it is the least."""
     from subdiv_cli.jsr.least import least_combinations  # numpy comes with it
 
@@ -131,7 +131,7 @@ def least(asked: Question) -> Reduction:
     return _named(asked, names, least_combinations(columns, targets, basis))
 
 
-def _programme(asked: Question) -> tuple[list[list[int]], list[Shifted], list[int], list[list[Fraction]]]:
+def _programme(asked: ReductionProblem) -> tuple[list[list[int]], list[Shifted], list[int], list[list[Fraction]]]:
     """The linear programme: columns y^β (1-y)^ν in the box, their names, those of the lemma, and the parts.
 
     All are taken at indices |β| >= k. A sequence that annihilates π_(k-1) and vanishes there vanishes: values at
@@ -161,11 +161,11 @@ def _basis(k: int, spans: Index) -> list[Shifted]:
     return [*found, *((beta, (k, *((0,) * len(rest)))) for beta in whole)]
 
 
-def _named(asked: Question, names: Sequence[Shifted], found: Sequence[Combination]) -> Reduction:
+def _named(asked: ReductionProblem, names: Sequence[Shifted], found: Sequence[Combination]) -> Reduction:
     return Reduction(asked, tuple({names[i]: x for i, x in each.items()} for each in found))
 
 
-def _part(lattice: Lattice, row: int, terms: Terms) -> Part:
+def _part(lattice: Lattice, row: int, terms: Terms) -> CosetPart:
     first = next(iter(terms))
     places = {}
     for alpha, x in terms.items():
@@ -174,15 +174,11 @@ def _part(lattice: Lattice, row: int, terms: Terms) -> Part:
         places[beta] = x
     lowest = tuple(map(min, zip(*places, strict=True)))
     moved = {tuple(i - j for i, j in zip(beta, lowest, strict=True)): x for beta, x in places.items()}
-    return Part(row, _sum(first, lattice.image(lowest)), moved)
+    return CosetPart(row, _sum(first, lattice.image(lowest)), moved)
 
 
 def _sum(alpha: Index, beta: Index) -> Index:
     return tuple(i + j for i, j in zip(alpha, beta, strict=True))
-
-
-def _product(a: IntMatrix, b: IntMatrix) -> IntMatrix:
-    return tuple(tuple(sum(x * y for x, y in zip(row, col, strict=True)) for col in zip(*b, strict=True)) for row in a)
 
 
 HIGHEST_POWER = 3
@@ -232,7 +228,7 @@ class Iterate(NamedTuple):
 
 def iterates(found: Reduction, effort: Effort) -> Iterator[Iterate]:
     """The norms ‖S_Q^t‖∞ for t = 1, 2, … as far as the effort goes."""
-    entries, lattice = found.entries(), found.question.lattice
+    entries, lattice = found.entries(), found.problem.lattice
     common = lcm(*(x.denominator for terms in entries.values() for x in terms.values()))
     factor = {at: {alpha: int(x * common) for alpha, x in terms.items()} for at, terms in entries.items()}
     done, denominator, spent, modulus = factor, common, 0, lattice
@@ -256,7 +252,7 @@ def matrix_norm(
     The reductions of S: that of the lemma, the one of least norm, iterates of the better one; then those of S^r.
     """
     for power in range(1, HIGHEST_POWER + 1):
-        asked = question(scheme, lattice, order, power)
+        asked = problem(scheme, lattice, order, power)
         cells = 0 if asked is None else len(asked.parts) * _cells(asked)
         if asked is None or not effort.allows(cells // _UNIT):
             return None
@@ -280,14 +276,14 @@ def matrix_norm(
 
 def _identity_work(scheme: MultivariateScheme, lattice: Lattice, found: Reduction, power: int) -> int:
     """The products of two coefficients in a^[r], (1-z)^μ a^[r] and Σ_ν q_μν (1-z^M^r)^ν, r the power."""
-    asked = found.question
+    asked = found.problem
     sizes = [len(iterated(scheme, lattice, i) or {}) for i in range(1, power + 1)]
     corners = [prod(x + 1 for x in nu) for nu in asked.components]
     right = sum(len(terms) * corners[j] for (_, j), terms in found.entries().items())
     return sum(size * len(scheme.terms) for size in sizes[:-1]) + sizes[-1] * sum(corners) + right
 
 
-def _cells(asked: Question) -> int:
+def _cells(asked: ReductionProblem) -> int:
     size = 1
     for span in asked.spans:
         size *= span + 1

@@ -7,7 +7,7 @@ from functools import cached_property
 from math import prod
 
 from subdiv_cli.jsr.family import Family
-from subdiv_cli.jsr.products import Product
+from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Part
 from subdiv_cli.kinds.multivariate.lattice import Lattice
@@ -151,8 +151,8 @@ class MultivariateNumbers:
         return quasi_interpolation(self.scheme, self.lattice, self.order - 1, self.symmetries)
 
     @cached_property
-    def product(self) -> Product | None:
+    def product(self) -> WordProduct | None:
         """The product that bounds ρ_k from below."""
         if self.space is None or self.radius is None or self.radius.word is None:
             return None
-        return Product.of_word(self.space.matrices, self.radius.word)
+        return WordProduct.of_word(self.space.matrices, self.radius.word)

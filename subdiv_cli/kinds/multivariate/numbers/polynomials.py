@@ -20,8 +20,8 @@ from typing import NamedTuple
 
 from subdiv_cli.exact.linalg import matrix, solution
 from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
-from subdiv_cli.kinds.multivariate.numbers.symmetries import generated, times
-from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
+from subdiv_cli.kinds.multivariate.numbers.symmetries import generated
+from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme, multiple_of_identity, times
 
 HIGHEST_ORDER = 40
 """The highest order of sum rules that is tried."""
@@ -115,7 +115,7 @@ def quasi_interpolation(
     """
     h = expansion(scheme, lattice, degree)
     q = inverse(h, lattice.dimension, degree)
-    c = tuple(q.get(unit, Fraction(0)) for unit in _units(lattice.dimension))
+    c = tuple(q.get(unit, Fraction(0)) for unit in multiple_of_identity(1, lattice.dimension))
     t = stencil(q, degree, c, symmetries_of_limits(lattice.dilation, symmetries))
     m = {mu: c * prod(map(factorial, mu)) for mu, c in h.items()}
     return QuasiInterpolation(degree, c, m, q, moved(q, c, degree), t)
@@ -201,10 +201,6 @@ def moved(q: Series, c: Point, degree: int) -> dict[Index, Fraction]:
                     at = tuple(a + b for a, b in zip(mu, nu, strict=True))
                     found[at] = found.get(at, Fraction(0)) + x * y
     return {mu: x for mu, x in found.items() if x}
-
-
-def _units(s: int) -> tuple[Index, ...]:
-    return tuple(tuple(int(i == j) for j in range(s)) for i in range(s))
 
 
 def symmetries_of_limits(dilation: IntMatrix, symmetries: Sequence[IntMatrix]) -> tuple[IntMatrix, ...]:

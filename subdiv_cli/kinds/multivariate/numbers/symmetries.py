@@ -7,7 +7,13 @@ from itertools import permutations, product
 from operator import mul
 from typing import TYPE_CHECKING
 
-from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme, characteristic_polynomial
+from subdiv_cli.kinds.multivariate.scheme import (
+    IntMatrix,
+    MultivariateScheme,
+    characteristic_polynomial,
+    multiple_of_identity,
+    times,
+)
 from subdiv_cli.model import Data
 
 if TYPE_CHECKING:
@@ -42,7 +48,7 @@ def symmetries(scheme: MultivariateScheme) -> tuple[IntMatrix, ...]:
     In the plane those of entries -1, 0, 1; in more variables signed permutations.
     """
     candidates = tuple(_candidates(scheme.dimension))
-    known, found = set(candidates), {_identity(scheme.dimension)}
+    known, found = set(candidates), {multiple_of_identity(1, scheme.dimension)}
     for g in candidates:
         if g not in found and _keeps(scheme, g):
             found = generated([*found, g], known)
@@ -64,12 +70,6 @@ def generated(matrices: Iterable[IntMatrix], within: Container[IntMatrix]) -> se
     return found
 
 
-def times(g: IntMatrix, f: IntMatrix) -> IntMatrix:
-    """The product g f of two square matrices."""
-    columns = list(zip(*f, strict=True))
-    return tuple([tuple([sum(map(mul, row, column)) for column in columns]) for row in g])
-
-
 def _keeps(scheme: MultivariateScheme, g: IntMatrix) -> bool:
     """Whether a_(g α + t) = a_α for the t that keeps the centre of the support."""
     count, total = len(scheme.terms), [sum(column) for column in zip(*scheme.terms, strict=True)]
@@ -81,10 +81,6 @@ def _keeps(scheme: MultivariateScheme, g: IntMatrix) -> bool:
         scheme.terms.get(tuple([sum(map(mul, row, alpha)) + t for row, t in rows])) == value
         for alpha, value in scheme.terms.items()
     )
-
-
-def _identity(s: int) -> IntMatrix:
-    return tuple(tuple(int(i == j) for j in range(s)) for i in range(s))
 
 
 def _candidates(s: int) -> Iterator[IntMatrix]:

@@ -19,14 +19,14 @@ Variables = tuple[int, ...]
 Terms = Mapping[Index, Fraction]
 
 
-class Factor(NamedTuple):
+class TensorFactor(NamedTuple):
     """A factor of a mask, and its variables, rising."""
 
     variables: Variables
     scheme: ScalarScheme | MultivariateScheme
 
 
-def tensor_factors(scheme: MultivariateScheme, lattice: Lattice) -> tuple[Factor, ...]:
+def tensor_factors(scheme: MultivariateScheme, lattice: Lattice) -> tuple[TensorFactor, ...]:
     """The factors of a mask whose coefficients add up to |det M|: two or more, or none."""
     if sum(scheme.terms.values()) != lattice.index:
         return ()
@@ -79,7 +79,7 @@ def _taken(alpha: Index, variables: Variables) -> tuple[Index, Index]:
     return kept, tuple(x for i, x in enumerate(alpha) if i not in variables)
 
 
-def _factor(scheme: MultivariateScheme, variables: Variables) -> Factor | None:
+def _factor(scheme: MultivariateScheme, variables: Variables) -> TensorFactor | None:
     """The factor in these variables: the sums over the other variables, scaled; None for a negative arity."""
     rows = tuple(tuple(scheme.dilation[i][j] for j in variables) for i in variables)
     index = Lattice(rows).index
@@ -90,9 +90,9 @@ def _factor(scheme: MultivariateScheme, variables: Variables) -> Factor | None:
     scale = index / sum(sums.values(), Fraction(0))
     terms = {x: scale * value for x, value in sums.items()}
     if len(variables) > 1:
-        return Factor(variables, MultivariateScheme(dilation=rows, terms=terms))
+        return TensorFactor(variables, MultivariateScheme(dilation=rows, terms=terms))
     if rows[0][0] < 2:
         return None
     low, high = min(terms)[0], max(terms)[0]
     coefficients = tuple(terms.get((i,), Fraction(0)) for i in range(low, high + 1))
-    return Factor(variables, ScalarScheme(arity=rows[0][0], start=low, coefficients=coefficients))
+    return TensorFactor(variables, ScalarScheme(arity=rows[0][0], start=low, coefficients=coefficients))

@@ -33,7 +33,7 @@ _MOST_MOMENTS = 12
 
 def portrait(analysis: Analysis, result: Result) -> Portrait:
     """The sections of the page that are not empty, and its data."""
-    page = _Page(analysis, result)
+    page = _MultivariatePage(analysis, result)
     parts = {
         "Mask": page.mask(),
         "Stencils": stencil_blocks(page.scheme.terms, page.numbers.lattice),
@@ -44,7 +44,7 @@ def portrait(analysis: Analysis, result: Result) -> Portrait:
     return Portrait(sections(parts), page.data())
 
 
-class _Page:
+class _MultivariatePage:
     """The parts of a page, each computed once; None and empty where the scheme does not have it."""
 
     def __init__(self, analysis: Analysis, result: Result) -> None:

@@ -10,7 +10,7 @@ from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import box_spline
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.symmetries import facts
-from subdiv_cli.kinds.multivariate.numbers.tensor import Factor, tensor_factors
+from subdiv_cli.kinds.multivariate.numbers.tensor import TensorFactor, tensor_factors
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.multivariate.stages import exponents, norms, products, smoothness, sum_rules
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
@@ -47,7 +47,7 @@ def analyse(scheme: MultivariateScheme, effort: Effort, _: Fraction | None = Non
     return Analysis(scheme, facts(numbers), run_stages(numbers, STAGES), numbers, parts=parts)
 
 
-def _analysed(factors: Sequence[Factor], effort: Effort) -> tuple[Part, ...]:
+def _analysed(factors: Sequence[TensorFactor], effort: Effort) -> tuple[Part, ...]:
     """The factors with their findings; equal factors are analysed once."""
     done: list[Part] = []
     for variables, scheme in factors:

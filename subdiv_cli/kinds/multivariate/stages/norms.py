@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, PairContraction
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import DIRECTIONAL_NORMS, DIRECTIONAL_SMOOTHNESS, MATRIX_NORMS, POSITIVE_MASK
 from subdiv_cli.kinds.multivariate.stages.smoothness import proved_by, reaches, threshold
 from subdiv_cli.model import Data, Finding
+
+
+def _told(
+    found: Sequence[Contraction | PairContraction], directions: Iterable[Data]
+) -> tuple[dict[str, Data], dict[str, Data]]:
+    """The witness of contractions in these directions, and what a certificate needs besides."""
+    levels, norms = tuple(c.level for c in found), tuple(c.norm for c in found)
+    witness: dict[str, Data] = {"directions": tuple(directions), "levels": levels, "norms": norms}
+    return witness, {"quotients": tuple(tuple(sorted(c.quotient.items())) for c in found)}
 
 
 def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -33,15 +44,8 @@ def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, 
         f"‖S_({', '.join(map(str, c.direction))})" + (f"^{c.level}" if c.level > 1 else "") + f"‖∞ = {number(c.norm)}"
         for c in found
     ]
-    witness: dict[str, Data] = {
-        "directions": tuple(c.direction for c in found),
-        "levels": tuple(c.level for c in found),
-        "norms": tuple(c.norm for c in found),
-    }
-    proof: dict[str, Data] = {
-        "quotients": tuple(tuple((alpha, x) for alpha, x in sorted(c.quotient.items())) for c in found)
-    }
     statement = f"the difference schemes in {len(found)} directions contract: {', '.join(parts)}"
+    witness, proof = _told(found, [c.direction for c in found])
     return (DIRECTIONAL_NORMS.proved(statement, witness, proof=proof),)
 
 
@@ -91,17 +95,10 @@ def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Find
         for c in found
         for first, second in [c.directions]
     ]
-    witness: dict[str, Data] = {
-        "directions": tuple(c.directions for c in found),
-        "levels": tuple(c.level for c in found),
-        "norms": tuple(c.norm for c in found),
-    }
-    proof: dict[str, Data] = {
-        "quotients": tuple(tuple((alpha, x) for alpha, x in sorted(c.quotient.items())) for c in found)
-    }
     statement = (
         f"φ is C^1: the schemes of {len(found)} quotients by two directional factors contract: {', '.join(parts)}"
     )
+    witness, proof = _told(found, [c.directions for c in found])
     return (DIRECTIONAL_SMOOTHNESS.proved(statement, witness, proof=proof),)
 
 

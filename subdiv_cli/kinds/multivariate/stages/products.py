@@ -94,16 +94,18 @@ def of_all(parts: tuple[Part, ...], question: Question) -> tuple[Verdict, Part]:
     return Verdict.PROVED, parts[0]
 
 
-def follows(rule: Rule, asked: str, parts: tuple[Part, ...], question: Question, yes: str, no: str) -> Finding:
+def follows(
+    rule: Rule, asked: str, parts: tuple[Part, ...], question: Question, yes: str, no: str, why: str
+) -> Finding:
     """The finding of a property that φ has iff all factors have it.
 
-    `no` is a sentence with the name of one that has it not.
+    `why` has the name of one that has it not.
     """
     found, part = of_all(parts, question)
     if found is Verdict.PROVED:
         return rule.proved(yes, {"by": TENSOR_PRODUCT.code})
     if found is Verdict.REFUTED:
-        return rule.refuted(no.format(part.name), {"by": TENSOR_PRODUCT.code})
+        return rule.refuted(no, {"by": TENSOR_PRODUCT.code}, why=why.format(part.name))
     return rule.undecided(asked, f"it is not decided for the factor in {part.name}")
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import rounded_up
-from subdiv_cli.jsr.products import Product
+from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import ContradictionError, Facts, Part
 from subdiv_cli.kinds.multivariate.numbers.difference_space import DifferenceSpace
@@ -136,12 +136,12 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
     if sums is not None and sums.verdict is Verdict.REFUTED:
         return (
             CONVERGENCE.refuted(
-                f"S does not converge uniformly to a non-zero limit: {sums.statement}", {"by": COSET_SUMS.code}
+                "S does not converge uniformly to a non-zero limit", {"by": COSET_SUMS.code}, why=sums.statement
             ),
         )
     if numbers.parts:
-        yes, no = "S converges uniformly: its factors do", "S does not converge uniformly: its factor in {} does not"
-        return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, yes, no),)
+        said = "S converges uniformly: its factors do", "S does not converge uniformly", "its factor in {} does not"
+        return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, *said),)
     radius, product = (numbers.radius, numbers.product) if found and found.verdict is Verdict.PROVED else (None, None)
     diverges = product is not None and product.compare(Fraction(1)) >= 0
     k = numbers.order
@@ -161,8 +161,9 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
         )
         return (CONVERGENCE.proved(statement, {"by": SOBOLEV.code}, proof=growth_proof(numbers)),)
     if diverges and product is not None:
-        statement = f"S does not converge uniformly: {product_name(product.word)} keeps ρ_{k} ≥ 1"
-        return (CONVERGENCE.refuted(statement, {"by": DIFFERENCE_RADIUS.code, "word": product.word}),)
+        witness: dict[str, Data] = {"by": DIFFERENCE_RADIUS.code, "word": product.word}
+        why = f"{product_name(product.word)} keeps ρ_{k} ≥ 1"
+        return (CONVERGENCE.refuted("S does not converge uniformly", witness, why=why),)
     reason = "no bound of ρ_k below 1 is proved, and no product is known that keeps it above"
     return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, (found.reason if found is not None else None) or reason),)
 
@@ -199,8 +200,8 @@ def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]
             ),
         )
     if numbers.parts:
-        yes, no = "φ is stable: its factors are", "φ is not stable: its factor in {} is not"
-        return (products.follows(STABILITY, _STABILITY_QUESTION, numbers.parts, questions.STABILITY, yes, no),)
+        said = "φ is stable: its factors are", "φ is not stable", "its factor in {} is not"
+        return (products.follows(STABILITY, _STABILITY_QUESTION, numbers.parts, questions.STABILITY, *said),)
     if numbers.is_interpolatory:
         return (STABILITY.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": CONVERGENCE.code}),)
     return (_of_gram_sequence(numbers.gram),)
@@ -354,10 +355,10 @@ def proved_by(numbers: MultivariateNumbers, facts: Facts, n: int) -> str | None:
     return MATRIX_NORMS.code if MATRIX_NORMS in facts and n <= integer(facts[MATRIX_NORMS], "smooth") else None
 
 
-def reaches(numbers: MultivariateNumbers, product: Product, n: int) -> bool:
+def reaches(numbers: MultivariateNumbers, product: WordProduct, n: int) -> bool:
     """Whether the product proves ρ_k >= λ^-n: its s-th power has an eigenvalue of modulus at least m^(-n length)."""
     assert numbers.space is not None
-    power = Product.of_word(numbers.space.matrices, product.word * numbers.dimension)
+    power = WordProduct.of_word(numbers.space.matrices, product.word * numbers.dimension)
     return power.eigenvalue.compare_modulus(Fraction(1, numbers.lattice.index ** (n * len(product.word)))) >= 0
 
 

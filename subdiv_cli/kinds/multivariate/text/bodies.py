@@ -14,14 +14,14 @@ from subdiv_cli.maskfile import laurent
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_INDEX, MAX_MASK_LENGTH
 from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
-from subdiv_cli.maskfile.laurent import Laurent, TooLargeError, Work, packed
+from subdiv_cli.maskfile.laurent import BoundedLaurent, TooLargeError, Work, packed
 from subdiv_cli.maskfile.mask import too_precise, zero_mask
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
 
 Nested = tuple["Expression | Nested", ...]
 
 
-class Grid(NamedTuple):
+class CoefficientGrid(NamedTuple):
     """The coefficients as nested lists: coefficients[i][j]… = a_(start + (i, j, …)), as deep as there are variables.
 
     All lists of one depth are as long.
@@ -74,7 +74,7 @@ class LaurentSymbol(NamedTuple):
         return _scheme(self.dilation, terms, self.expression.path, values, problems)
 
 
-class BoxSpline(NamedTuple):
+class BoxSplineMask(NamedTuple):
     """The box spline of the directions ξ: c^(s-n) Π_ξ (1 + z^ξ + … + z^((c-1)ξ))^m, n = Σ m, with the dilation cI.
 
     Dyn 1992, 6.54 for c = 2; de Boor, Höllig, Riemenschneider 1993, chapter VII.
@@ -96,7 +96,7 @@ class BoxSpline(NamedTuple):
         symbol = laurent.constant(Fraction(c**s, c ** sum(self.multiplicities)))
         try:
             for direction, multiplicity in zip(self.directions, self.multiplicities, strict=True):
-                factor = Laurent({packed((0, *(j * x for x in direction))): 1 for j in range(c)})
+                factor = BoundedLaurent({packed((0, *(j * x for x in direction))): 1 for j in range(c)})
                 symbol = laurent.times(symbol, laurent.power(factor, multiplicity, work), work)
         except TooLargeError as error:
             problems.add(

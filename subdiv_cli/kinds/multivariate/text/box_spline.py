@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.kinds.multivariate.scheme import Index
-from subdiv_cli.kinds.multivariate.text.bodies import BoxSpline
+from subdiv_cli.kinds.multivariate.text.bodies import BoxSplineMask
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.integers import integer_list
 from subdiv_cli.maskfile import rules as faults
@@ -17,7 +17,7 @@ from subdiv_cli.maskfile.values import described
 _HELP = "write box_spline = {directions = [[1,0],[0,1],[1,1]], multiplicities = [2,2,2]}"
 
 
-def read_box_spline(table: Table, dilation: Dilation) -> BoxSpline | None:
+def read_box_spline(table: Table, dilation: Dilation) -> BoxSplineMask | None:
     """The body of a box spline; None where something is wrong, which is recorded."""
     inner = table.table("box_spline", _HELP)
     if inner is None:
@@ -35,7 +35,7 @@ def read_box_spline(table: Table, dilation: Dilation) -> BoxSpline | None:
     matrix = dilation.of(len(directions[0]))
     if matrix is None or multiplicities is None:
         return None
-    return BoxSpline(dilation=matrix, directions=directions, multiplicities=multiplicities)
+    return BoxSplineMask(dilation=matrix, directions=directions, multiplicities=multiplicities)
 
 
 def _directions(inner: Table) -> tuple[Index, ...] | None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from subdiv_cli.kinds.multivariate.scheme import Index
-from subdiv_cli.kinds.multivariate.text.bodies import Grid, Nested, Terms
+from subdiv_cli.kinds.multivariate.text.bodies import CoefficientGrid, Nested, Terms
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.integers import index_of_key, integer_list
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_DIMENSION, MAX_GRID, MAX_MASK_LENGTH
-from subdiv_cli.maskfile.entries import Table, check_fixed, read_expression
+from subdiv_cli.maskfile.entries import Table, read_number
 from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
@@ -19,7 +19,7 @@ from subdiv_cli.maskfile.values import described
 _NESTED = 'write a list of rows: coefficients = [["1/4", "1/2"], ["1/2", 1]]'
 
 
-def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> Grid | None:
+def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> CoefficientGrid | None:
     """The body that `start` and `coefficients` give; None where something is wrong, which is recorded."""
     problems = table.problems
     start = _start(table)
@@ -36,7 +36,7 @@ def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> 
     entries = _Rows(shape, parameters, problems).read(table.data["coefficients"], path)
     if matrix is None or start is None or entries is None:
         return None
-    return Grid(dilation=matrix, start=start, coefficients=entries)
+    return CoefficientGrid(dilation=matrix, start=start, coefficients=entries)
 
 
 def _start(table: Table) -> Index | None:
@@ -116,19 +116,6 @@ class _Rows:
             self._problems.add(Fault(faults.BAD_SHAPE, message, _NESTED), path)
             return None
         return read_number(value, path, self._parameters, self._problems, self._work)
-
-
-def read_number(
-    value: object, path: KeyPath, parameters: Collection[str], problems: Collector, work: Work
-) -> Expression | None:
-    """A coefficient; None where it is wrong, which is recorded."""
-    try:
-        entry = read_expression(value, path, parameters)
-        check_fixed(entry, work)
-    except Fault as fault:
-        problems.add(fault, path)
-        return None
-    return entry
 
 
 def read_terms(table: Table, dilation: Dilation, parameters: Collection[str]) -> Terms | None:

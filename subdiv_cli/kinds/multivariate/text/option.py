@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from math import prod
 
 from subdiv_cli.kinds.multivariate.scheme import IntMatrix, multiple_of_identity
-from subdiv_cli.kinds.multivariate.text.bodies import Grid, LaurentSymbol, Nested
+from subdiv_cli.kinds.multivariate.text.bodies import CoefficientGrid, LaurentSymbol, Nested
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_COSETS, MAX_DIMENSION, MAX_GRID, MAX_INDEX
 from subdiv_cli.maskfile.expressions import Expression, names_in
@@ -24,7 +24,7 @@ def symbol(text: str, arity: int, names: Collection[str]) -> LaurentSymbol:
     return LaurentSymbol(dilation=_dilation(arity, dimension), expression=Expression(text=text.strip(), node=node))
 
 
-def grid(entries: Nested, start: Sequence[int], arity: int) -> Grid:
+def grid(entries: Nested, start: Sequence[int], arity: int) -> CoefficientGrid:
     """The body of coefficients, their lists as long as the first ones; no `start` is zero. Raises Fault."""
     shape = _shape(entries)
     if start and len(start) != len(shape):
@@ -37,7 +37,9 @@ def grid(entries: Nested, start: Sequence[int], arity: int) -> Grid:
         )
     if any(abs(k) > MAX_INDEX for k in start):
         raise Fault(faults.OUT_OF_BOUNDS, f"start is beyond {MAX_INDEX}", f"--start {','.join('0' * len(shape))}")
-    return Grid(dilation=_dilation(arity, len(shape)), start=tuple(start) or (0,) * len(shape), coefficients=entries)
+    return CoefficientGrid(
+        dilation=_dilation(arity, len(shape)), start=tuple(start) or (0,) * len(shape), coefficients=entries
+    )
 
 
 def _dilation(arity: int, dimension: int) -> IntMatrix:

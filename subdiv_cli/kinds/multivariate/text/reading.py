@@ -10,12 +10,11 @@ from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.grid import read_grid, read_terms
 from subdiv_cli.kinds.multivariate.text.tensor import read_tensor
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.maskfile.entries import Table, check_fixed, mask_table, read_expression
+from subdiv_cli.maskfile.entries import Table, mask_table, read_symbol
 from subdiv_cli.maskfile.expressions import names_in
-from subdiv_cli.maskfile.laurent import VARIABLES, Work
+from subdiv_cli.maskfile.laurent import VARIABLES
 from subdiv_cli.maskfile.mask import Body
 from subdiv_cli.maskfile.problems import Collector, Fault
-from subdiv_cli.maskfile.values import described
 
 FORMS = ("coefficients", "terms", "symbol", "box_spline", "tensor")
 """The keys that give a mask: one of these."""
@@ -61,24 +60,17 @@ def read(top: Table, parameters: Collection[str], problems: Collector) -> Body |
 
 def _symbol(table: Table, dilation: Dilation, parameters: Collection[str]) -> LaurentSymbol | None:
     """The body that `symbol` gives; None where something is wrong, which is recorded."""
-    path, value = (*table.path, "symbol"), table.data["symbol"]
     help = 'write an expression in z1, z2, …: symbol = "(1+z1) (1+z2) (1+z1*z2) / 2"'
-    if not isinstance(value, str):
-        table.problems.add(Fault(faults.WRONG_TYPE, f"symbol must be a string, not {described(value)}", help), path)
-        return None
     variables = VARIABLES[1 : None if dilation.rows is None else len(dilation.rows) + 1]
-    try:
-        expression = read_expression(value, path, {*parameters, *variables})
-        check_fixed(expression, Work())
-    except Fault as fault:
-        table.problems.add(fault, path)
+    expression = read_symbol(table, {*parameters, *variables}, help)
+    if expression is None:
         return None
     used = names_in(expression.node) & frozenset(variables)
     dimension = max((VARIABLES.index(name) for name in used), default=0) if dilation.rows is None else len(variables)
     if dimension < 2:
         message = "the symbol does not say how many variables there are: z2 is not in it"
         help = "give the dilation as a matrix, [[2, 0], [0, 2]]; one variable is z, in a scalar mask"
-        table.problems.add(Fault(faults.BAD_SHAPE, message, help), path)
+        table.problems.add(Fault(faults.BAD_SHAPE, message, help), (*table.path, "symbol"))
         return None
     matrix = dilation.of(dimension)
     return None if matrix is None else LaurentSymbol(dilation=matrix, expression=expression)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme, multiple_of_identity
-from subdiv_cli.kinds.multivariate.text.bodies import BoxSpline, Grid, LaurentSymbol, Tensor, Terms
+from subdiv_cli.kinds.multivariate.text.bodies import BoxSplineMask, CoefficientGrid, LaurentSymbol, Tensor, Terms
 from subdiv_cli.kinds.scalar.text import spelled_entries
 from subdiv_cli.maskfile.expressions import literal
 from subdiv_cli.maskfile.spelling import listed, nested, number, quoted
@@ -18,7 +18,7 @@ def body_of(scheme: MultivariateScheme) -> Terms:
     return Terms(scheme.dilation, tuple((index, literal(value)) for index, value in scheme.terms.items()))
 
 
-def spell(body: BoxSpline | Grid | LaurentSymbol | Tensor | Terms) -> list[str]:
+def spell(body: BoxSplineMask | CoefficientGrid | LaurentSymbol | Tensor | Terms) -> list[str]:
     """The lines of the [mask] table."""
     if isinstance(body, Tensor):
         factors = [line for factor in body.factors for line in ("", "[[mask.tensor]]", *spelled_entries(factor))]
@@ -26,7 +26,7 @@ def spell(body: BoxSpline | Grid | LaurentSymbol | Tensor | Terms) -> list[str]:
     rows, c = body.dilation, body.dilation[0][0]
     plain = rows == multiple_of_identity(c, len(rows)) and not isinstance(body, LaurentSymbol)
     lines = ["[mask]", f"dilation = {c if plain else nested(rows)}"]
-    if isinstance(body, Grid):
+    if isinstance(body, CoefficientGrid):
         return [*lines, f"start = {nested(body.start)}", *listed("coefficients", map(nested, body.coefficients))]
     if isinstance(body, Terms):
         terms = [f'"{",".join(map(str, index))}" = {number(value)}' for index, value in body.terms]

@@ -21,7 +21,7 @@ MOST_BITS = 10**7
 """The most bits of a power of μ."""
 
 
-class Bound(NamedTuple):
+class ErrorBound(NamedTuple):
     """The bound ‖S_ν^∞ g - S_ν^k g‖∞ <= constant · norm^⌊k/level⌋ · ‖Δg‖∞, the polygon's vertices at i p^-k."""
 
     nu: int
@@ -76,7 +76,7 @@ def distance_to_spline(symbol: Laurent, p: int) -> Fraction:
     return max(sums)
 
 
-def bounds(numbers: ScalarNumbers, nu: int) -> Iterator[Bound]:
+def bounds(numbers: ScalarNumbers, nu: int) -> Iterator[ErrorBound]:
     """The bound for each level L whose norm is below 1, as far as the effort goes."""
     p, last = numbers.p, numbers.difference(nu + 1).scale(numbers.p**nu)
     distance = distance_to_spline(numbers.difference(nu).scale(p**nu), p)
@@ -87,12 +87,12 @@ def bounds(numbers: ScalarNumbers, nu: int) -> Iterator[Bound]:
         norms = (*norms, norm)
         if norm < 1:
             constant = distance * level / (1 - norm) * max([Fraction(1), *norms[:-1]])
-            yield Bound(nu, level, norms, distance, constant)
+            yield ErrorBound(nu, level, norms, distance, constant)
 
 
-def best_bound(numbers: ScalarNumbers, tolerance: Fraction) -> Bound | None:
+def best_bound(numbers: ScalarNumbers, tolerance: Fraction) -> ErrorBound | None:
     """The bound that needs the fewest levels for the tolerance, of several the one with the smallest L."""
-    best: tuple[int, Bound] | None = None
+    best: tuple[int, ErrorBound] | None = None
     for bound in bounds(numbers, 0):
         levels = bound.levels_for(tolerance)
         if levels is not None and (best is None or levels < best[0]):
@@ -106,7 +106,7 @@ class HermiteBound(NamedTuple):
     It has degree ν-1.
     """
 
-    bound: Bound
+    bound: ErrorBound
     """The error bound of S_ν."""
     level: int
     """The level j at which ‖S_ν^∞‖ is estimated."""

@@ -31,7 +31,7 @@ from subdiv_cli.exact.enclosures import decide
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Family
-from subdiv_cli.jsr.products import Product, best_product, radius_bound
+from subdiv_cli.jsr.products import WordProduct, best_product, radius_bound
 from subdiv_cli.jsr.result import Radius, root_data
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
@@ -159,13 +159,13 @@ def difference_radius(d: Laurent, p: int, effort: Effort) -> Radius | None:
     return _better(radius, _by_norms(d, p, _product(matrices, radius, effort), effort, None))
 
 
-def _product(matrices: Sequence[fmpq_mat], radius: Radius | None, effort: Effort) -> Product | None:
+def _product(matrices: Sequence[fmpq_mat], radius: Radius | None, effort: Effort) -> WordProduct | None:
     if radius is not None and radius.word is not None:
-        return Product.of_word(matrices, radius.word)
+        return WordProduct.of_word(matrices, radius.word)
     return best_product(matrices, effort)
 
 
-def _by_norms(d: Laurent, p: int, product: Product | None, effort: Effort, levels: int | None) -> Radius | None:
+def _by_norms(d: Laurent, p: int, product: WordProduct | None, effort: Effort, levels: int | None) -> Radius | None:
     """The best bound ‖S^L‖∞^(1/L), exact where the product attains it."""
     best: tuple[int, Fraction] | None = None
     for level, norm in enumerate(islice(power_norms(d, p, effort), levels), 1):
@@ -176,7 +176,7 @@ def _by_norms(d: Laurent, p: int, product: Product | None, effort: Effort, level
     return None if best is None else _norm_radius(product, *best, exact=False)
 
 
-def _norm_radius(product: Product | None, level: int, norm: Fraction, *, exact: bool) -> Radius:
+def _norm_radius(product: WordProduct | None, level: int, norm: Fraction, *, exact: bool) -> Radius:
     proof: dict[str, Data] = {"rule": "norm", "length": level, "bound": norm}
     root = Root((-norm.numerator, norm.denominator), norm, norm)
     if exact:
@@ -192,7 +192,7 @@ def _better(a: Radius | None, b: Radius | None) -> Radius | None:
     return a if a.ceiling <= b.ceiling else b._replace(word=a.word or b.word)
 
 
-def exponent_bound(product: Product, p: int) -> Interval:
+def exponent_bound(product: WordProduct, p: int) -> Interval:
     """The upper bound -log_p(r) / ℓ of the Hölder exponent of a stable φ, with r of `radius_bound`.
 
     `exact` where λ is rational: r is |λ| then, and a little below it otherwise.

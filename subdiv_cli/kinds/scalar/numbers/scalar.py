@@ -9,7 +9,7 @@ from functools import cached_property
 from flint import fmpq_mat, fmpz_poly
 
 from subdiv_cli.exact.laurent import Laurent
-from subdiv_cli.jsr.products import Product
+from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import (
@@ -104,11 +104,11 @@ class ScalarNumbers:
         return difference_radius(self.difference(self.order), self.p, self.effort)
 
     @cached_property
-    def product(self) -> Product | None:
+    def product(self) -> WordProduct | None:
         """The product of transition matrices of D that bounds the radius from below; None where none is known."""
         if self.radius is None or self.radius.word is None:
             return None
-        return Product.of_word(transition_matrices(self.difference(self.order), self.p), self.radius.word)
+        return WordProduct.of_word(transition_matrices(self.difference(self.order), self.p), self.radius.word)
 
     @cached_property
     def _norms(self) -> dict[int, tuple[Fraction, ...]]:

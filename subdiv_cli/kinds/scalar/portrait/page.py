@@ -45,7 +45,7 @@ _MOST_ZEROS = 60
 _LARGEST_MATRIX = 12
 
 
-class Factor(NamedTuple):
+class SymbolFactor(NamedTuple):
     """An irreducible factor of a symbol over Q, or 1 + z + … + z^(p-1)."""
 
     coefficients: tuple[int, ...]
@@ -71,7 +71,7 @@ class Factor(NamedTuple):
 
 def portrait(analysis: Analysis, result: Result) -> Portrait:
     """The sections of the page that are not empty, and its data."""
-    page = _Page(analysis, result)
+    page = _ScalarPage(analysis, result)
     parts = {
         "Mask": page.mask(),
         "Symbol": page.symbol(),
@@ -86,7 +86,7 @@ def portrait(analysis: Analysis, result: Result) -> Portrait:
     return Portrait(sections(parts), page.data())
 
 
-class _Page:
+class _ScalarPage:
     """The parts of a page, each computed once; empty tuples and None where the scheme does not have it."""
 
     def __init__(self, analysis: Analysis, result: Result) -> None:
@@ -210,7 +210,7 @@ class _Page:
         return tuple(rows_of(matrix) for matrix in self.numbers.refinement_matrices)
 
     @property
-    def factors(self) -> tuple[Factor, ...]:
+    def factors(self) -> tuple[SymbolFactor, ...]:
         return self._factored[2]
 
     @property
@@ -221,17 +221,21 @@ class _Page:
         return combination([(constant, " ".join(filter(None, parts)))], brief)
 
     @cached_property
-    def _factored(self) -> tuple[Fraction, int, tuple[Factor, ...]]:
+    def _factored(self) -> tuple[Fraction, int, tuple[SymbolFactor, ...]]:
         """The factorisation (c, s, factors) with a(z) = c z^s Π factors^multiplicity."""
         numbers = self.numbers
         order, cofactor, _ = numbers.sum_rules
-        factors = [Factor((1,) * numbers.p, order, smoothing=True)] if order else []
+        factors = [SymbolFactor((1,) * numbers.p, order, smoothing=True)] if order else []
         numerators, denominator = cofactor.integer_form()
         if not numbers.effort.allows(cofactor.degree**2 * numbers.weight):
             whole = tuple(int(c) for c in numerators)
-            return Fraction(1, denominator), cofactor.low, (*factors, *([Factor(whole, 1)] if len(whole) > 1 else []))
+            return (
+                Fraction(1, denominator),
+                cofactor.low,
+                (*factors, *([SymbolFactor(whole, 1)] if len(whole) > 1 else [])),
+            )
         content, found = numerators.factor()
-        factors += [Factor(tuple(int(c) for c in f), m, zeros=_zeros(f)) for f, m in found]
+        factors += [SymbolFactor(tuple(int(c) for c in f), m, zeros=_zeros(f)) for f, m in found]
         return Fraction(int(content), denominator), cofactor.low, tuple(factors)
 
     @cached_property

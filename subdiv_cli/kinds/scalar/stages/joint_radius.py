@@ -9,7 +9,7 @@ from flint import ctx
 from subdiv_cli.exact.algebraic import number_of
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, is_short, modulus, number, rounded_up
-from subdiv_cli.jsr.products import Product
+from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
@@ -57,13 +57,13 @@ def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
     )
 
 
-def product_text(product: Product) -> str:
+def product_text(product: WordProduct) -> str:
     """A product as text: `the transition matrix T_0` or `the product T_1T_0 of transition matrices`."""
     name = product_name(product.word)
     return f"the transition matrix {name}" if len(product.word) == 1 else f"the product {name} of transition matrices"
 
 
-def product_witness(product: Product) -> dict[str, Data]:
+def product_witness(product: WordProduct) -> dict[str, Data]:
     """A product as plain data: its word, its matrices multiplied from right to left, and an eigenvalue.
 
     Of the eigenvalue the minimal polynomial, lowest coefficient first, and the isolating box (real part from, to;

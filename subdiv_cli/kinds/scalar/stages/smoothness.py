@@ -128,7 +128,7 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (CONVERGENCE.proved(f"S converges uniformly: the residue sums are 1 and {condition}", _witness(proof)),)
     if against is not None:
         limit = " to a non-zero limit" if against.code == RESIDUE_SUMS.code else ""
-        return (CONVERGENCE.refuted(f"S does not converge uniformly{limit}: {against.statement}", _witness(against)),)
+        return (CONVERGENCE.refuted(f"S does not converge uniformly{limit}", _witness(against), why=against.statement),)
     return (CONVERGENCE.undecided("does S converge uniformly?", first[0].reason or ""),)
 
 
