@@ -20,7 +20,8 @@ def generation(proof: Proof, finding: Finding) -> list[int]:
     """The claim of SD103: the generation degree, or the sum rules that refute it."""
     if finding.verdict is Verdict.REFUTED:
         return [proof.sum_rules(0)]
-    return [proof.add("generation", {"degree": proof.orders[0] - 1}, uses=[proof.sum_rules(0)])]
+    degree = as_integer(finding.witness["degree"])
+    return [proof.add("generation", {"degree": degree}, uses=[proof.sum_rules(0)])]
 
 
 def reproduction(proof: Proof, finding: Finding) -> list[int]:
@@ -37,7 +38,7 @@ def derived(proof: Proof, finding: Finding) -> list[int]:
     if not proof.orders[0]:
         return [proof.sum_rules(0)]
     start, mask = (as_tuple(finding.witness[key])[-1] for key in ("starts", "masks"))
-    statement = {"mask": 0, "nu": proof.orders[0], "symbol": as_polynomial(start, mask)}
+    statement = {"mask": 0, "nu": len(as_tuple(finding.witness["masks"])), "symbol": as_polynomial(start, mask)}
     work = (proof.degrees[0] + 1) * (proof.orders[0] + 1) * proof.p
     return [proof.sum_rules(0), proof.add("derived", statement, uses=[proof.sum_rules(0)], work=work)]
 
