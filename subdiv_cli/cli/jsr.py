@@ -30,10 +30,12 @@ A family is a TOML file with one list of square matrices, each a list of rows; n
 
 \b
 Exit codes:
-  0    the radius is enclosed, or known exactly
+  0    the radius is enclosed within a tenth of itself, or known exactly
   2    not computed: usage, an unreadable or invalid file, an internal error
-  3    no bound within the effort, or a certificate is asked for and there is none
+  3    no such bounds within the effort, or a certificate is asked for and there is none
 """
+_WIDE = 0.1
+"""The relative width beyond which an enclosure is no answer."""
 
 
 @click.command("jsr", epilog=_EPILOG, short_help="Joint spectral radius of matrices, with proof.")
@@ -78,7 +80,9 @@ def command(
     if unwritten:
         why = "nothing is proved" if found.radius.upper is None else "the proof asks more than the checker does"
         emit(f"warning: {certificate} is not written: {why}\n", sys.stderr)
-    return ExitCode.UNDECIDED if found.radius.upper is None or unwritten else ExitCode.PASSED
+    wide = not found.radius.lower or found.radius.width > _WIDE
+    known = found.radius.exact is not None or found.radius.upper == 0
+    return ExitCode.UNDECIDED if unwritten or (wide and not known) else ExitCode.PASSED
 
 
 def _read(file: str, parameters: tuple[str, ...]) -> tuple[MaskFile, Any]:

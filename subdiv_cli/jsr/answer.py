@@ -44,7 +44,7 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
         upper=bounds.upper,
         exact=bounds.exact,
         digits=_digits(radius),
-        words=() if radius.word is None else (radius.word,),
+        words=() if radius.word is None else (_primitive(radius.word),),
         method=radius.method,
         vertices=radius.vertices,
         bounded=radius.bounded,
@@ -52,6 +52,12 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
         proof=radius.proof,
         below=lower,
     )
+
+
+def _primitive(word: tuple[int, ...]) -> tuple[int, ...]:
+    """The word that a word is a power of: its product has the same spectral radius for each letter."""
+    lengths = (d for d in range(1, len(word) + 1) if len(word) % d == 0)
+    return next(word[:d] for d in lengths if word[:d] * (len(word) // d) == word)
 
 
 def _enclosed(radius: Radius, product: WordProduct | None) -> Interval:

@@ -36,3 +36,10 @@ class FamilyRadius:
     """The proof of the upper bound, or of ρ itself."""
     below: Mapping[str, Data] = field(default_factory=dict)
     """The proof of the lower bound, where ρ itself is not proved: `word`, and `bound` below its spectral radius."""
+
+    @property
+    def width(self) -> float:
+        """The width of the enclosure relative to its upper end: 0 where ρ is exact, 1 where nothing is known."""
+        if self.exact is not None or self.upper == 0:
+            return 0.0
+        return 1.0 if self.upper is None or self.lower is None else (self.upper - self.lower) / self.upper

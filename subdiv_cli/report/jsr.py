@@ -8,6 +8,8 @@ from subdiv_cli.report.letters import clean, letters
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import LONGEST, enclosed
 
+_NARROW = 1e-6
+"""The relative width up to which an enclosure is as good as the number."""
 _METHODS = {
     "closing": "an invariant polytope of {n}, closed at exactly this radius",
     "polytope": "an invariant polytope of {n}",
@@ -41,7 +43,8 @@ def _first(radius: FamilyRadius) -> str:
         why = "the time budget ended" if radius.stopped else "a higher effort computes more"
         return f"? {title}: not one bound was found; {why}"
     if radius.exact is None:
-        return f"✓ {title} in {enclosed(radius.lower, radius.upper)}"
+        sign = "✓" if radius.width <= _NARROW else "~"
+        return f"{sign} {title} in {enclosed(radius.lower, radius.upper)}"
     digits = (
         f" = {radius.digits}"
         if radius.digits and radius.digits.rstrip("…") != radius.exact and not _short(radius)

@@ -4,9 +4,15 @@ import json
 from fractions import Fraction
 
 import pytest
+from click.testing import CliRunner
 from support import subdiv
 
+from subdiv_cli import pipeline
 from subdiv_cli.checker import Outcome
+from subdiv_cli.cli import main
+from subdiv_cli.jsr.answer import _primitive, answer
+from subdiv_cli.model import Effort
+from subdiv_cli.model.family import FamilyRadius
 
 FAMILY = """\
 name = "two shears"
@@ -108,3 +114,32 @@ def test_a_proof_beyond_the_checker_is_said_not_to_be_written(family, tmp_path, 
     assert "certificate" not in run.stdout
     assert not proof.exists()
     assert subdiv("jsr", family).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("lower", "upper", "exact", "sign", "code"),
+    [
+        (0.0, 8.88, None, "~", 3),
+        (1.0, 1.2, None, "~", 3),
+        (1.0, 1.05, None, "~", 0),
+        (2.0, 2.0000001, None, "✓", 0),
+        (2.0, 2.0, "2", "✓", 0),
+        (0.0, 0.0, "0", "✓", 0),
+        (0.0, 0.0, None, "✓", 0),
+    ],
+)
+def test_a_wide_enclosure_is_no_success(family, monkeypatch, lower, upper, exact, sign, code):
+    radius = FamilyRadius(order=2, letters=2, lower=lower, upper=upper, exact=exact, method="polytope")
+    monkeypatch.setattr(pipeline, "joint_spectral_radius", lambda *_: pipeline.CheckedRadius(radius, None))
+    done = CliRunner().invoke(main, ["jsr", str(family)], prog_name="subdiv")
+    assert done.exit_code == code
+    assert done.output.startswith(f"{sign} joint spectral radius")
+
+
+def test_the_product_is_named_by_its_primitive_word():
+    halves = [[[Fraction(x) for x in row] for row in rows] for rows in ([[0, 2], [2, 0]], [[0, 1], [1, 0]])]
+    for word in ((0, 0), (0, 0, 0), (0,)):
+        assert _primitive(word) == (0,)
+    assert _primitive((0, 1, 0, 1)) == (0, 1)
+    assert _primitive((0, 1, 1)) == (0, 1, 1)
+    assert answer(halves, Effort()).words == ((0,),)
