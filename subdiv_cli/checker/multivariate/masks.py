@@ -42,7 +42,7 @@ class SparseMask(NamedTuple):
         return [*groups.values(), *([] for _ in range(self.dilation.cosets - len(groups)))]
 
 
-def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]]) -> SparseMask:
+def multivariate_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]]) -> SparseMask:
     """Rejects what is no mask on Z^s with an expanding M."""
     s = len(rows)
     require(
@@ -59,7 +59,7 @@ def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]])
 
 
 def subject(parts: dict[str, Any]) -> Subject:
-    mask = lattice_mask(parts["dilation"], parts["terms"])
+    mask = multivariate_mask(parts["dilation"], parts["terms"])
     return Subject(mask.dilation.cosets, mask)
 
 
