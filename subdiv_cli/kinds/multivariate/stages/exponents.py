@@ -90,9 +90,7 @@ def _holder_of_box_spline(depth: int) -> tuple[Finding, ...]:
 def _least_holder(parts: tuple[Part, ...]) -> Finding:
     found = products.least(parts, questions.HOLDER_LOWER)
     if found is None:
-        return HOLDER_LOWER.undecided(
-            _BELOW, "the exponents of the factors are not seen to be positive, or not compared"
-        )
+        return HOLDER_LOWER.undecided(_BELOW, products.NOT_LEAST)
     part, exact = found.part.finding(questions.HOLDER_LOWER), found.is_exact
     value = part.value or Interval()
     text = _shown(part) if exact else rounded_down(value.lower or 0.0)
@@ -224,9 +222,7 @@ def _sobolev_of_box_spline(depth: int) -> Finding:
 def _least_sobolev(parts: tuple[Part, ...]) -> Finding:
     found = products.least(parts, questions.SOBOLEV)
     if found is None:
-        return SOBOLEV.undecided(
-            _SOBOLEV_QUESTION, "the exponents of the factors are not seen to be positive, or not compared"
-        )
+        return SOBOLEV.undecided(_SOBOLEV_QUESTION, products.NOT_LEAST)
     part, witness = found.part.finding(questions.SOBOLEV), products.least_witness(found)
     value = part.value or Interval()
     if not found.is_exact:
