@@ -83,7 +83,9 @@ def answer(mask: ScalarScheme | MultivariateScheme, work: int = 20_000) -> Resul
     return check(mask, (), Effort(work)).result
 
 
-def surface(terms: Mapping[tuple[int, ...], Fraction], dilation: IntMatrix = ((2, 0), (0, 2))) -> MultivariateScheme:
+def multivariate_scheme(
+    terms: Mapping[tuple[int, ...], Fraction], dilation: IntMatrix = ((2, 0), (0, 2))
+) -> MultivariateScheme:
     """A mask in several variables."""
     return MultivariateScheme(dilation=dilation, terms=terms)
 
@@ -95,7 +97,7 @@ def shipped_results() -> list[Result]:
 
 
 @cache
-def shipped_surface(name: str) -> MultivariateScheme:
+def shipped_multivariate(name: str) -> MultivariateScheme:
     """A mask of the catalog in several variables."""
     found = read_path(masks_directory() / "multivariate" / f"{name}.toml").scheme()
     assert isinstance(found, MultivariateScheme)
@@ -105,7 +107,7 @@ def shipped_surface(name: str) -> MultivariateScheme:
 @cache
 def shipped_answer(name: str) -> Result:
     """What is found of a mask of the catalog in several variables, once for all tests."""
-    return answer(shipped_surface(name))
+    return answer(shipped_multivariate(name))
 
 
 def findings(result: Result, code: str) -> list[Finding]:

@@ -98,8 +98,8 @@ def _no_command(name: str) -> str:
     from difflib import get_close_matches
 
     near = get_close_matches(name, COMMANDS, n=1, cutoff=0.5)
-    hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(COMMANDS)}."
-    return f"no command {name!r}: {hint}"
+    help = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(COMMANDS)}."
+    return f"no command {name!r}: {help}"
 
 
 def _unwritten(error: Exception) -> bool:

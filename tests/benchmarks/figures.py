@@ -156,12 +156,12 @@ def commands(directory: Path) -> Iterator[Figure]:
     yield Figure("jsr of a pair of 2×2 matrices", best(process(*subdiv, "jsr", str(family))))
 
 
-SURFACES = ("loop", "zwart_powell", "butterfly", "butterfly_1_12", "quincunx_interpolatory", "kobbelt_sqrt3")
+MULTIVARIATE = ("loop", "zwart_powell", "butterfly", "butterfly_1_12", "quincunx_interpolatory", "kobbelt_sqrt3")
 
 
-def surfaces() -> Iterator[Figure]:
+def multivariate() -> Iterator[Figure]:
     """Masks in two variables: all stages, the certificate, and its check, which every run has."""
-    for name in SURFACES:
+    for name in MULTIVARIATE:
         file = str(ROOT / "masks" / "multivariate" / f"{name}.toml")
         yield Figure(f"check {name}.toml", best(process("-m", "subdiv_cli", "check", "--no-cache", file), 3))
 
@@ -226,7 +226,7 @@ class Thousand:
 def everything(directory: Path) -> Iterator[Figure]:
     """Every figure."""
     yield from commands(directory)
-    yield from surfaces()
+    yield from multivariate()
     shipped = catalog()
     yield Figure(f"shipped catalog in one process, per mask of {shipped}", best(catalog, 3) / shipped)
     yield Figure("norms of 20 coefficients, ν ≤ 8, L ≤ 10", best(norms_of_twenty_coefficients, 3))

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from hand_made_surfaces import ALL_SURFACES
+from hand_made_multivariate import ALL_MULTIVARIATE
 
 import subdiv_cli.checker
 from subdiv_cli.checker import KINDS, check_document, check_text
@@ -93,7 +93,7 @@ def test_masks_of_two_kinds_differ():
 
 @pytest.mark.usefixtures("toy")
 def test_a_tensor_product_of_a_toy_is_none():
-    made = json.loads(json.dumps(ALL_SURFACES["chaikin_hat"]()))
+    made = json.loads(json.dumps(ALL_MULTIVARIATE["chaikin_hat"]()))
     inside = next(claim["witness"] for claim in made["claims"] if claim["rule"] == "tensor-product")
     assert check_document(made).verified
     inside["certificates"][0] = certificate()

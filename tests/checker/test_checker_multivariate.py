@@ -9,8 +9,8 @@ from pathlib import Path
 import jsonschema
 import pytest
 from hand_made import claim, q
-from hand_made_surfaces import (
-    ALL_SURFACES,
+from hand_made_multivariate import (
+    ALL_MULTIVARIATE,
     MASKS,
     PAIRS,
     WORK,
@@ -29,10 +29,10 @@ import subdiv_cli
 from subdiv_cli.checker import KINDS, check_document, check_text
 from subdiv_cli.checker.matrices import inverse
 from subdiv_cli.checker.multivariate.lattice import DilationMatrix
-from subdiv_cli.checker.multivariate.masks import lattice_mask
+from subdiv_cli.checker.multivariate.masks import multivariate_mask
 
 OWN_RULES = set(KINDS["multivariate"].rules) - set(KINDS["matrices"].rules)
-MADE = {name: make() for name, make in ALL_SURFACES.items()}
+MADE = {name: make() for name, make in ALL_MULTIVARIATE.items()}
 """Made once and never changed."""
 
 
@@ -57,7 +57,7 @@ def rejected(made, number, *words):
     return outcome
 
 
-@pytest.mark.parametrize("name", ALL_SURFACES)
+@pytest.mark.parametrize("name", ALL_MULTIVARIATE)
 def test_true_certificates_are_verified(name):
     outcome = check_text(json.dumps(MADE[name]))
     assert outcome.verified, outcome.line
@@ -771,7 +771,7 @@ def test_what_is_no_mask(changes, words):
 def test_residues_tell_the_cosets_apart():
     for matrix, terms in MASKS.values():
         pairs = [(x, value) for x, value in terms.items()]
-        dilation = lattice_mask([tuple(row) for row in matrix], pairs).dilation
+        dilation = multivariate_mask([tuple(row) for row in matrix], pairs).dilation
         inside = [(i, j) for i in range(-4, 5) for j in range(-4, 5)] if len(matrix) == 2 else [(1, 2, 3), (-1, 0, 4)]
         for x in inside:
             image = tuple(sum(a * b for a, b in zip(row, x, strict=True)) for row in matrix)
@@ -781,7 +781,7 @@ def test_residues_tell_the_cosets_apart():
             assert len({dilation.residue(x) for x in inside}) == dilation.cosets
 
 
-def test_rules_of_surfaces_prove_nothing_of_other_kinds():
+def test_rules_of_multivariate_masks_prove_nothing_of_other_kinds():
     made = copy.deepcopy(MADE["flat"])
     made["mask"] = {"kind": "matrices", "matrices": [[["1"]]]}
     assert not check_document(made).verified
@@ -802,7 +802,7 @@ def test_a_certificate_of_another_mask_is_no_proof():
 SCHEMA = json.loads((Path(subdiv_cli.__file__).parent / "certificate" / "schema.json").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("name", ALL_SURFACES)
+@pytest.mark.parametrize("name", ALL_MULTIVARIATE)
 def test_the_schema_describes_them(name):
     jsonschema.validate(json.loads(json.dumps(MADE[name])), SCHEMA)
 

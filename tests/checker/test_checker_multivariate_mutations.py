@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from hand_made import numbers, q
-from hand_made_surfaces import ALL_SURFACES, MASKS, norm, pair_norm, pair_quotient, quotient
+from hand_made_multivariate import ALL_MULTIVARIATE, MASKS, norm, pair_norm, pair_quotient, quotient
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -55,7 +55,7 @@ FACTS = {
         2, True, 1, 0, True, 1.5, 1, [[0, 0, 1], [0, 0, 1], [0, 1, 0], [0, 1, 0], [1, 0, 0], [1, 0, 0]]
     ),
 }  # fmt: skip
-MADE = {name: make() for name, make in ALL_SURFACES.items()}
+MADE = {name: make() for name, make in ALL_MULTIVARIATE.items()}
 
 
 def is_true(s, name):
@@ -167,7 +167,7 @@ def paths(name):
     return [path for path in found if path[0] != "claims" or made["claims"][path[1]]["rule"] not in RADIUS_RULES]
 
 
-PATHS = {name: paths(name) for name in ALL_SURFACES}
+PATHS = {name: paths(name) for name in ALL_MULTIVARIATE}
 
 
 def true_or_rejected(name, path, change):
@@ -191,7 +191,7 @@ def true_or_rejected(name, path, change):
     return outcome.verified
 
 
-@pytest.mark.parametrize("name", ALL_SURFACES)
+@pytest.mark.parametrize("name", ALL_MULTIVARIATE)
 def test_the_truth_says_that_the_true_certificates_are_true(name):
     assert all(is_true(c["statement"], name) for c in own(MADE[name]))
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from hand_made import ALL, text
-from hand_made_surfaces import ALL_SURFACES
+from hand_made_multivariate import ALL_MULTIVARIATE
 from hypothesis import given
 from hypothesis import strategies as st
 from support import canonical
@@ -124,7 +124,7 @@ def test_masks_in_three_variables_and_other_dilations():
 
 
 def test_the_mask_of_a_certificate_in_several_variables(tmp_path, capsys):
-    made = ALL_SURFACES["quincunx"]()
+    made = ALL_MULTIVARIATE["quincunx"]()
     assert certified_mask(text(made)) == mask_of(made["mask"])
     proof, plain, other = (tmp_path / name for name in ("c.json", "plain.toml", "other.toml"))
     proof.write_text(text(made), encoding="utf-8")

@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 from flint import fmpq_mat
 from proved import proved, similar
-from support import shipped_surface
+from support import shipped_multivariate
 
 from subdiv_cli.exact.linalg import matrix, rows_of
 from subdiv_cli.jsr.family import Family
@@ -95,7 +95,7 @@ def test_denominators_that_the_prime_divides_are_no_error():
 
 @pytest.mark.parametrize("name", ["bear", "butterfly_1_10", "kobbelt_sqrt3", "quincunx_interpolatory", "sqrt3_linear"])
 def test_every_large_block_of_a_mask_that_is_its_own_mirror_image_is_symmetric(name):
-    numbers = MultivariateNumbers(shipped_surface(name), Effort())
+    numbers = MultivariateNumbers(shipped_multivariate(name), Effort())
     blocks = decomposed(Family(numbers.space.matrices))
     large = [part for part in blocks.parts if part.order >= 3]
     assert large

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from support import shipped_answer, shipped_surface, surface
+from support import multivariate_scheme, shipped_answer, shipped_multivariate
 from test_multivariate_float import NAMES, subdivided_deltas
 
 from subdiv_cli.checker import check_document
@@ -42,7 +42,7 @@ def made_unstable(scheme, direction, n):
 
 def test_the_bilinear_spline():
     """The product of 1/6, 2/3, 1/6."""
-    g = gram_of(shipped_surface("bilinear"))
+    g = gram_of(shipped_multivariate("bilinear"))
     ends = {-1: Fraction(1, 6), 0: Fraction(2, 3), 1: Fraction(1, 6)}
     assert g == {(i, j): ends[i] * ends[j] for i in ends for j in ends}
     assert positive_tree(g, EFFORT) == (-1, 1, -1, -1, -1, 1, -1, -1)
@@ -50,7 +50,7 @@ def test_the_bilinear_spline():
 
 def test_the_symbol_of_loops_spline():
     """Its least value is at 2π(1/3, 1/3): Σ g_α over the class 0 of α_1 + α_2 modulo 3 minus that over another."""
-    g = gram_of(shipped_surface("loop"))
+    g = gram_of(shipped_multivariate("loop"))
     zero, one, two = (sum(x for alpha, x in g.items() if sum(alpha) % 3 == i) for i in range(3))
     assert one == two
     assert zero - one == Fraction(43, 2240)
@@ -63,7 +63,7 @@ def test_the_symbol_of_loops_spline():
 @pytest.mark.parametrize("name", CONVERGENT)
 def test_it_is_that_of_the_subdivided_delta(name):
     """m^-L Σ a^[L]_β a^[L]_(β - M^L α), in floats, for the largest L that is not too large."""
-    scheme = shipped_surface(name)
+    scheme = shipped_multivariate(name)
     g = gram_of(scheme)
     *_, last = ((n, box) for n, box in enumerate(subdivided_deltas(scheme), 1))
     n, box = last
@@ -82,7 +82,7 @@ def test_it_is_that_of_the_subdivided_delta(name):
 @pytest.mark.parametrize("name", CONVERGENT)
 def test_it_agrees_with_the_rules_on_box_splines_and_interpolation(name):
     answer = shipped_answer(name)
-    found = MultivariateNumbers(shipped_surface(name), EFFORT).gram
+    found = MultivariateNumbers(shipped_multivariate(name), EFFORT).gram
     assert found is not None
     assert (found.zero is None) == (answer.stable is Verdict.PROVED)
     assert (found.tree is not None) == (answer.stable is Verdict.PROVED)
@@ -92,7 +92,7 @@ def test_it_agrees_with_the_rules_on_box_splines_and_interpolation(name):
 @pytest.mark.parametrize(("direction", "n"), [((1, 0), 3), ((0, 1), 5), ((1, 1), 3)])
 def test_masks_made_unstable_are_refuted(name, direction, n):
     """φ + φ(· - θ) + …: its symbol is zero where e^(iθ·ω) is a root of unity of order n."""
-    scheme = made_unstable(shipped_surface(name), direction, n)
+    scheme = made_unstable(shipped_multivariate(name), direction, n)
     checked = check(scheme, (), Effort(2000))
     assert checked.result.convergent is Verdict.PROVED
     assert checked.result.stable is Verdict.REFUTED
@@ -141,7 +141,7 @@ def test_a_dilation_that_is_not_isotropic():
 def test_a_mask_near_an_unstable_one_takes_more_boxes():
     """Bilinear times 1 - z + z² with a small error: the least value of the symbol is near 0."""
     factor = {(0, 0): Fraction(1000, 1001), (1, 0): Fraction(-999, 1001), (2, 0): Fraction(1000, 1001)}
-    g = gram_of(surface(times(shipped_surface("bilinear").terms, factor)))
+    g = gram_of(multivariate_scheme(times(shipped_multivariate("bilinear").terms, factor)))
     tree = positive_tree(g, EFFORT)
     assert tree is not None
     assert 20 < len(tree) < 400

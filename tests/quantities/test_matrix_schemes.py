@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from support import answer, findings, shipped_surface, surface
+from support import answer, findings, multivariate_scheme, shipped_multivariate
 
 from subdiv_cli.kinds.multivariate.numbers.box_spline import multiplied
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import by_lemma, iterates, least, matrix_norm, problem
@@ -23,7 +23,7 @@ ENOUGH = Effort(10**6)
 
 
 def numbers_of(name):
-    return MultivariateNumbers(shipped_surface(name), Effort())
+    return MultivariateNumbers(shipped_multivariate(name), Effort())
 
 
 def refined(terms, matrix, data):
@@ -152,7 +152,7 @@ def random_mask(rng):
         cofactor = multiplied(cofactor, {(0, 0): Fraction(1, 2), (2, 0): Fraction(1, 2)})
         terms = multiplied(terms, {(0, 0): Fraction(1)})
     scale = 4 if dilation == TWO else 2
-    return surface({at: scale * x for at, x in multiplied(terms, cofactor).items()}, dilation)
+    return multivariate_scheme({at: scale * x for at, x in multiplied(terms, cofactor).items()}, dilation)
 
 
 def test_norms_never_contradict_the_radius():
@@ -189,9 +189,9 @@ def test_all_convergent_masks_of_the_catalog_in_two_variables_contract():
 def test_the_norm_proves_what_the_radius_does_not():
     """With hardly any effort no radius is bounded; the second differences of Kobbelt's scheme still contract."""
     for work in (200, 1000, 4000):
-        result = answer(shipped_surface("kobbelt_sqrt3"), work)
+        result = answer(shipped_multivariate("kobbelt_sqrt3"), work)
         assert result.convergent is Verdict.PROVED
-    (found,) = findings(answer(shipped_surface("bear")), "SD606")
+    (found,) = findings(answer(shipped_multivariate("bear")), "SD606")
     assert found.witness["norm"] == Fraction(15, 16)
     assert (found.witness["by"], found.witness["level"]) == ("lemma", 4)
     assert "by Lemma 6.6, 3/2 (by least norm: 3/2)" in found.statement

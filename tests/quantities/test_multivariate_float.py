@@ -10,7 +10,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from support import answer, shipped_answer, shipped_surface, surface
+from support import answer, multivariate_scheme, shipped_answer, shipped_multivariate
 
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.model import Verdict
@@ -84,7 +84,7 @@ def exponents(scheme, k):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_catalog_against_the_decay_of_differences(name):
-    scheme, result = shipped_surface(name), shipped_answer(name)
+    scheme, result = shipped_multivariate(name), shipped_answer(name)
     k = result.sum_rule_order
     if not k:
         assert result.convergent is Verdict.REFUTED
@@ -104,7 +104,7 @@ def test_the_catalog_against_the_decay_of_differences(name):
 @pytest.mark.parametrize("name", ["tensor_cubic_four_point", "box_211", "counterexamples/box_21_discontinuous"])
 def test_one_direction_is_worse_than_another(name):
     """The exponent belongs to the worst direction, and another decays faster by half an order at least."""
-    scheme, result = shipped_surface(name), shipped_answer(name)
+    scheme, result = shipped_multivariate(name), shipped_answer(name)
     found = exponents(scheme, 4)
     assert max(found.values()) >= min(found.values()) + 0.5
     lower = 0 if result.holder is None else result.holder.lower
@@ -123,7 +123,7 @@ def random_masks():
         c = Fraction(chosen.choice([-3, -2, 2, 3, 4, 5]), 4)
         x, y = chosen.choice(axes)
         rough = {index: v * (1 - c) for index, v in terms.items()}
-        yield surface(added(rough, {(i + x, j + y): v * c for (i, j), v in terms.items()}))
+        yield multivariate_scheme(added(rough, {(i + x, j + y): v * c for (i, j), v in terms.items()}))
 
 
 def added(a, b):

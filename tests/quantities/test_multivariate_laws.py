@@ -6,7 +6,7 @@ from itertools import combinations, product
 
 import numpy as np
 import pytest
-from support import answer, b_spline, four_point, scheme, shipped_answer, shipped_surface, surface
+from support import answer, b_spline, four_point, multivariate_scheme, scheme, shipped_answer, shipped_multivariate
 
 from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.kinds.multivariate.lattice import Lattice
@@ -53,7 +53,7 @@ def tensor(first, second):
         for (i, x), (j, y) in product(enumerate(first.coefficients), enumerate(second.coefficients))
         if x * y
     }
-    return surface(terms, ((first.arity, 0), (0, first.arity)))
+    return multivariate_scheme(terms, ((first.arity, 0), (0, first.arity)))
 
 
 @pytest.mark.parametrize("u", [((1, 1), (0, 1)), ((0, 1), (1, 0)), ((2, 1), (1, 1)), ((1, 0), (0, -1))])
@@ -62,9 +62,9 @@ def tensor(first, second):
 )
 def test_a_change_of_variables_changes_no_verdict(name, u):
     """b(α) = a(Uα) with the dilation U^-1 M U has the function φ(U ·)."""
-    before = shipped_surface(name)
+    before = shipped_multivariate(name)
     back = inverse(u)
-    after = surface(
+    after = multivariate_scheme(
         {times(back, alpha): x for alpha, x in before.terms.items()}, product_of(product_of(back, before.dilation), u)
     )
     assert all(before.terms[times(u, alpha)] == x for alpha, x in after.terms.items())
@@ -73,18 +73,18 @@ def test_a_change_of_variables_changes_no_verdict(name, u):
 
 @pytest.mark.parametrize("name", ["courant", "zwart_powell", "quincunx_linear", "counterexamples/haar", "bear"])
 def test_shifts_and_reflections_change_nothing(name):
-    before = shipped_surface(name)
-    shifted = surface({(i + 3, j - 5): x for (i, j), x in before.terms.items()}, before.dilation)
-    reflected = surface({(-i, -j): x for (i, j), x in before.terms.items()}, before.dilation)
+    before = shipped_multivariate(name)
+    shifted = multivariate_scheme({(i + 3, j - 5): x for (i, j), x in before.terms.items()}, before.dilation)
+    reflected = multivariate_scheme({(-i, -j): x for (i, j), x in before.terms.items()}, before.dilation)
     assert said(answer(shifted)) == said(answer(reflected)) == said(shipped_answer(name))
 
 
 def test_a_shift_of_an_interpolatory_mask_changes_no_verdict():
     """Only the mask as it stands is seen to interpolate; the Gram sequence tells after a shift."""
-    before = shipped_surface("sqrt3_linear")
+    before = shipped_multivariate("sqrt3_linear")
     result, shifted = (
         shipped_answer("sqrt3_linear"),
-        answer(surface({(i + 1, j): x for (i, j), x in before.terms.items()}, before.dilation)),
+        answer(multivariate_scheme({(i + 1, j): x for (i, j), x in before.terms.items()}, before.dilation)),
     )
     assert said(shifted) == said(result)
 
@@ -133,7 +133,7 @@ def box_mask(directions, s, c=2):
                 index = tuple(a + i * t for a, t in zip(alpha, xi, strict=True))
                 longer[index] = longer.get(index, F(0)) + x
         terms = longer
-    return surface(terms, tuple(tuple(c * (i == j) for j in range(s)) for i in range(s)))
+    return multivariate_scheme(terms, tuple(tuple(c * (i == j) for j in range(s)) for i in range(s)))
 
 
 def random_directions():
@@ -167,14 +167,14 @@ def test_another_direction_raises_the_smoothness_as_the_rule_says():
 @pytest.mark.parametrize("name", ["courant", "zwart_powell", "quincunx_linear", "box_221", "counterexamples/haar"])
 def test_two_steps_at_once_have_the_same_function(name):
     """S² has the dilation M² and the same φ."""
-    once = shipped_surface(name)
-    twice = surface(iterated(once, Lattice(once.dilation), 2), product_of(once.dilation, once.dilation))
+    once = shipped_multivariate(name)
+    twice = multivariate_scheme(iterated(once, Lattice(once.dilation), 2), product_of(once.dilation, once.dilation))
     assert said(answer(twice)) == said(shipped_answer(name))
 
 
 def test_an_interpolatory_mask_in_two_steps():
-    once = shipped_surface("sqrt3_linear")
-    twice = surface(iterated(once, Lattice(once.dilation), 2), product_of(once.dilation, once.dilation))
+    once = shipped_multivariate("sqrt3_linear")
+    twice = multivariate_scheme(iterated(once, Lattice(once.dilation), 2), product_of(once.dilation, once.dilation))
     assert twice.dilation == ((3, 0), (0, 3))
     assert said(answer(twice)) == said(shipped_answer("sqrt3_linear"))
 
@@ -189,7 +189,7 @@ def test_anisotropic_dilations_have_no_smoothness(dilation):
     for (i, j), x in constant.items():
         for k, l in product((0, 1), repeat=2):
             averaged[i + k, j + l] = averaged.get((i + k, j + l), F(0)) + x / 4
-    result = answer(surface(averaged, dilation))
+    result = answer(multivariate_scheme(averaged, dilation))
     assert result.sum_rule_order >= 1
     assert result.smoothness.order is None
     assert result.refinable.order is None
@@ -203,7 +203,9 @@ def test_differences_with_long_entries_take_no_minutes():
     """44 rows with entries of 56 bits before they are made short; the Hermite normal form alone took 94 seconds."""
     near = {(1, 0), (-1, 0), (1, 1), (-1, 1), (2, 1), (0, 1), (2, 2), (0, 2)}
     far = {(1, 2), (-1, 2), (1, 3), (-1, 3), (2, 3), (0, 3), (2, 4), (0, 4)}
-    mask = surface(dict.fromkeys(near, Fraction(9, 32)) | dict.fromkeys(far, Fraction(-1, 32)), ((0, -2), (1, 0)))
+    mask = multivariate_scheme(
+        dict.fromkeys(near, Fraction(9, 32)) | dict.fromkeys(far, Fraction(-1, 32)), ((0, -2), (1, 0))
+    )
     space = difference_space(mask, Lattice(mask.dilation), 1)
     assert space is not None
     assert len(space.basis.tolist()) == 44
@@ -219,5 +221,5 @@ def test_coefficients_of_fifty_digits_are_given_up_at_once():
         product_so_far, terms = terms, {}
         for ((i, j), x), ((k, l), y) in product(product_so_far.items(), factor.items()):
             terms[i + k, j + l] = terms.get((i + k, j + l), F(0)) + x * y
-    mask = surface(terms, ((1, 1), (1, -1)))
+    mask = multivariate_scheme(terms, ((1, 1), (1, -1)))
     assert difference_space(mask, Lattice(mask.dilation), 2) is None

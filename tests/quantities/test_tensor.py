@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from support import answer, findings, four_point, scheme, shipped_surface
+from support import answer, findings, four_point, scheme, shipped_multivariate
 
 from subdiv_cli.catalog.trust import trusted
 from subdiv_cli.checker import check_document
@@ -72,14 +72,14 @@ def test_random_factors_are_found_again():
 
 @pytest.mark.parametrize("variables", [(0, 1), (0, 2), (1, 2)])
 def test_factors_in_several_variables(variables):
-    butterfly = shipped_surface("butterfly")
+    butterfly = shipped_multivariate("butterfly")
     (rest,) = {0, 1, 2} - set(variables)
     assert factors_of(tensor((variables, butterfly), ((rest,), HAT))) == {variables: butterfly, (rest,): HAT}
 
 
 @pytest.mark.parametrize("name", ["butterfly", "loop", "courant", "quincunx_interpolatory", "box_bcc_linear"])
 def test_what_is_no_product_has_no_factors(name):
-    assert not factors_of(shipped_surface(name))
+    assert not factors_of(shipped_multivariate(name))
 
 
 def test_one_coefficient_that_is_another():
@@ -159,7 +159,7 @@ def test_a_factor_that_diverges():
 
 def test_factors_of_factors_and_what_the_cache_believes():
     """Butterfly in (z1, z3) times hat in z2: certificates inside, and an altered exponent is not believed."""
-    mask = tensor(((0, 2), shipped_surface("butterfly")), ((1,), HAT))
+    mask = tensor(((0, 2), shipped_multivariate("butterfly")), ((1,), HAT))
     checked = check(mask, (), Effort())
     assert checked.document is not None
     assert check_document(checked.document).verified

@@ -25,7 +25,7 @@ from subdiv_cli.model import Verdict
 PARTS = 4
 COUNT = cases() // PARTS
 TEXTS = [path.read_bytes() for path in sorted((masks_directory() / "scalar").rglob("*.toml"))]
-SURFACES = {path: path.read_bytes() for path in sorted((masks_directory() / "multivariate").rglob("*.toml"))}
+MULTIVARIATE = {path: path.read_bytes() for path in sorted((masks_directory() / "multivariate").rglob("*.toml"))}
 NUMBER = re.compile(rb"(?<=[\[\s\"(])-?\d+(?:/\d+)?(?=[\"\],\s)])")
 JUNK = [
     b"\x00",
@@ -104,7 +104,7 @@ def cut(rng, data):
 
 def crossed(rng, data):
     """The beginning of one file and the end of another."""
-    other = rng.choice(TEXTS + list(SURFACES.values()))
+    other = rng.choice(TEXTS + list(MULTIVARIATE.values()))
     return data[: rng.randrange(len(data))] + other[rng.randrange(len(other)) :]
 
 
@@ -175,8 +175,8 @@ def test_mutants(part, capsys):
 def test_mutants_in_several_variables_are_read(part):
     rng, mix = seeded(part), Counter()
     for _ in range(COUNT):
-        file = rng.choice(list(SURFACES))
-        data = mutant(rng, SURFACES[file])
+        file = rng.choice(list(MULTIVARIATE))
+        data = mutant(rng, MULTIVARIATE[file])
         try:
             mask = read_bytes(data, file=str(file))
             scheme = mask.scheme()

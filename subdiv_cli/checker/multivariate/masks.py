@@ -43,7 +43,7 @@ class SparseMask(NamedTuple):
         return [*groups.values(), *([] for _ in range(self.dilation.cosets - len(groups)))]
 
 
-def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]]) -> SparseMask:
+def multivariate_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]]) -> SparseMask:
     """The mask with these rows of M and these terms. Raises Rejected where M is not expanding or shapes differ."""
     s = len(rows)
     require(
@@ -61,7 +61,7 @@ def lattice_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fraction]])
 
 def subject(parts: dict[str, Any]) -> Subject:
     """The mask of a document, from its parts. Raises Rejected where it is none."""
-    mask = lattice_mask(parts["dilation"], parts["terms"])
+    mask = multivariate_mask(parts["dilation"], parts["terms"])
     return Subject(mask.dilation.cosets, mask)
 
 

@@ -21,7 +21,7 @@ def picture(block: Picture) -> Iterator[str]:
     if isinstance(block, Curve):
         yield from _curve(block)
     elif isinstance(block, Heights):
-        yield from _relief(block)
+        yield from _heights(block)
 
 
 def _curve(values: Curve) -> Iterator[str]:
@@ -40,15 +40,15 @@ def _curve(values: Curve) -> Iterator[str]:
     yield "\\end{tikzpicture}\\end{center}"
 
 
-def _relief(surface: Heights) -> Iterator[str]:
+def _heights(heights: Heights) -> Iterator[str]:
     """The lines of a surface from above, one cell for each of some values: the darker the higher, negative in red."""
     every = 1
-    while len(surface.values) > _CELLS * every**2:
+    while len(heights.values) > _CELLS * every**2:
         every += 1
-    kept = {alpha: float(x) for alpha, x in surface.values.items() if x and not any(i % every for i in alpha[:2])}
+    kept = {alpha: float(x) for alpha, x in heights.values.items() if x and not any(i % every for i in alpha[:2])}
     if not kept:
         return
-    (a, b), (c, d) = ((float(x), float(y)) for x, y in surface.unit)
+    (a, b), (c, d) = ((float(x), float(y)) for x, y in heights.unit)
     places = {alpha: (a * alpha[0] + b * alpha[1], c * alpha[0] + d * alpha[1]) for alpha in kept}
     spans = [max(axis) - min(axis) for axis in zip(*places.values(), strict=True)]
     unit, top = _SIDE / (max(spans) or 1.0), max(map(abs, kept.values()))

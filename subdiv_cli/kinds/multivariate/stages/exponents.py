@@ -27,9 +27,9 @@ from subdiv_cli.kinds.multivariate.stages import products
 from subdiv_cli.kinds.multivariate.stages.wording import (
     ANISOTROPIC,
     growth_proof,
+    multivariate_exponent,
     not_spanning,
     spanning,
-    surface_exponent,
 )
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth
 from subdiv_cli.kinds.scalar.stages.joint_radius import shown
@@ -90,9 +90,7 @@ def _holder_of_box_spline(depth: int) -> tuple[Finding, ...]:
 def _least_holder(parts: tuple[Part, ...]) -> Finding:
     found = products.least(parts, questions.HOLDER_LOWER)
     if found is None:
-        return HOLDER_LOWER.undecided(
-            _BELOW, "the exponents of the factors are not seen to be positive, or not compared"
-        )
+        return HOLDER_LOWER.undecided(_BELOW, products.NOT_LEAST)
     part, exact = found.part.finding(questions.HOLDER_LOWER), found.is_exact
     value = part.value or Interval()
     text = _shown(part) if exact else rounded_down(value.lower or 0.0)
@@ -125,7 +123,7 @@ def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
     radius, m, s, k = numbers.radius, numbers.lattice.index, numbers.dimension, numbers.order
     assert radius is not None
     witness: dict[str, Data] = {"by": DIFFERENCE_RADIUS.code, "length": radius.upper[0]}
-    if radius.exact is not None and (exact := surface_exponent(m, s, *radius.exact)) is not None:
+    if radius.exact is not None and (exact := multivariate_exponent(m, s, *radius.exact)) is not None:
         value = closed_interval(exact)
         text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
         witness["root"] = root_data(radius.exact[1])
@@ -173,7 +171,7 @@ def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
         "radius": bound,
     }
     exact = numbers.radius.exact if numbers.radius is not None else None
-    closed = surface_exponent(m, s, *exact) if exact is not None else None
+    closed = multivariate_exponent(m, s, *exact) if exact is not None else None
     text = (readable(closed) if closed is not None else None) or rounded_up(upper or 0.0)
     statement = f"α ≤ {text}: φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
     return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper))
@@ -224,9 +222,7 @@ def _sobolev_of_box_spline(depth: int) -> Finding:
 def _least_sobolev(parts: tuple[Part, ...]) -> Finding:
     found = products.least(parts, questions.SOBOLEV)
     if found is None:
-        return SOBOLEV.undecided(
-            _SOBOLEV_QUESTION, "the exponents of the factors are not seen to be positive, or not compared"
-        )
+        return SOBOLEV.undecided(_SOBOLEV_QUESTION, products.NOT_LEAST)
     part, witness = found.part.finding(questions.SOBOLEV), products.least_witness(found)
     value = part.value or Interval()
     if not found.is_exact:
@@ -252,7 +248,7 @@ def _found(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Findin
     def exponent() -> arb:
         return -growth.ball().log() * dimension / ball(m).log() / 2
 
-    closed = surface_exponent(m, dimension, 2, root)
+    closed = multivariate_exponent(m, dimension, 2, root)
     rational = growth.radius.rational
     shown = (readable(closed) if closed is not None and rational is not None else None) or certain(exponent)
     size = certain(growth.ball) if rational is None else number(rational)

@@ -133,6 +133,10 @@ def least(parts: tuple[Part, ...], question: Question) -> Least | None:
     return None
 
 
+NOT_LEAST = "the exponents of the factors are not seen to be positive, or not compared"
+"""Why no exponent of a factor is known to be that of φ."""
+
+
 def least_witness(found: Least) -> dict[str, Data]:
     """The witness of the least factor, as SD614 and SD617 have it."""
     between = {} if found.between is None else {"between": found.between}

@@ -22,7 +22,7 @@ def not_spanning(count: int) -> str:
     return f"its directions do not span without some {'one' if count == 1 else count} of them"
 
 
-def surface_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm | None:
+def multivariate_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm | None:
     """The exponent -log_λ(Λ)/length with λ^s = m: -log_m(Λ^s)/length, the power as small as the number m allows.
 
     None where the minimal polynomial of the power is too large.

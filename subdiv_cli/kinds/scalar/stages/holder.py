@@ -24,7 +24,7 @@ from subdiv_cli.kinds.scalar.numbers.radius import exponent_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import HOLDER_ATTAINED, HOLDER_LOWER, HOLDER_UPPER
 from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, product_witness, shown
-from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, last_difference, power, product_name
+from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
 from subdiv_cli.model import Data, Exponent, Finding, Interval, Verdict
 from subdiv_cli.model import findings as questions
 
@@ -48,11 +48,7 @@ def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
     k, p, radius = numbers.order, numbers.p, numbers.radius
     if k == 0:
-        return (
-            HOLDER_LOWER.skipped(
-                _HOLDER_LOWER_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED
-            ),
-        )
+        return (HOLDER_LOWER.skipped(_HOLDER_LOWER_QUESTION, no_sum_rule(numbers)),)
     if radius is None:
         ended = "time budget" if numbers.effort.struck else "effort"
         return (
@@ -95,11 +91,7 @@ def holder_upper(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
     k, product = numbers.order, numbers.product
     if k == 0:
-        return (
-            HOLDER_UPPER.skipped(
-                _HOLDER_UPPER_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED
-            ),
-        )
+        return (HOLDER_UPPER.skipped(_HOLDER_UPPER_QUESTION, no_sum_rule(numbers)),)
     witness: dict[str, Data] = {"difference_order": k}
     bound = None if product is None else exponent_bound(product, numbers.p)
     if product is None or bound is None or bound.upper is None or bound.upper > k:

@@ -14,7 +14,7 @@ from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS
-from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, last_difference, power, product_name
+from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
 from subdiv_cli.model import Data, Finding, Interval
 
 Obstacle = tuple[str, dict[str, Data]]
@@ -102,9 +102,7 @@ def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     each = [numbers] if numbers.reduced is numbers else [numbers, numbers.reduced]
     if found := tuple(_finding(one) for one in each if one.order >= 1):
         return found
-    return (
-        JOINT_RADIUS.skipped(_JOINT_RADIUS_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),
-    )
+    return (JOINT_RADIUS.skipped(_JOINT_RADIUS_QUESTION, no_sum_rule(numbers)),)
 
 
 def _finding(numbers: ScalarNumbers) -> Finding:

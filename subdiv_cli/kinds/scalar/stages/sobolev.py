@@ -31,7 +31,7 @@ from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth, mean_square_growth, transfer_order
 from subdiv_cli.kinds.scalar.rules import SOBOLEV
-from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, last_difference
+from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule
 from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Root
 from subdiv_cli.model.closed import spelled
 
@@ -45,7 +45,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     numbers = numbers.reduced
     k, p = numbers.order, numbers.p
     if k == 0:
-        return (RULE.skipped(_QUESTION, "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED),)
+        return (RULE.skipped(_QUESTION, no_sum_rule(numbers)),)
     d = numbers.difference(k)
     if not numbers.effort.allows(transfer_order(d.degree, p) ** 3 * numbers.weight**2 // 4):
         return (RULE.undecided(_QUESTION, "the transfer matrix is too large for this effort"),)

@@ -12,6 +12,11 @@ from subdiv_cli.model.formulas import product
 NOT_NORMALISED = "a(1) is not the arity, so there is no refinable function with integral 1"
 
 
+def no_sum_rule(numbers: ScalarNumbers) -> str:
+    """Why there is no difference scheme to ask."""
+    return "no sum rule holds" if numbers.is_normalised else NOT_NORMALISED
+
+
 def scaled(numbers: ScalarNumbers, nu: int) -> str:
     """The operator (1/p) S_ν as text: `½S_1`, `(1/7)S_1`, `½S0_1` for a reduced scheme."""
     return {2: "½", 3: "⅓", 4: "¼", 5: "⅕"}.get(numbers.p, f"(1/{numbers.p})") + f"{numbers.name}_{nu}"

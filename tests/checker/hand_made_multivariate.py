@@ -675,7 +675,7 @@ def trilinear():
     return book.document()
 
 
-ALL_SURFACES = {
+ALL_MULTIVARIATE = {
     make.__name__: make
     for make in (
         bilinear,

@@ -8,7 +8,7 @@ from math import comb, factorial, prod
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from support import answer, findings, shipped_answer, shipped_surface, surface
+from support import answer, findings, multivariate_scheme, shipped_answer, shipped_multivariate
 
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
@@ -26,11 +26,11 @@ from subdiv_cli.model import Effort, Verdict
 F = Fraction
 MASKS = masks_directory() / "multivariate"
 NAMES = sorted(str(file.relative_to(MASKS).with_suffix("")) for file in MASKS.rglob("*.toml"))
-GENERATING = [name for name in NAMES if MultivariateNumbers(shipped_surface(name), Effort()).order]
+GENERATING = [name for name in NAMES if MultivariateNumbers(shipped_multivariate(name), Effort()).order]
 
 
 def numbers(name):
-    return MultivariateNumbers(shipped_surface(name), Effort())
+    return MultivariateNumbers(shipped_multivariate(name), Effort())
 
 
 def centred(scheme):
@@ -38,11 +38,11 @@ def centred(scheme):
     low, high = scheme.bounds()
     shift = [-(a + b) // 2 for a, b in zip(low, high, strict=True)]
     terms = {tuple(x + t for x, t in zip(alpha, shift, strict=True)): v for alpha, v in scheme.terms.items()}
-    return surface(terms, scheme.dilation)
+    return multivariate_scheme(terms, scheme.dilation)
 
 
 def about_zero(name):
-    scheme = centred(shipped_surface(name))
+    scheme = centred(shipped_multivariate(name))
     found = MultivariateNumbers(scheme, Effort())
     return quasi_interpolation(scheme, found.lattice, found.order - 1, symmetries(scheme))
 
@@ -57,7 +57,7 @@ def test_loop():
     assert found.operator == found.centred == {(0, 0): 1, (2, 0): F(-1, 6), (1, 1): F(-1, 6), (0, 2): F(-1, 6)}
     assert found.stencil == {(0, 0): F(3, 2)} | dict.fromkeys(HEXAGON, F(-1, 12))
     assert found.moments == {(0, 0): 1, (2, 0): F(1, 3), (1, 1): F(1, 6), (0, 2): F(1, 3)}
-    scheme = centred(shipped_surface("loop"))
+    scheme = centred(shipped_multivariate("loop"))
     values = at_integers(scheme, Lattice(scheme.dilation))
     assert values == {(0, 0): F(1, 2)} | dict.fromkeys(HEXAGON, F(1, 12))
 
@@ -85,7 +85,7 @@ def test_in_each_variable_q_is_that_of_the_factor():
     terms = {
         (i - 1, j - 1): x * y for i, x in enumerate(chaikin.coefficients) for j, y in enumerate(chaikin.coefficients)
     }
-    scheme = surface(terms)
+    scheme = multivariate_scheme(terms)
     found = quasi_interpolation(scheme, Lattice(scheme.dilation), 2, symmetries(scheme))
     assert found.operator == {(i, j): q[i] * q[j] for i, j in product(range(3), repeat=2) if i + j <= 2 and q[i] * q[j]}
     assert found.centre == (F(1, 2), F(1, 2))
@@ -94,7 +94,7 @@ def test_in_each_variable_q_is_that_of_the_factor():
 @pytest.mark.parametrize("name", [name for name in GENERATING if "/" not in name])
 def test_the_moments_are_those_of_the_values_at_the_integers(name):
     """Another route: phi at the integers, as an eigenvector."""
-    found, scheme = numbers(name), shipped_surface(name)
+    found, scheme = numbers(name), shipped_multivariate(name)
     values = at_integers(scheme, found.lattice)
     for degree in range(found.order):
         for mu in indices_of_degree(found.dimension, degree):
@@ -127,7 +127,7 @@ def derivative(p, mu):
 @given(st.data())
 def test_data_of_a_polynomial_are_refined_to_those_of_the_same_polynomial(name, data):
     """S Q p = Q p(M^-1 .) on Z^s, and Q p is also what the stencil takes, whatever converges."""
-    scheme, found = shipped_surface(name), numbers(name)
+    scheme, found = shipped_multivariate(name), numbers(name)
     q, s, lattice = found.quasi_interpolation, found.dimension, found.lattice
     p = data.draw(polynomials(s, q.degree))
     turned = [(x, derivative(p, mu)) for mu, x in q.operator.items()]
@@ -166,7 +166,7 @@ def kept(weights, g, centre):
 @pytest.mark.parametrize("name", [name for name in GENERATING if name not in ("bear", "quincunx_linear")])
 def test_the_stencil_has_the_symmetries_of_the_mask_that_keep_the_lattice(name):
     """About the centre; with an anisotropic dilation phi has fewer symmetries than the mask."""
-    scheme, found = shipped_surface(name), numbers(name).quasi_interpolation
+    scheme, found = shipped_multivariate(name), numbers(name).quasi_interpolation
     for g in symmetries(scheme):
         moved = kept(found.stencil, g, found.centre)
         if all(x.denominator == 1 for j in moved for x in map(F, j)) and name != "anisotropic_bilinear":
@@ -174,7 +174,7 @@ def test_the_stencil_has_the_symmetries_of_the_mask_that_keep_the_lattice(name):
 
 
 def test_a_mask_on_a_line_has_infinitely_many_symmetries_and_its_function_has_not():
-    assert len(symmetries(shipped_surface("bear"))) > 2
+    assert len(symmetries(shipped_multivariate("bear"))) > 2
     assert numbers("bear").quasi_interpolation.stencil == {(-1, -1): F(1, 2), (0, 0): F(1, 2)}
 
 
@@ -191,7 +191,9 @@ def test_series_are_inverted(h):
 @pytest.mark.parametrize("dilation", [((2, 0), (0, 3)), ((0, -2), (1, 1)), ((2, 1), (0, 2)), ((1, -2), (1, 0))])
 def test_any_expanding_dilation(dilation):
     """h(M^T w) = H(w) h(w), with numbers, up to the degree."""
-    scheme = surface({(0, 0): F(3, 2), (1, 0): F(1, 2), (0, 1): F(1), (2, -1): F(1, 3), (1, 1): F(-1, 4)}, dilation)
+    scheme = multivariate_scheme(
+        {(0, 0): F(3, 2), (1, 0): F(1, 2), (0, 1): F(1), (2, -1): F(1, 3), (1, 1): F(-1, 4)}, dilation
+    )
     lattice = Lattice(dilation)
     total = sum(scheme.terms.values())
     scheme = MultivariateScheme(
@@ -213,7 +215,7 @@ def test_any_expanding_dilation(dilation):
 
 
 def test_what_is_said():
-    (found,) = findings(answer(centred(shipped_surface("loop"))), "SD619")
+    (found,) = findings(answer(centred(shipped_multivariate("loop"))), "SD619")
     assert found.verdict is Verdict.PROVED
     assert found.statement == (
         "on polynomials of total degree 3 S^∞ Q f = f with Q f = f - 1/6 f_xx - 1/6 f_xy - 1/6 f_yy, a stencil with "
@@ -235,7 +237,7 @@ def test_without_convergence_nothing_is_said():
 def test_so_many_derivatives_are_too_many():
     """A box spline of high order under a small effort."""
     terms = {(i, j): F(comb(13, i) * comb(13, j), 4**12) for i, j in product(range(14), repeat=2)}
-    result = answer(surface(terms), 2_000)
+    result = answer(multivariate_scheme(terms), 2_000)
     (found,) = findings(result, "SD619")
     assert result.convergent is Verdict.PROVED
     assert (found.verdict, found.reason) == (Verdict.UNDECIDED, "degree 12 has too many derivatives for this effort")

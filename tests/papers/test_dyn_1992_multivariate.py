@@ -8,7 +8,7 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from support import shipped_answer, shipped_surface
+from support import shipped_answer, shipped_multivariate
 
 from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.kinds.multivariate.numbers.box_spline import divided, multiplied
@@ -18,7 +18,7 @@ from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort, Verdict
 
 F = Fraction
-BUTTERFLY = shipped_surface("butterfly")
+BUTTERFLY = shipped_multivariate("butterfly")
 BUTTERFLY_NORMS = [F(1), F(7, 8), F(11, 16), F(1, 2), F(11, 32), F(29, 128)]
 ENOUGH = Effort(10**9)
 
@@ -128,7 +128,7 @@ def test_the_trap(name):
     There the bilinear spline has the radius 1/4 and "is" C^1; 2-2-1 and the biquadratic spline "are" C^2.
     """
     exponent = BOXES[name][-1]
-    numbers = MultivariateNumbers(shipped_surface(name), Effort())
+    numbers = MultivariateNumbers(shipped_multivariate(name), Effort())
     radius = numbers.radius
     length, bound = radius.upper
     m, s = numbers.lattice.index, numbers.dimension

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from subdiv_cli.kinds.multivariate.lattice import Lattice
-from subdiv_cli.kinds.multivariate.numbers import values as lattice_values
+from subdiv_cli.kinds.multivariate.numbers import values as multivariate_values
 from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError, at_fractions, at_integers, support_box
 from subdiv_cli.kinds.option import from_option
 from subdiv_cli.kinds.reading import read_path
@@ -112,7 +112,7 @@ def test_limits(monkeypatch):
     integers = at_integers(scheme, lattice)
     with pytest.raises(NoValuesError, match="too many values at level 9"):
         at_fractions(scheme, lattice, integers, 9)
-    monkeypatch.setattr(lattice_values, "LARGEST_WINDOW", 18)
+    monkeypatch.setattr(multivariate_values, "LARGEST_WINDOW", 18)
     with pytest.raises(NoValuesError, match="19 integers; the limit is 18"):
         at_integers(scheme, lattice)
     far = from_option("[[1,1],[1,1]]", start=(0, 0)).scheme()
