@@ -32,6 +32,7 @@ from subdiv_cli.model import (
     Smoothness,
     Verdict,
 )
+from subdiv_cli.model.findings import NEXT_SMOOTHNESS, SMOOTHNESS, SUM_RULES, Question, answering
 from subdiv_cli.model.judge import judge, status
 from subdiv_cli.model.order import compare
 
@@ -76,11 +77,18 @@ def _proved(finding: Finding, rule: Rule, statements: Sequence[Mapping[str, Any]
         return False
     if finding.verdict not in DECIDED:
         return True
-    stated = [statements[number] for number in finding.claims if number >= 0]
+    stated = _stated(finding, statements)
     if not stated or not all(statement["property"] in rule.proves for statement in stated):
+        return False
+    if rule.answers and any(statement.get("mask", 0) for statement in stated):  # about a reduced mask
         return False
     holds = finding.verdict is Verdict.PROVED
     return not rule.holds or all(statement["holds"] is holds for statement in stated)
+
+
+def _stated(finding: Finding, statements: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """The statements of the claims that a finding names."""
+    return [statements[number] for number in finding.claims if number >= 0]
 
 
 def _answers(finding: Finding, answer: Answer) -> bool:
@@ -108,19 +116,22 @@ def _plain(exponent: Exponent | None) -> Exponent | None:
 
 
 def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator[bool]:
-    def largest(name: str, key: str) -> int:
-        return max((s[key] for s in statements if s["property"] == name), default=-1)
-
-    def least(name: str, key: str) -> int:
-        return min((s[key] for s in statements if s["property"] == name), default=1 << 30)
+    def orders(question: Question, name: str) -> list[int]:
+        """The orders in the claims of this name of the finding that answers a question."""
+        found = answering(result.findings, question)
+        stated = () if found is None else _stated(found, statements)
+        return [statement["order"] for statement in stated if statement["property"] == name]
 
     for smooth in (result.smoothness, result.refinable):
         if smooth.order is not None:
-            yield largest("smooth", "order") >= smooth.order
-            yield not smooth.sharp or least("not-smooth", "order") <= smooth.order + 1
+            yield max(orders(SMOOTHNESS, "smooth"), default=-1) >= smooth.order
+        if smooth.sharp:
+            asked = SMOOTHNESS if smooth.order is None else NEXT_SMOOTHNESS
+            next_order = 0 if smooth.order is None else smooth.order + 1
+            yield any(order <= next_order for order in orders(asked, "not-smooth"))
     if result.sum_rule_order:
         rules = ("sum-rules", "total-sum-rules")
-        yield any(s["property"] in rules and s["order"] == result.sum_rule_order for s in statements)
+        yield any(result.sum_rule_order in orders(SUM_RULES, name) for name in rules)
     for name, degree in (("generation", result.generation), ("reproduction", result.reproduction)):
         if degree is not None:
             yield any(s["property"] == name and s["degree"] == degree for s in statements)

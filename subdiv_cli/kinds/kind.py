@@ -149,7 +149,7 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         return cast("int | None", given.get(question))
 
     refinable = cast(Smoothness, given.get(questions.SMOOTHNESS, Smoothness()))
-    if verdict(questions.NEXT_SMOOTHNESS) is Verdict.REFUTED:
+    if refinable.order is not None and verdict(questions.NEXT_SMOOTHNESS) is Verdict.REFUTED:
         refinable = refinable._replace(sharp=True)
     convergent = verdict(questions.CONVERGENCE)
     sobolev = cast("Exponent | None", given.get(questions.SOBOLEV))

@@ -154,6 +154,7 @@ def uncertified(finding: Finding, reason: str) -> Finding:
         answers=tuple((question, _told(question, Verdict.UNDECIDED, None, None)) for question, _ in finding.answers),
         reason=reason,
         value=None,
+        witness={},
         proof={},
         closed=None,
     )

@@ -115,7 +115,9 @@ def _bernstein(c: Claim, g: Mapping[Index, int], reach: Sequence[int], odd: Sequ
     bits = max(map(abs, g.values())).bit_length()
     for j in reversed(range(len(reach))):
         n, whole = reach[j], j > 0
-        rows = {i: _row(n, i, whole) for i in range(-n, n + 1)}
+        used = {alpha[j] for alpha in values}
+        c.spend(len(used) * (2 * n) ** 2, 8 * n)
+        rows = {i: _row(n, i, whole) for i in used}
         sums: dict[Index, list[list[int]]] = {}
         bits += 8 * n + 2
         for alpha, (real, imaginary) in values.items():

@@ -16,9 +16,9 @@ from subdiv_cli.checker.multivariate.masks import SparseMask, mask_of
 from subdiv_cli.checker.reading import require
 from subdiv_cli.checker.roots import fraction_bits
 
-INDEX_BITS = 15
+INDEX_BITS = 21
 """The bits of an index and its sign."""
-POWER_BITS = 33
+POWER_BITS = 42
 """The bits of a coordinate of M j - δ with its sign, and of a binomial coefficient, for each degree."""
 
 

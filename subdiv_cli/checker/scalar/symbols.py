@@ -82,7 +82,7 @@ def reproduction(c: Claim) -> None:
     a, r, p = symbol_of(c), c.statement["degree"], c.p
     k = c.use("sum-rules", mask=0).statement["order"]
     require(-1 <= r < k, f"the sum rules are of order {k}")
-    c.count(a.length * (r + 2) ** 2, a.bits + 20 * (r + 2))
+    c.count(a.length * (r + 2) ** 2, a.bits + 22 * (r + 2))
     shift = Fraction(sum(x * i for i, x in enumerate(a.numerators, a.start)), p * a.denominator)
     falling, product = list(a.numerators), Fraction(p)
     for j in range(min(r + 2, k)):
@@ -227,7 +227,9 @@ def _combination(c: Claim) -> Polynomial:
     require(all(u.length <= 2 * a.length for u in cofactors), "a cofactor is too long")
     total = polynomial(0, [], 1)
     for u, component in zip(cofactors, components(a, c.p), strict=True):
-        total = add(total, multiply(u, component))
+        product = multiply(u, component)
+        require(abs(product.start) <= 4 * a.length, "a cofactor stands too far off")
+        total = add(total, product)
     return total
 
 

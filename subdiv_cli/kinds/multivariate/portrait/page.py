@@ -79,8 +79,8 @@ class _MultivariatePage:
     def mask(self) -> Iterator[Block]:
         yield Words("facts")
         yield Formula("a(z)", self.symbol)
-        if self.differences is not None:
-            k = self.result.sum_rule_order
+        k = self.result.sum_rule_order
+        if self.differences is not None and k is not None:
             yield Text(f"V_{k}, the space of the differences of order {k}, has dimension {self.differences}")
 
     def refinable_function(self) -> Iterator[Block]:
