@@ -1,7 +1,8 @@
 """Hypothesis without deadlines on shared machines, in CI the same examples every time; a cache of its own.
 
-`SUBDIV_CASES=10000` asks the fuzzers for so many cases each, of a fresh seed that is printed at the end: with it as
-`SUBDIV_SEED` they come again. Without it the cases are the same in every run.
+`SUBDIV_CASES=10000` asks the fuzzers and the laws of random masks for so many cases each, fresh ones: those of a seed
+that is printed at the end, by which as `SUBDIV_SEED` they come again, and Hypothesis's own, which prints what fails.
+Without it the fuzzers have the same cases in every run.
 """
 
 import os
@@ -14,7 +15,8 @@ from hypothesis import HealthCheck, settings
 quiet = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
 settings.register_profile("local", **quiet)
 settings.register_profile("ci", derandomize=True, **quiet)
-settings.load_profile("ci" if os.environ.get("CI") else "local")
+settings.register_profile("many", max_examples=int(os.environ.get("SUBDIV_CASES", "100")), print_blob=True, **quiet)
+settings.load_profile("many" if "SUBDIV_CASES" in os.environ else "ci" if os.environ.get("CI") else "local")
 
 WORKER = "PYTEST_XDIST_WORKER" in os.environ
 """Then the process that started this one has chosen the cache and the seed."""

@@ -1,5 +1,6 @@
 """Certificates with claims left out: what remains is verified, and what is not certified is not claimed."""
 
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from subdiv_cli.kinds.option import from_option
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import DECIDED, Effort, Verdict
 from subdiv_cli.model.findings import TOO_DEAR, UNCERTIFIED
-from subdiv_cli.pipeline import check
+from subdiv_cli.pipeline import check, show
 
 MASKS = Path(__file__).parents[2] / "masks"
 FILES = (
@@ -70,7 +71,12 @@ def test_what_is_too_dear_is_undecided_and_nothing_else_changes(file, work, monk
     if checked.document is not None:
         assert sum(claim["work"] for claim in checked.document["claims"]) <= work
         assert check_document(checked.document).verified
-    assert checked.result.convergent in (full.convergent, Verdict.UNDECIDED)
+    result = checked.result
+    assert result.convergent in (full.convergent, Verdict.UNDECIDED)
+    for smooth, whole in ((result.smoothness, full.smoothness), (result.refinable, full.refinable)):
+        assert smooth.order in (None, whole.order)
+        assert smooth == whole or not smooth.sharp or smooth.order == whole.order
+    assert result.holder is None or result.holder.exact in (None, full.holder.exact)
 
 
 def test_convergence_comes_first(monkeypatch):
@@ -137,3 +143,15 @@ def test_no_certificate_is_said(tmp_path, capsys, monkeypatch):
     assert ended.value.code == 3
     assert "there is no certificate of" in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("work", [0, 60, 500, 5_000])
+def test_show_prints_nothing_of_what_is_left_out(work, monkeypatch):
+    monkeypatch.setattr(written, "MOST_WORK", work)
+    scheme = read_path(MASKS / "scalar" / "four_point.toml").scheme({})
+    checked, portrait = show(scheme, Fraction(1, 1000), Effort())
+    left = {finding.code for finding in checked.result.findings if finding.reason in UNCERTIFIED}
+    keys = {"SD501": "values", "SD502": "stencils", "SD503": "quasi_interpolation", "SD511": "error_bound"}
+    assert left
+    for code, key in keys.items():
+        assert code not in left or not portrait.data[key], key

@@ -9,7 +9,10 @@ from types import ModuleType
 import pytest
 from click.testing import CliRunner
 
-from subdiv_cli import kinds
+from subdiv_cli import checker, kinds
+from subdiv_cli.certificate.claims import Claims, proofs
+from subdiv_cli.checker.core import Rulebook, Step, Subject
+from subdiv_cli.checker.reading import require
 from subdiv_cli.cli import main
 from subdiv_cli.kinds.kind import PICTURES, Analysis, Drawings, Kind, NotDrawnError, Portraits
 from subdiv_cli.model import Rule, Smoothness
@@ -100,6 +103,25 @@ def net(scheme, effort, options, certify):
     return Drawing((Net({place: (*map(F, place), F(1)) for place in SQUARE}, title="φ is flat"),))
 
 
+def proved(analysis):
+    claims = Claims()
+    mask = {"kind": "toy", "size": analysis.scheme.size}
+    return proofs(claims, mask, analysis.findings, lambda _: [claims.prove("toy", {"property": "smooth", "order": 0})])
+
+
+def is_smooth(claim):
+    claim.count(1)
+    require(claim.about > 2, "it is too small to be smooth")
+
+
+RULEBOOK = Rulebook(
+    {"size": "natural"},
+    lambda fields: Subject(2, fields["size"]),
+    {"smooth": {"order": "natural"}},
+    {"toy": Step(("smooth",), {}, ({},), is_smooth)},
+    lambda statement, subject: "it is smooth",
+    None,
+)
 KIND = Kind(
     name="toy",
     keys=("size",),
@@ -109,7 +131,7 @@ KIND = Kind(
     canonical=lambda scheme: {"kind": "toy", "size": scheme.size},
     rules=lambda: {rule.code: rule for rule in (CONVERGES, SMOOTH)},
     analyse=analyse,
-    certificate=lambda analysis: None,
+    proofs=proved,
     sections=lambda scheme, result: (Section("numbers", (Grid("", ("n",), (("size", (str(scheme.size),)),)),)),),
     portraits=Portraits(analyse, portrait),
     drawings=(
@@ -127,6 +149,7 @@ def run(monkeypatch, tmp_path):
     module.KIND = KIND
     monkeypatch.setitem(sys.modules, "toy_kind", module)
     monkeypatch.setitem(kinds.KINDS, "toy", "toy_kind")
+    monkeypatch.setitem(checker.KINDS, "toy", RULEBOOK)
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.chdir(tmp_path)
     for size in (1, 3, 10):

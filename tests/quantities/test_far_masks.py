@@ -1,4 +1,4 @@
-"""Where a mask stands changes no verdict: not near the bounds of indices, and not in several variables."""
+"""Masks far from the origin are decided as those at it, up to the bounds of indices; and splines of high degree."""
 
 from fractions import Fraction
 

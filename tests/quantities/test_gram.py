@@ -1,11 +1,10 @@
 """The Gram sequence and the sign of its symbol: known splines, the unimodular rule, floats, masks made unstable."""
 
-import random
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from support import multivariate_scheme, shipped_answer, shipped_multivariate
+from support import cases, multivariate_scheme, seeded, shipped_answer, shipped_multivariate
 from test_multivariate_float import NAMES, subdivided_deltas
 
 from subdiv_cli.checker import check_document
@@ -106,8 +105,8 @@ def test_masks_made_unstable_are_refuted(name, direction, n):
 
 def test_random_symbols_are_positive_iff_floats_say_so():
     """|p|² + ε, |p|² with p of random zeros, and what dips below zero."""
-    rng = random.Random(3)
-    for _ in range(60):
+    rng = seeded(3)
+    for _ in range(cases(60)):
         s = rng.choice([2, 2, 3])
         p = {tuple(rng.randrange(3) for _ in range(s)): Fraction(rng.randint(-5, 5)) for _ in range(5)}
         g = {}

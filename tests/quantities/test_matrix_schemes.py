@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from support import answer, findings, multivariate_scheme, shipped_multivariate
+from support import answer, cases, findings, multivariate_scheme, seeded, shipped_multivariate
 
 from subdiv_cli.kinds.multivariate.numbers.box_spline import multiplied
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import by_lemma, iterates, least, matrix_norm, problem
@@ -157,8 +157,8 @@ def random_mask(rng):
 
 def test_norms_never_contradict_the_radius():
     """On random masks: no norm lies below a product of transition operators, and no verdict contradicts."""
-    rng, mix = random.Random(1992), Counter()
-    for _ in range(60):
+    rng, mix = seeded(1992), Counter()
+    for _ in range(cases(60)):
         numbers = MultivariateNumbers(random_mask(rng), Effort(300))
         if numbers.space is None or numbers.product is None:
             continue

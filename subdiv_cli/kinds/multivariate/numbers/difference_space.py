@@ -12,7 +12,7 @@ Written for what the joint spectral radius ρ_k of the T_ε on V_k decides:
   U_j / U_(j+1), j < k, they all act as one matrix, dual to p -> p(M^-1 ·) on homogeneous polynomials of degree j. So
   ρ_1 = max(ρ_k, ρ(M^-1)) for k > 1, and as M is expanding, ρ_1 < 1 iff ρ_k < 1.
 * The ε may be any representatives of the cosets: with ε + Mη for ε the image is a shift. With ε + t for all ε the
-  operators are those of the mask a(· + t): where the mask stands far off, that keeps V_k as small as near the origin.
+  operators are those of the mask a(· + t): where the mask stands far off, V_k is about as small as near the origin.
 """
 
 from __future__ import annotations
