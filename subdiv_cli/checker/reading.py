@@ -31,8 +31,10 @@ Fields = Mapping[str, str | Reader]
 MAX_BYTES = 64 << 20
 MAX_LENGTH = 4_000
 """Coefficients of a polynomial, letters of a word, members of a list."""
-MAX_INTEGER = 4_000_000
-"""An index or an exponent."""
+MAX_INTEGER = 1_000_000
+"""The size of a degree, or of a coefficient in a combination of columns."""
+MAX_START = 4_000_000
+"""The size of the first exponent of a polynomial: symbols stand up to two lengths beyond the mask."""
 MAX_NATURAL = 10_000
 """The largest order, level, letter, number of a mask or of a claim."""
 MAX_ORDER = 120
@@ -55,6 +57,7 @@ _RANGES = {
     "natural": (0, MAX_NATURAL),
     "length": (1, 1000),
     "integer": (-MAX_INTEGER, MAX_INTEGER),
+    "start": (-MAX_START, MAX_START),
     "sign": (-1, 1),
     "bits": (0, 4096),
     "weight_bits": (0, 39),
@@ -171,7 +174,7 @@ def _boolean(value: object) -> bool:
 
 
 def _polynomial(value: object) -> Polynomial:
-    fields = _object_of(value, {"start": "integer", "coefficients": "any"})
+    fields = _object_of(value, {"start": "start", "coefficients": "any"})
     pairs = _members(rational, MAX_LENGTH, fields["coefficients"], "a coefficient of ")
     f = over_common_denominator(fields["start"], pairs, most_bits=MAX_DIGITS * 10 // 3)
     if f is None:

@@ -37,7 +37,8 @@ Exit codes:
   0    every expectation proved (convergence, where a mask states none)
   1    an expectation refuted, or something worse than in the baseline
   2    not checked: usage, an unreadable or invalid mask, an internal error
-  3    nothing refuted, something undecided (0 with --allow-undecided); or a --certificate that leaves something out
+  3    nothing refuted, something undecided, or left out of a --certificate (0 with
+       --allow-undecided)
   130  interrupted; the masks checked so far are reported
   Of several, 2 beats 1 beats 3, and 130 beats all.
 

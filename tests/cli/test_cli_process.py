@@ -167,6 +167,6 @@ def test_a_process_says_what_a_run_in_this_one_says(args, code, encoding, tmp_pa
 def test_other_toml_files_of_a_directory_are_counted_when_verbose(tmp_path):
     (tmp_path / "settings.toml").write_text("[tool]\n")
     (tmp_path / "chaikin.toml").write_text("[mask]\nstart = 0\ncoefficients = ['1/4', '3/4', '3/4', '1/4']\n")
-    for options, told in (((), ""), (("-v",), "skipped 1 TOML file without kind, mask or matrices\n")):
+    for options, told in (((), ""), (("-v",), "skipped 1 TOML file without kind or mask\n")):
         run = subdiv("check", tmp_path, *options)
         assert (run.returncode, run.stderr) == (0, told)
