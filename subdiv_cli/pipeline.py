@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.certificate import Certificate, Proofs, document_text, family_certificate
-from subdiv_cli.checker import check_document
+from subdiv_cli.checker import Outcome, check_document
 from subdiv_cli.exact.closed import compare, digits
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import Analysis, Drawings, Kind, Options, Scheme, gather
@@ -108,15 +108,21 @@ def _verified(proofs: Proofs) -> Certificate | None:
     """
     dear = set[int]()
     while (certificate := proofs.certificate(dear)) is not None:
-        outcome = check_document(certificate.document)
+        outcome = _outcome(certificate.document)
         if outcome.verified:
             return certificate
-        if not outcome.exhausted:
-            raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
         if outcome.claim is None:
             return None
         dear.add(certificate.made[outcome.claim])
     return None
+
+
+def _outcome(document: Mapping[str, Any]) -> Outcome:
+    """The checker's outcome: verified, or too much work. Raises DisagreementError where the checker says no."""
+    outcome = check_document(document)
+    if not outcome.verified and not outcome.exhausted:
+        raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
+    return outcome
 
 
 def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgement, ...]:
@@ -161,8 +167,6 @@ def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effo
 
     radius = answer(matrices, effort)
     document = family_certificate(matrices, radius)
-    if document is not None and not (outcome := check_document(document)).verified:
-        if not outcome.exhausted:
-            raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
+    if document is not None and not _outcome(document).verified:
         document = None
     return CheckedRadius(radius, document)
