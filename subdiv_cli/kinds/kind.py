@@ -122,10 +122,10 @@ class Part(NamedTuple):
 
     def finding(self, question: Question) -> Finding:
         """The finding that answers a question about the factor. Raises KeyError where there is none."""
-        found = self.find(question)
-        if found is None:
+        finding = self.find(question)
+        if finding is None:
             raise KeyError(question.name)
-        return found
+        return finding
 
     @property
     def name(self) -> str:
