@@ -1,14 +1,17 @@
 """Witnesses have the form that their rule declares: the keys, and the types of the values, of every finding."""
 
+import ast
 from collections import defaultdict
 from collections.abc import Mapping
 from fractions import Fraction
+from pathlib import Path
 from types import NoneType, UnionType
 from typing import TypedDict, Union, get_args, get_origin, get_type_hints, is_typeddict
 
 import pytest
 from support import multivariate_scheme, shipped_multivariate
 
+import subdiv_cli
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.multivariate import rules as multivariate
@@ -16,9 +19,11 @@ from subdiv_cli.kinds.multivariate import witnesses as w
 from subdiv_cli.kinds.option import from_option
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.scalar import rules as scalar
-from subdiv_cli.model import DECIDED, Effort
+from subdiv_cli.model import DECIDED, Effort, proofs
 from subdiv_cli.model.findings import proof_of, row
 from subdiv_cli.model.proofs import RadiusProof
+
+PACKAGE = Path(subdiv_cli.__file__).parent
 
 RULES = {**scalar.rules(), **multivariate.rules()}
 PROOFS = {
@@ -91,6 +96,28 @@ def test_every_witness_has_the_form_of_its_rule():
             seen |= {(finding.code, key) for key in finding.witness}
     declared = {(code, key) for code, rule in RULES.items() for key in get_type_hints(rule.witness)}
     assert seen == declared - UNSEEN
+
+
+def looked_for():
+    """The keys in `"key" in x` and `x.get("key")`, with their places: there mypy sees no misspelt one."""
+    rooms = [*PACKAGE.glob("kinds/*/claims"), *PACKAGE.glob("kinds/*/stages"), PACKAGE / "jsr"]
+    for file in [*(file for room in rooms for file in room.glob("*.py")), PACKAGE / "certificate" / "radius.py"]:
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            key = None
+            if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.In | ast.NotIn):
+                key = node.left
+            elif isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "get":
+                key = node.args[0]
+            if isinstance(key, ast.Constant) and isinstance(key.value, str):
+                yield key.value, f"{file.relative_to(PACKAGE)}:{node.lineno}"
+
+
+def test_keys_that_are_looked_for_are_declared():
+    forms = [form for module in (scalar.w, w, proofs) for form in vars(module).values() if is_typeddict(form)]
+    declared = {key for form in forms for key in get_type_hints(form)} | {"mask"}  # a statement's
+    places = dict(looked_for())
+    assert {"root", "tree", "sizes", "part", "sigma"} <= places.keys()
+    assert {key: place for key, place in places.items() if key not in declared} == {}
 
 
 class PointWitness(TypedDict):
