@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NotRequired, TypedDict
 
 import pytest
 from click.testing import CliRunner
@@ -31,7 +31,14 @@ from subdiv_cli.model.findings import CONVERGENCE, row, table
 from subdiv_cli.report import FORMATS
 from subdiv_cli.report.show import FORMATS as PAGES
 
-CONVERGES = row("SD899", "toy-convergence", "folklore", answers=CONVERGENCE, proves="convergent", holds=True)
+
+class ToyWitness(TypedDict):
+    weight: NotRequired[Fraction]
+
+
+CONVERGES = row(
+    "SD899", "toy-convergence", "folklore", ToyWitness, answers=CONVERGENCE, proves="convergent", holds=True
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -41,7 +41,7 @@ class Stated(NamedTuple):
 def numbers_are_proved(
     result: Result,
     statements: Sequence[Statement],
-    rules: Mapping[str, Rule],
+    rules: Mapping[str, Rule[Any]],
     base: Callable[[Sequence[int] | None], Base],
 ) -> bool:
     """Whether claims of the certificate state each exponent and radius of the result.

@@ -196,7 +196,7 @@ def _judgement(data: Mapping[str, Any]) -> Judgement:
     return Judgement(expectation, Verdict(data["verdict"]), data.get("line"))
 
 
-def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule]) -> Finding:
+def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule[Any]]) -> Finding:
     """A finding; its rule has the questions that it answers, and the answers stand in the result."""
     value, rule = data.get("value"), rules.get(data["code"])
     refuted = data["verdict"] == Verdict.REFUTED.value

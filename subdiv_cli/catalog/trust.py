@@ -69,7 +69,7 @@ def _trusted(
     return _is_gathered(result) and all(_orders(result, statements)) and _judged(result)
 
 
-def _proved(finding: Finding, rule: Rule, statements: Sequence[Mapping[str, Any]]) -> bool:
+def _proved(finding: Finding, rule: Rule[Any], statements: Sequence[Mapping[str, Any]]) -> bool:
     """Whether a finding answers what its rule answers, and a decided one names claims that state the same."""
     if tuple(question for question, _ in finding.answers) != rule.answers:
         return False

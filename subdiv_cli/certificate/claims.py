@@ -63,14 +63,14 @@ class Claims:
 
     def closure(self, numbers: Iterable[int], known: Collection[int]) -> set[int]:
         """These claims and all that they rest on, without those that are known."""
-        found: set[int] = set()
+        needed: set[int] = set()
         waiting = list(numbers)
         while waiting:
             number = waiting.pop()
-            if number not in found and number not in known:
-                found.add(number)
+            if number not in needed and number not in known:
+                needed.add(number)
                 waiting += self.needs(number)
-        return found
+        return needed
 
     def document(self, mask: Mapping[str, Any], goal: Iterable[int], kept: Sequence[int]) -> Json:
         """The document as FORMAT.md has it: the kept claims, in their order, and the statements of some as its goal."""
@@ -164,8 +164,8 @@ class Proofs(NamedTuple):
 
 def _importance(finding: Finding) -> int:
     """The place of its question among the properties of a scheme; what answers none comes last."""
-    asked = {question for question, _ in finding.answers}
-    places = (place for place, row in enumerate(PROPERTIES) if asked & {row.question, *row.more, *row.instead})
+    questions = {question for question, _ in finding.answers}
+    places = (place for place, row in enumerate(PROPERTIES) if questions & {row.question, *row.more, *row.instead})
     return next(places, len(PROPERTIES))
 
 
@@ -177,9 +177,9 @@ def proofs(
     It makes none where the witness was too costly to compute, or raises UnwrittenError.
     """
 
-    def made(found: Finding) -> tuple[int, ...]:
+    def made(finding: Finding) -> tuple[int, ...]:
         try:
-            return tuple(claims_of(found)) if found.verdict in DECIDED else ()
+            return tuple(claims_of(finding)) if finding.verdict in DECIDED else ()
         except UnwrittenError:
             return ()
 

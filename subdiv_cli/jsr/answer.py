@@ -18,8 +18,9 @@ from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import WordProduct, radius_bound
 from subdiv_cli.jsr.radius import joint_spectral_radius, rough_radius
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.model import Data, Effort, Interval, Root, exact_root
+from subdiv_cli.model import Effort, Interval, Root, exact_root
 from subdiv_cli.model.family import FamilyRadius
+from subdiv_cli.model.proofs import WordBound
 
 _LONGEST_POLYNOMIAL, _LONGEST_RATIONAL = 256, 4096
 """The most bits of a number in a closed form."""
@@ -34,9 +35,9 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
         return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)
     product = None if radius.word is None else WordProduct.of_word(family.matrices, radius.word)
     bounds = _enclosed(radius, product)
-    lower: dict[str, Data] = {}
+    below: WordBound | None = None
     if radius.exact is None and product is not None and product.eigenvalue.rational != 0:
-        lower = {"word": product.word, "bound": radius_bound(product)}
+        below = {"word": product.word, "bound": radius_bound(product)}
     return FamilyRadius(
         order=family.order,
         letters=family.letters,
@@ -50,7 +51,7 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
         bounded=radius.bounded,
         stopped=stopped,
         proof=radius.proof,
-        below=lower,
+        below=below,
     )
 
 

@@ -20,7 +20,7 @@ from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.measure import independent_columns
 from subdiv_cli.jsr.polytope import Grown
-from subdiv_cli.model import Data
+from subdiv_cli.model.proofs import RadiusProof
 
 _PLACES = 60
 """Binary places of the vertices."""
@@ -36,7 +36,7 @@ class RadiusBound(NamedTuple):
     """An upper bound JSR <= `upper`, and the rule, `polytope` or `monotone-polytope`, with its witness."""
 
     upper: Fraction
-    witness: dict[str, Data]
+    witness: RadiusProof
 
 
 def enclose(family: Family, grown: Grown, sigma: Fraction) -> RadiusBound | None:
@@ -72,8 +72,16 @@ def by_columns(family: Family) -> RadiusBound:
         weights = ((k, round(entry / x * (1 << _WEIGHT_BITS))) for k, entry in enumerate(column))
         images.append(tuple(part for pair in weights if pair[1] for part in pair))
     corners = tuple(tuple(int(i == j) for i in range(n)) for j in range(n))
-    witness: dict[str, Data] = {"symmetry": 0, "bits": 0, "vertices": corners, "basis": tuple(range(n))}
-    return RadiusBound(x, {**witness, "weight_bits": _WEIGHT_BITS, "images": tuple(images)})
+    witness: RadiusProof = {
+        "rule": "polytope",
+        "symmetry": 0,
+        "bits": 0,
+        "vertices": corners,
+        "basis": tuple(range(n)),
+        "weight_bits": _WEIGHT_BITS,
+        "images": tuple(images),
+    }
+    return RadiusBound(x, witness)
 
 
 def _short(x: Fraction) -> Fraction:
@@ -141,7 +149,7 @@ class _Enclosing:
             rest = [y - c * z for y, z in zip(rest, self._vertex(number), strict=True)]
         return bool(total + self._distance(rest) < 1)
 
-    def witness(self, images: list[tuple[int, ...]]) -> dict[str, Data]:
+    def witness(self, images: list[tuple[int, ...]]) -> RadiusProof:
         return {
             "rule": "monotone-polytope" if self._body.monotone else "polytope",
             "symmetry": self._family.symmetry if self._body.symmetric else 0,

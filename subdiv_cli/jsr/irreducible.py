@@ -23,9 +23,10 @@ from subdiv_cli.jsr.enclosing import RadiusBound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.polytope import Grown, grow, grow_on, measured
-from subdiv_cli.jsr.result import Radius, root_data
+from subdiv_cli.jsr.result import Radius
 from subdiv_cli.jsr.search import candidates
-from subdiv_cli.model import Data, Effort, Root
+from subdiv_cli.model import Effort, Root
+from subdiv_cli.model.proofs import RadiusProof, root_data
 
 LARGEST_BLOCK = 60
 """The largest order of matrices for which polytopes are tried."""
@@ -75,13 +76,17 @@ def irreducible_radius(family: Family, effort: Effort) -> Radius | None:
 def _of_distinct(family: Family, effort: Effort) -> Radius | None:
     """The radius of the matrices that differ up to sign: their products are the products of all, up to sign."""
     letters = family.distinct
-    found = irreducible_radius(Family([family.matrices[letter] for letter in letters]), effort)
-    if found is None:
+    radius = irreducible_radius(Family([family.matrices[letter] for letter in letters]), effort)
+    if radius is None:
         return None
-    said = {key: found.proof[key] for key in ("length", "root", "bound") if key in found.proof}
-    proof: dict[str, Data] = {"rule": "distinct", "letters": letters, "part": found.proof, **said}
-    word = None if found.word is None else tuple(letters[letter] for letter in found.word)
-    return found._replace(word=word, proof=proof)
+    proof: RadiusProof = {"rule": "distinct", "letters": letters, "part": radius.proof}
+    proof["length"] = radius.proof["length"]
+    if "root" in radius.proof:
+        proof["root"] = radius.proof["root"]
+    if "bound" in radius.proof:
+        proof["bound"] = radius.proof["bound"]
+    word = None if radius.word is None else tuple(letters[letter] for letter in radius.word)
+    return radius._replace(word=word, proof=proof)
 
 
 def _affordable(family: Family, found: Sequence[Candidate]) -> Sequence[Candidate]:
@@ -225,8 +230,7 @@ class _Attempt:
     def _at_most(self, bound: RadiusBound) -> Radius:
         assert self.leaders is not None
         word = self.family.full_word(self.leaders.each[0].candidate)
-        proof: dict[str, Data] = {"length": 1, "bound": bound.upper, **bound.witness}
-        return Radius(word, None, (1, bound.upper), False, proof)
+        return Radius(word, None, (1, bound.upper), False, {"length": 1, "bound": bound.upper, **bound.witness})
 
 
 def _is_long(root: Root) -> bool:
@@ -255,8 +259,7 @@ def _is_nonnegative(vector: Numbers) -> bool:
     return not np.iscomplexobj(vector) and bool(vector.min() >= -_ROUNDING * np.abs(vector).max())
 
 
-def _exactly(family: Family, found: Leaders, root: tuple[int, Root], proof: dict[str, Data]) -> Radius:
+def _exactly(family: Family, found: Leaders, root: tuple[int, Root], witness: RadiusProof) -> Radius:
     length, number = root
     word = family.full_word(found.each[0].candidate)
-    said: dict[str, Data] = {"length": length, "root": root_data(number)}
-    return Radius(word, root, (length, number.high), True, {**proof, **said})
+    return Radius(word, root, (length, number.high), True, {**witness, "length": length, "root": root_data(number)})

@@ -56,6 +56,7 @@ class Leaders(NamedTuple):
 
     @property
     def is_real(self) -> bool:
+        """Whether the eigenvalues are real."""
         return self.each[0].eigenvalue.is_real
 
     def sigma(self) -> arb:

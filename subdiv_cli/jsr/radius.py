@@ -15,9 +15,10 @@ from subdiv_cli.jsr.enclosing import by_columns
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.irreducible import LARGEST_BLOCK, bounded, irreducible_radius, zero_radius
 from subdiv_cli.jsr.reduce import Blocks, decomposed
-from subdiv_cli.jsr.result import Radius, root_data
+from subdiv_cli.jsr.result import Radius
 from subdiv_cli.jsr.search import candidates
-from subdiv_cli.model import Data, Effort
+from subdiv_cli.model import Effort
+from subdiv_cli.model.proofs import RadiusProof, root_data
 
 LARGEST_ORDER = 120
 _SHORT = 4
@@ -46,8 +47,8 @@ def rough_radius(family: Family, effort: Effort) -> Radius | None:
         return None
     found = candidates(family, 2)[1] if family.order <= LARGEST_BLOCK else ()
     bound = by_columns(family)
-    proof: dict[str, Data] = {"rule": "polytope", "length": 1, "bound": bound.upper, **bound.witness}
-    return Radius(family.full_word(found[0]) if found else None, None, (1, bound.upper), False, proof)
+    word = family.full_word(found[0]) if found else None
+    return Radius(word, None, (1, bound.upper), False, {"length": 1, "bound": bound.upper, **bound.witness})
 
 
 def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
@@ -59,25 +60,25 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
         return None
     top = max(known, key=lambda part: (part.exact is not None, part.ceiling))
     others = [part for part in known if part is not top]
-    proof: dict[str, Data] = {
+    witness: RadiusProof = {
         "rule": "blocks",
         "basis": tuple(tuple(to_fraction(x) for x in row) for row in blocks.basis.table()),
         "sizes": tuple(part.order for part in blocks.parts),
-        "parts": tuple(dict(part.proof) for part in known),
+        "parts": tuple(part.proof for part in known),
     }
     if top.exact is not None:
         length, root = top.exact
         below = [_at_most(part.upper, _floor(top)) for part in others]
         same = [part.exact == top.exact for part in others]
         if all(x or y for x, y in zip(below, same, strict=True)):
-            said: dict[str, Data] = {"length": length, "root": root_data(root)}
-            return Radius(top.word, top.exact, top.upper, False, {**proof, **said})
+            proof: RadiusProof = {**witness, "length": length, "root": root_data(root)}
+            return Radius(top.word, top.exact, top.upper, False, proof)
     highest = max(known, key=lambda part: part.ceiling)
     length, bound = highest.upper
     if any(not _at_most(part.upper, (length, bound)) for part in known):
         return None
     word = max((part for part in known if part.word is not None), key=lambda part: part.ceiling, default=highest).word
-    return Radius(word, None, (length, bound), False, {**proof, "length": length, "bound": bound})
+    return Radius(word, None, (length, bound), False, {**witness, "length": length, "bound": bound})
 
 
 def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
 from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict
 from subdiv_cli.model import findings as questions
-from subdiv_cli.model.findings import answering
+from subdiv_cli.model.findings import Form, answering
 
 if TYPE_CHECKING:
     from subdiv_cli.certificate import Proofs
@@ -49,24 +49,28 @@ class Facts:
         for finding in findings:
             self._by_code[finding.code] = (*self.all(finding.code), finding)
 
-    def all(self, rule: Rule | str) -> tuple[Finding, ...]:
+    def all(self, rule: Rule[Any] | str) -> tuple[Finding, ...]:
         """Every finding of a rule, given itself or by its code."""
         return self._by_code.get(rule if isinstance(rule, str) else rule.code, ())
 
-    def find(self, rule: Rule | str) -> Finding | None:
+    def find(self, rule: Rule[Any] | str) -> Finding | None:
         """The first finding of a rule, None without one."""
         return next(iter(self.all(rule)), None)
 
-    def __getitem__(self, rule: Rule | str) -> Finding:
+    def __getitem__(self, rule: Rule[Any] | str) -> Finding:
         """The first finding of a rule. Raises KeyError without one."""
         return self._by_code[rule if isinstance(rule, str) else rule.code][0]
 
-    def __contains__(self, rule: Rule | str) -> bool:
+    def __contains__(self, rule: Rule[Any] | str) -> bool:
         return bool(self.all(rule))
 
-    def verdict(self, rule: Rule) -> Verdict:
+    def verdict(self, rule: Rule[Any]) -> Verdict:
         """The verdict of the first finding of a rule, UNDECIDED without one."""
         return self[rule].verdict if rule in self else Verdict.UNDECIDED
+
+    def witness(self, rule: Rule[Form]) -> Form:
+        """The witness of the first finding of a rule. Raises KeyError without one, ValueError where it has none."""
+        return rule.witness_of(self[rule])
 
     def findings(self) -> tuple[Finding, ...]:
         """All findings, those of one rule together."""
@@ -118,10 +122,10 @@ class Part(NamedTuple):
 
     def finding(self, question: Question) -> Finding:
         """The finding that answers a question about the factor. Raises KeyError where there is none."""
-        found = self.find(question)
-        if found is None:
+        finding = self.find(question)
+        if finding is None:
             raise KeyError(question.name)
-        return found
+        return finding
 
     @property
     def name(self) -> str:
@@ -269,7 +273,7 @@ class Kind:
     """The lines of the file that spell a body."""
     canonical: Callable[[Any], Mapping[str, Any]]
     """The scheme as certificates embed it. Raises ValueError for a number of more than 4300 digits."""
-    rules: Callable[[], Mapping[str, Rule]]
+    rules: Callable[[], Mapping[str, Rule[Any]]]
     """The table of the codes of the kind."""
     analyse: Analyse | None = None
     """All stages under an effort."""

@@ -120,7 +120,7 @@ class _Span(NamedTuple):
     """A coefficient and its text."""
 
     node: Node
-    said: str
+    text: str
 
 
 _Rows = list["_Span | _Rows"]
@@ -161,16 +161,16 @@ def _rows(parser: Parser, text: str, depth: int) -> _Rows:
 def _scaled_rows(rows: _Rows, tail: list[Factor], scale: str) -> Nested:
     """The coefficients times the factors behind the list, in the lists they stand in."""
     return tuple(
-        _scaled(entry.node, entry.said, tail, scale) if isinstance(entry, _Span) else _scaled_rows(entry, tail, scale)
+        _scaled(entry.node, entry.text, tail, scale) if isinstance(entry, _Span) else _scaled_rows(entry, tail, scale)
         for entry in rows
     )
 
 
-def _scaled(node: Node, said: str, tail: list[Factor], scale: str) -> Expression:
+def _scaled(node: Node, text: str, tail: list[Factor], scale: str) -> Expression:
     """A coefficient times the factors behind the list, as reading its text again gives it."""
     if not tail:
-        return Expression(text=said, node=node)
+        return Expression(text=text, node=node)
     if isinstance(node, Sum) and len(node.terms) > 1:
-        said = f"({said})"
+        text = f"({text})"
     factors = node.factors if isinstance(node, Product) else (Factor(node),)
-    return Expression(text=said + scale, node=product_of((*factors, *tail), node.at))
+    return Expression(text=text + scale, node=product_of((*factors, *tail), node.at))

@@ -173,19 +173,19 @@ def _format(document: Mapping[str, object], problems: Collector) -> None:
             Fault(faults.WRONG_TYPE, f"format must be 1, not {described(version)}", "write format = 1"), ("format",)
         )
     elif version != 1:
-        said = str(version) if version.bit_length() < 64 else "a long number"
+        given = str(version) if version.bit_length() < 64 else "a long number"
         help = "write format = 1, or use a newer subdiv"
-        problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {said}", help), ("format",))
+        problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {given}", help), ("format",))
 
 
 def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation, ...]:
     """The expectations of [expect]; what is wrong with them is recorded."""
-    found: list[Expectation] = []
+    expectations: list[Expectation] = []
     for key, value in table.data.items() if table else ():
         try:
-            found.append(expectation(key, value))
+            expectations.append(expectation(key, value))
         except Fault as fault:
             problems.add(fault, ("expect", key), of_key=fault.rule is faults.UNKNOWN_KEY)
-    for later, contradiction in contradictions(found):
+    for later, contradiction in contradictions(expectations):
         problems.add(contradiction, ("expect", later))
-    return tuple(found)
+    return tuple(expectations)

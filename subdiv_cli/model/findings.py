@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
-from typing import NamedTuple, NoReturn
+from typing import Any, Generic, NamedTuple, NoReturn, TypeVar, cast
 
 from subdiv_cli.model.closed import ClosedForm
 
@@ -145,13 +145,29 @@ UNCERTIFIED = (TOO_DEAR, UNWRITTEN)
 """The reasons of a finding that would be decided, had it a place in the certificate."""
 
 
+Form = TypeVar("Form", bound=Mapping[str, object])
+"""A TypedDict: the form that the witnesses of a rule have, or the further data of a certificate."""
+
+
+def _in_form(data: Mapping[str, Data], form: type[Form], code: str) -> Form:
+    required, optional = (vars(form)[f"__{keys}_keys__"] for keys in ("required", "optional"))
+    if not required <= data.keys() <= required | optional:
+        raise ValueError(f"the data of {code} are no {form.__name__}: they have the keys {', '.join(data)}")
+    return cast(Form, data)
+
+
+def proof_of(finding: Finding, form: type[Form]) -> Form:
+    """The further data of a finding in their form. Raises ValueError where they have other keys."""
+    return _in_form(finding.proof, form, finding.code)
+
+
 def uncertified(finding: Finding, reason: str) -> Finding:
     """A decided finding as an undecided one: no verified claim says it, so it is not claimed."""
     return replace(
         finding,
         verdict=Verdict.UNDECIDED,
         statement=f"not certified: {finding.statement}",
-        answers=tuple((question, _told(question, Verdict.UNDECIDED, None, None)) for question, _ in finding.answers),
+        answers=tuple((each, _following(each, Verdict.UNDECIDED, None, None)) for each, _ in finding.answers),
         reason=reason,
         value=None,
         witness={},
@@ -160,22 +176,25 @@ def uncertified(finding: Finding, reason: str) -> Finding:
     )
 
 
-def answering(findings: Iterable[Finding], *asked: Question) -> Finding | None:
+def answering(findings: Iterable[Finding], *questions: Question) -> Finding | None:
     """The finding that answers the first of these questions that is answered at all; None where none is."""
     answers = {question: finding for finding in findings for question, _ in finding.answers}
-    return next((answers[question] for question in asked if question in answers), None)
+    return next((answers[question] for question in questions if question in answers), None)
 
 
 Answers = Mapping[Question, Answer]
-Witness = Mapping[str, Data]
+Further = Mapping[str, object]
+"""Further data for the certificate, a TypedDict."""
 
 
-class Rule(NamedTuple):
+class Rule(NamedTuple, Generic[Form]):
     """A row of a kind's table of codes: what its findings share, and the four verdicts they can have."""
 
     code: str
     name: str
     source: str
+    witness: type[Form]
+    """The form of the witnesses, a TypedDict: stages write it, and claims read it by `witness_of`."""
     answers: tuple[Question, ...] = ()
     proves: frozenset[str] = frozenset()
     """The properties that claims of its decided findings state."""
@@ -187,50 +206,64 @@ class Rule(NamedTuple):
     def proved(
         self,
         statement: str,
-        witness: Witness,
+        witness: Form,
         value: Interval | None = None,
         closed: ClosedForm | None = None,
-        proof: Witness | None = None,
+        proof: Further | None = None,
         answers: Answers | None = None,
     ) -> Finding:
         """A finding that is proved; `answers` are those that follow neither from the verdict nor from the value."""
         return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
 
     def refuted(
-        self, statement: str, witness: Witness, answers: Answers | None = None, why: str | None = None
+        self,
+        statement: str,
+        witness: Form,
+        answers: Answers | None = None,
+        why: str | None = None,
+        proof: Further | None = None,
     ) -> Finding:
         """A finding that is refuted; `why` is put behind the statement."""
         statement = f"{statement}: {why}" if why else statement
-        return replace(self._finding(Verdict.REFUTED, statement, None, witness, answers=answers), why=why)
+        return replace(self._finding(Verdict.REFUTED, statement, None, witness, proof=proof, answers=answers), why=why)
 
-    def undecided(self, asked: str, reason: str, witness: Witness | None = None) -> Finding:
+    def undecided(self, question: str, reason: str, witness: Form | None = None) -> Finding:
         """A finding that could not be decided: the question, and why."""
-        return self._finding(Verdict.UNDECIDED, asked, reason, witness)
+        return self._finding(Verdict.UNDECIDED, question, reason, witness)
 
-    def skipped(self, asked: str, reason: str) -> Finding:
+    def skipped(self, question: str, reason: str) -> Finding:
         """A finding of a question that makes no sense for the scheme, and why."""
-        return self._finding(Verdict.SKIPPED, asked, reason)
+        return self._finding(Verdict.SKIPPED, question, reason)
+
+    def form(self, data: Mapping[str, Data]) -> Form:
+        """Plain data as a witness of this rule. Raises ValueError where they have other keys."""
+        return _in_form(data, self.witness, self.code)
+
+    def witness_of(self, finding: Finding) -> Form:
+        """The witness of a finding of this rule. Raises ValueError where it has other keys."""
+        return self.form(finding.witness)
 
     def _finding(
         self,
         verdict: Verdict,
         statement: str,
         reason: str | None,
-        witness: Witness | None = None,
+        witness: Form | None = None,
         value: Interval | None = None,
         closed: ClosedForm | None = None,
-        proof: Witness | None = None,
+        proof: Further | None = None,
         answers: Answers | None = None,
     ) -> Finding:
-        told = {question: _told(question, verdict, value, closed) for question in self.answers} | dict(answers or {})
+        following = {question: _following(question, verdict, value, closed) for question in self.answers}
+        data, further = (cast(Mapping[str, Data], each or {}) for each in (witness, proof))
         return Finding(
             code=self.code, name=self.name, verdict=verdict, statement=statement, source=self.source,
-            answers=tuple(told.items()), reason=reason, value=value, witness=witness or {}, proof=proof or {},
-            closed=closed,
+            answers=tuple((following | dict(answers or {})).items()), reason=reason, value=value, witness=data,
+            proof=further, closed=closed,
         )  # fmt: skip
 
 
-def _told(question: Question, verdict: Verdict, value: Interval | None, closed: ClosedForm | None) -> Answer:
+def _following(question: Question, verdict: Verdict, value: Interval | None, closed: ClosedForm | None) -> Answer:
     """The answer to a question that follows from the verdict and the value of a finding."""
     if question.name in _EXPONENTS:
         value = value or Interval()
@@ -246,20 +279,24 @@ def row(
     code: str,
     name: str,
     source: str,
+    witness: type[Form],
     answers: Question | tuple[Question, ...] = (),
     proves: str = "",
     holds: bool = False,
     radius: bool = False,
-) -> Rule:
-    """The rule of a row; `answers` is one question or several, `proves` the properties, separated by blanks."""
+) -> Rule[Form]:
+    """The rule of a row, with the form of its witnesses.
+
+    `answers` is one question or several, `proves` the properties, separated by blanks.
+    """
     several = (answers,) if isinstance(answers, Question) else answers
-    return Rule(code, name, source, several, frozenset(proves.split()), holds, radius)
+    return Rule(code, name, source, witness, several, frozenset(proves.split()), holds, radius)
 
 
-def table(names: Mapping[str, object]) -> Mapping[str, Rule]:
+def table(names: Mapping[str, object]) -> Mapping[str, Rule[Any]]:
     """The rows among the names of a module, by their codes. Raises ValueError for a code that stands twice."""
     rows = [value for value in names.values() if isinstance(value, Rule)]
-    found = {rule.code: rule for rule in rows}
-    if len(found) < len(rows):
+    by_code = {rule.code: rule for rule in rows}
+    if len(by_code) < len(rows):
         raise ValueError("a code stands twice")
-    return found
+    return by_code

@@ -5,6 +5,7 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
+from typing import TypedDict
 
 import pytest
 from click.testing import CliRunner
@@ -39,8 +40,14 @@ F = Fraction
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 HAT = Curve(2, 1, -1, (F(1, 2), F(1), F(1, 2)), (F(-1), F(1)))
 BUMP = Heights(((F(1, 2), F(0)), (F(0), F(1, 2))), {(i, j): F(1, 1 + i * i + j * j) for i, j in SQUARE})
-CONVERGES = Rule("SD998", "toy-convergence", "nobody", answers=(CONVERGENCE,))
-SMOOTH = Rule("SD999", "toy-smoothness", "nobody", answers=(SMOOTHNESS,))
+
+
+class Empty(TypedDict):
+    """The witness of a toy."""
+
+
+CONVERGES = Rule("SD998", "toy-convergence", "nobody", Empty, answers=(CONVERGENCE,))
+SMOOTH = Rule("SD999", "toy-smoothness", "nobody", Empty, answers=(SMOOTHNESS,))
 
 
 class Toy:

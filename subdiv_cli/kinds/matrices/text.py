@@ -40,16 +40,17 @@ class Matrices(NamedTuple):
     matrices: tuple[tuple[tuple[Expression, ...], ...], ...]
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (entry for matrix in self.matrices for row in matrix for entry in row)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MatrixFamily | None:
         """The family with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
-        found = [
+        matrices = [
             [[number_of(entry, values, problems, work) for entry in row] for row in matrix] for matrix in self.matrices
         ]
-        if any(entry is None for matrix in found for row in matrix for entry in row):
+        if any(entry is None for matrix in matrices for row in matrix for entry in row):
             return None
-        return MatrixFamily(tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in found))
+        return MatrixFamily(tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in matrices))
 
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
@@ -57,8 +58,8 @@ def read(top: Table, parameters: Collection[str], problems: Collector) -> Matric
     if "matrices" not in top.data:
         top.missing("matrices", "matrices are missing", _HELP)
         return None
-    found = _Reader(parameters, problems).family(top.data["matrices"], ("matrices",))
-    return None if found is None else Matrices(found)
+    family = _Reader(parameters, problems).family(top.data["matrices"], ("matrices",))
+    return None if family is None else Matrices(family)
 
 
 def body_of(family: MatrixFamily) -> Matrices:
@@ -88,20 +89,20 @@ class _Reader:
         matrices = self._list(value, path, "matrices", MAX_MATRICES)
         if matrices is None:
             return None
-        found = [self._matrix(matrix, (*path, i)) for i, matrix in enumerate(matrices)]
-        orders = {len(matrix) for matrix in found if matrix is not None}
+        read = [self._matrix(matrix, (*path, i)) for i, matrix in enumerate(matrices)]
+        orders = {len(matrix) for matrix in read if matrix is not None}
         if len(orders) > 1:
             sizes = " and ".join(map(str, sorted(orders)))
             fault = Fault(faults.WRONG_TYPE, f"the matrices must be of one order, and there are orders {sizes}", _HELP)
             self._problems.add(fault, path)
-        return tuple(matrix for matrix in found if matrix is not None)
+        return tuple(matrix for matrix in read if matrix is not None)
 
     def _matrix(self, value: object, path: KeyPath) -> tuple[tuple[Expression, ...], ...] | None:
         """The rows of a square matrix; None where it is none."""
         rows = self._list(value, path, "a matrix", MAX_MATRIX_ORDER)
         if rows is None:
             return None
-        found = []
+        expressions = []
         for i, row in enumerate(rows):
             entries = self._list(row, (*path, i), "a row", MAX_MATRIX_ORDER)
             if entries is None:
@@ -112,8 +113,8 @@ class _Reader:
                     Fault(faults.WRONG_TYPE, message, "a joint spectral radius is of square matrices"), (*path, i)
                 )
                 return None
-            found.append(tuple(self._entry(x, (*path, i, j)) for j, x in enumerate(entries)))
-        return tuple(found)
+            expressions.append(tuple(self._entry(x, (*path, i, j)) for j, x in enumerate(entries)))
+        return tuple(expressions)
 
     def _entry(self, value: object, path: KeyPath) -> Expression:
         """The entry; zero where it is wrong."""
@@ -122,8 +123,8 @@ class _Reader:
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
         """The value, where it is a list of 1 to `most` entries; else None."""
         if not isinstance(value, list) or not value:
-            said = "an empty list" if value == [] else described(value)
-            self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {said}", _HELP), path)
+            given = "an empty list" if value == [] else described(value)
+            self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {given}", _HELP), path)
             return None
         if len(value) > most:
             self._problems.add(

@@ -41,6 +41,7 @@ class Coefficients(NamedTuple):
     entries: tuple[Expression, ...]
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return self.entries
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
@@ -48,8 +49,8 @@ class Coefficients(NamedTuple):
         numbers = [number_of(entry, values, problems, work) for entry in self.entries]
         if None in numbers:
             return None
-        found = {k: value for k, value in enumerate(numbers, self.start) if value}
-        return _scheme(self.arity, found, self.entries[0].path[:-1], values, problems)
+        coefficients = {k: value for k, value in enumerate(numbers, self.start) if value}
+        return _scheme(self.arity, coefficients, self.entries[0].path[:-1], values, problems)
 
 
 class Symbol(NamedTuple):
@@ -59,6 +60,7 @@ class Symbol(NamedTuple):
     expression: Expression
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (self.expression,)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
@@ -126,8 +128,8 @@ def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression
         return None
     assert isinstance(values, list), "anything else is a fault"
     work = Work()
-    found = [read_number(value, (*path, i), parameters, table.problems, work) for i, value in enumerate(values)]
-    entries = tuple(entry for entry in found if entry is not None)
+    read = [read_number(value, (*path, i), parameters, table.problems, work) for i, value in enumerate(values)]
+    entries = tuple(entry for entry in read if entry is not None)
     return entries if len(entries) == len(values) else None
 
 

@@ -41,6 +41,7 @@ class BoxSpline(NamedTuple):
 
     @property
     def multiplicities(self) -> dict[Index, int]:
+        """The different directions, sorted, with the number of times that each stands there."""
         return {xi: self.directions.count(xi) for xi in dict.fromkeys(self.directions)}
 
     @property
@@ -54,6 +55,7 @@ class BoxSpline(NamedTuple):
 
     @property
     def is_unimodular(self) -> bool:
+        """Whether the determinants of any s of the directions are -1, 0 or 1."""
         return all(abs(_determinant(some)) <= 1 for some in combinations(sorted({*self.directions}), len(self.shift)))
 
 

@@ -93,17 +93,17 @@ def _invariant_window(
 ) -> list[Index] | None:
     """The smallest set that holds the start and the supports of all images of sequences on it."""
     shifts = [tuple(g - e for g, e in zip(gamma, epsilon, strict=True)) for gamma in scheme.terms for epsilon in cosets]
-    found, queue = set(start), list(start)
+    window, queue = set(start), list(start)
     while queue:
         beta = queue.pop()
         for shift in set(shifts):
             alpha = lattice.preimage(tuple(b + g for b, g in zip(beta, shift, strict=True)))
-            if alpha is not None and alpha not in found:
-                found.add(alpha)
+            if alpha is not None and alpha not in window:
+                window.add(alpha)
                 queue.append(alpha)
-        if len(found) > LARGEST_WINDOW:
+        if len(window) > LARGEST_WINDOW:
             return None
-    return sorted(found)
+    return sorted(window)
 
 
 def transition_matrix(

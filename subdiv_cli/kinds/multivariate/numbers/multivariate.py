@@ -132,8 +132,8 @@ class MultivariateNumbers:
 
         For isotropic M.
         """
-        found = self.mean_squares if self.lattice.is_isotropic else None
-        return None if found is None or found.growth is None else self.lattice.index * found.growth.high
+        means = self.mean_squares if self.lattice.is_isotropic else None
+        return None if means is None or means.growth is None else self.lattice.index * means.growth.high
 
     @cached_property
     def reproduction(self) -> Reproduction:

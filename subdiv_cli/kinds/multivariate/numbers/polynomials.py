@@ -136,9 +136,9 @@ def expansion(scheme: MultivariateScheme, lattice: Lattice, degree: int) -> dict
         right = [sum((h[nu] * symbol[x] for nu, x in _splits(mu, h) if x in symbol), Fraction(0)) for mu in powers]
         images = {mu: _turned(mu, images, lattice.dilation) for mu in powers}
         rows = [[images[nu].get(mu, 0) - (mu == nu) for nu in powers] for mu in powers]
-        found = solution(matrix(rows), right)
-        assert found is not None, "M is expanding"
-        h |= {mu: x for mu, x in zip(powers, found, strict=True) if x}
+        values = solution(matrix(rows), right)
+        assert values is not None, "M is expanding"
+        h |= {mu: x for mu, x in zip(powers, values, strict=True) if x}
     return h
 
 
@@ -146,24 +146,24 @@ def _symbol(scheme: MultivariateScheme, lattice: Lattice, degree: int) -> dict[I
     """The coefficients of H, those that are not zero."""
     denominator = lcm(*(x.denominator for x in scheme.terms.values()))
     terms = [(alpha, x.numerator * (denominator // x.denominator)) for alpha, x in scheme.terms.items()]
-    found = {}
+    series = {}
     for j in range(degree + 1):
         for mu in indices_of_degree(lattice.dimension, j):
             if total := sum(x * prod(map(pow, alpha, mu)) for alpha, x in terms):
-                found[mu] = Fraction((-1) ** j * total, lattice.index * denominator * prod(map(factorial, mu)))
-    return found
+                series[mu] = Fraction((-1) ** j * total, lattice.index * denominator * prod(map(factorial, mu)))
+    return series
 
 
 def _turned(mu: Index, images: Mapping[Index, Mapping[Index, int]], rows: IntMatrix) -> dict[Index, int]:
     """The polynomial (M^T ω)^μ, by that of μ less one: a further factor Σ_l M_li ω_l."""
     i = next(i for i, x in enumerate(mu) if x)
-    found: dict[Index, int] = {}
+    product: dict[Index, int] = {}
     for nu, x in images[_raised(mu, i, -1)].items():
         for l, row in enumerate(rows):
             if row[i]:
                 at = _raised(nu, l, 1)
-                found[at] = found.get(at, 0) + x * row[i]
-    return found
+                product[at] = product.get(at, 0) + x * row[i]
+    return product
 
 
 def _raised(mu: Index, i: int, by: int) -> Index:
@@ -192,15 +192,15 @@ def moved(q: Series, c: Point, degree: int) -> dict[Index, Fraction]:
     """The series exp(-c·θ) q(θ) up to this degree."""
     if not any(c):
         return dict(q)
-    found: dict[Index, Fraction] = {}
+    product: dict[Index, Fraction] = {}
     for j in range(degree + 1):
         for nu in indices_of_degree(len(c), j):
             x = prod(((-a) ** n / factorial(n) for a, n in zip(c, nu, strict=True)), start=Fraction(1))
             for mu, y in q.items() if x else ():
                 if j + sum(mu) <= degree:
                     at = tuple(a + b for a, b in zip(mu, nu, strict=True))
-                    found[at] = found.get(at, Fraction(0)) + x * y
-    return {mu: x for mu, x in found.items() if x}
+                    product[at] = product.get(at, Fraction(0)) + x * y
+    return {mu: x for mu, x in product.items() if x}
 
 
 def symmetries_of_limits(dilation: IntMatrix, symmetries: Sequence[IntMatrix]) -> tuple[IntMatrix, ...]:
@@ -256,7 +256,7 @@ def _orbits(centre: Point, group: Sequence[IntMatrix], reach: Fraction) -> list[
     own = [g for g in group if not any((x - y) % scale for x, y in zip(c, _image(g, c), strict=True))]
     sides = [range(ceil(x - reach), floor(x + reach) + 1) for x in centre]
     seen: set[Index] = set()
-    found = []
+    orbits = []
     for j in product(*sides):
         if j in seen:
             continue
@@ -267,8 +267,8 @@ def _orbits(centre: Point, group: Sequence[IntMatrix], reach: Fraction) -> list[
         furthest = max(abs(x) for image in images for x in image)
         if furthest <= scale * reach:
             squares = Fraction(sum(x * x for image in images for x in image), len(images))
-            found.append((furthest, squares, orbit))
-    return [orbit for *_, orbit in sorted(found)]
+            orbits.append((furthest, squares, orbit))
+    return [orbit for *_, orbit in sorted(orbits)]
 
 
 def _image(g: IntMatrix, x: Sequence[int]) -> Index:

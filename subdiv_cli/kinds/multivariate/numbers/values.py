@@ -42,11 +42,11 @@ def at_integers(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fra
     if len(window) > LARGEST_WINDOW:
         raise NoValuesError(f"the support has {len(window)} integers; the limit is {LARGEST_WINDOW}")
     zero = (0,) * lattice.dimension
-    found = eigenvectors(transition_matrix(scheme, lattice, zero, window), 1) if window else ()
-    total = sum(found[0]) if len(found) == 1 else 0
+    vectors = eigenvectors(transition_matrix(scheme, lattice, zero, window), 1) if window else ()
+    total = sum(vectors[0]) if len(vectors) == 1 else 0
     if not total:
         raise NoValuesError("the refinement equation alone does not determine φ at the integers")
-    return {alpha: x / total for alpha, x in zip(window, found[0], strict=True) if x}
+    return {alpha: x / total for alpha, x in zip(window, vectors[0], strict=True) if x}
 
 
 def integers_of_support(scheme: MultivariateScheme, lattice: Lattice) -> list[Index]:
@@ -134,9 +134,9 @@ def _tails(scheme: MultivariateScheme, lattice: Lattice, level: int, tail: Tail)
     needed = [{tail}]
     for j in reversed(range(level)):
         unit = c**j
-        asked = {tuple(x - unit * g for x, g in zip(t, gamma, strict=True)) for t in needed[0] for gamma in tails}
+        reached = {tuple(x - unit * g for x, g in zip(t, gamma, strict=True)) for t in needed[0] for gamma in tails}
         inside = {
-            t for t in asked if all(low <= Fraction(x, unit) <= high for x, (low, high) in zip(t, box, strict=True))
+            t for t in reached if all(low <= Fraction(x, unit) <= high for x, (low, high) in zip(t, box, strict=True))
         }
         needed.insert(0, inside)
     return needed

@@ -10,7 +10,6 @@ from subdiv_cli.exact.closed import closed_ball, closed_interval, readable
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, number, rounded_down, rounded_up
 from subdiv_cli.jsr.products import radius_bound
-from subdiv_cli.jsr.result import root_data
 from subdiv_cli.kinds.kind import Facts, Part
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import (
@@ -31,11 +30,17 @@ from subdiv_cli.kinds.multivariate.stages.wording import (
     not_spanning,
     spanning,
 )
+from subdiv_cli.kinds.multivariate.witnesses import (
+    MultivariateHolderLowerWitness,
+    MultivariateHolderUpperWitness,
+    MultivariateSobolevWitness,
+)
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth
 from subdiv_cli.kinds.scalar.stages.joint_radius import shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
-from subdiv_cli.model import Data, Finding, Interval, Root, Verdict, logarithm, unpowered
+from subdiv_cli.model import Finding, Interval, Root, Verdict, logarithm, unpowered
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.proofs import root_data
 
 _BELOW, _ABOVE = "how regular are the limit functions at least?", "how regular is φ at most?"
 
@@ -79,50 +84,50 @@ def _holder_of_box_spline(depth: int) -> tuple[Finding, ...]:
         reason = "φ is a box spline that is not continuous"
         return (HOLDER_LOWER.skipped(_BELOW, reason), HOLDER_UPPER.skipped(_ABOVE, reason))
     alpha = Fraction(depth - 1)
-    witness: dict[str, Data] = {"by": BOX_SPLINE.code, "value": alpha}
     below, above = f"α ≥ {alpha}: {spanning(depth - 1)}", f"α ≤ {alpha}: {not_spanning(depth)}"
     return (
-        HOLDER_LOWER.proved(below, witness, interval(alpha), alpha),
-        HOLDER_UPPER.proved(above, witness, interval(alpha), alpha),
+        HOLDER_LOWER.proved(below, {"by": BOX_SPLINE.code, "value": alpha}, interval(alpha), alpha),
+        HOLDER_UPPER.proved(above, {"by": BOX_SPLINE.code, "value": alpha}, interval(alpha), alpha),
     )
 
 
 def _least_holder(parts: tuple[Part, ...]) -> Finding:
-    found = products.least(parts, questions.HOLDER_LOWER)
-    if found is None:
+    least = products.least(parts, questions.HOLDER_LOWER)
+    if least is None:
         return HOLDER_LOWER.undecided(_BELOW, products.NOT_LEAST)
-    part, exact = found.part.finding(questions.HOLDER_LOWER), found.is_exact
-    value = part.value or Interval()
-    text = _shown(part) if exact else rounded_down(value.lower or 0.0)
-    statement = f"α {'=' if exact else '≥'} {text}, the least exponent of a factor: {found.part.name}"
-    return HOLDER_LOWER.proved(
-        statement, products.least_witness(found), value if exact else Interval(lower=value.lower), part.closed
-    )
+    finding, exact = least.part.finding(questions.HOLDER_LOWER), least.is_exact
+    value = finding.value or Interval()
+    text = _shown(finding) if exact else rounded_down(value.lower or 0.0)
+    statement = f"α {'=' if exact else '≥'} {text}, the least exponent of a factor: {least.part.name}"
+    witness: MultivariateHolderLowerWitness = {"by": TENSOR_PRODUCT.code}
+    products.put_least(witness, least)
+    return HOLDER_LOWER.proved(statement, witness, value if exact else Interval(lower=value.lower), finding.closed)
 
 
 def _least_above(parts: tuple[Part, ...]) -> Finding:
     part = products.least_upper(parts, questions.HOLDER_UPPER)
     if part is None:
         return HOLDER_UPPER.undecided(_ABOVE, "no bound is known for a factor")
-    found = part.finding(questions.HOLDER_UPPER)
-    assert found.value is not None
+    above = part.finding(questions.HOLDER_UPPER).value
+    assert above is not None
     exact = part.finding(questions.HOLDER_LOWER)
-    text = _shown(exact) if exact.closed is not None else rounded_up(found.value.upper or 0.0)
-    witness: dict[str, Data] = {"by": TENSOR_PRODUCT.code, "variables": part.variables}
+    text = _shown(exact) if exact.closed is not None else rounded_up(above.upper or 0.0)
     return HOLDER_UPPER.proved(
-        f"α ≤ {text}, an exponent of a factor: {part.name}", witness, Interval(upper=found.value.upper)
+        f"α ≤ {text}, an exponent of a factor: {part.name}",
+        {"by": TENSOR_PRODUCT.code, "variables": part.variables},
+        Interval(upper=above.upper),
     )
 
 
-def _shown(found: Finding) -> str:
-    assert found.closed is not None
-    return readable(found.closed) or f"{rounded_down((found.value or Interval()).lower or 0.0)}…"
+def _shown(finding: Finding) -> str:
+    assert finding.closed is not None
+    return readable(finding.closed) or f"{rounded_down((finding.value or Interval()).lower or 0.0)}…"
 
 
 def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
     radius, m, s, k = numbers.radius, numbers.lattice.index, numbers.dimension, numbers.order
     assert radius is not None
-    witness: dict[str, Data] = {"by": DIFFERENCE_RADIUS.code, "length": radius.upper[0]}
+    witness: MultivariateHolderLowerWitness = {"by": DIFFERENCE_RADIUS.code, "length": radius.upper[0]}
     if radius.exact is not None and (exact := multivariate_exponent(m, s, *radius.exact)) is not None:
         value = closed_interval(exact)
         text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
@@ -142,7 +147,7 @@ def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
     if bound is None:
         return None
     lower = _exponent(numbers, 2, bound)
-    witness: dict[str, Data] = {"by": SOBOLEV.code, "length": 2, "bound": bound}
+    witness: MultivariateHolderLowerWitness = {"by": SOBOLEV.code, "length": 2, "bound": bound}
     statement = f"α ≥ {rounded_down(lower)}, from the mean squares of differences of order {numbers.order}"
     return HOLDER_LOWER.proved(statement, witness, Interval(lower=lower), proof=growth_proof(numbers))
 
@@ -164,7 +169,7 @@ def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
     bound, length = radius_bound(product), len(product.word)
     base, divisor = unpowered(m, length)
     upper = closed_interval(logarithm(base, (1 / bound) ** s, divisor)).upper
-    witness: dict[str, Data] = {
+    witness: MultivariateHolderUpperWitness = {
         "by": DIFFERENCE_RADIUS.code,
         "word": product.word,
         "length": length,
@@ -203,14 +208,14 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     reason = reason if numbers.order else "no sum rule holds"
     if reason is not None:
         return (SOBOLEV.skipped(_SOBOLEV_QUESTION, reason),)
-    found = numbers.mean_squares
-    if found is None:
+    means = numbers.mean_squares
+    if means is None:
         return (SOBOLEV.undecided(_SOBOLEV_QUESTION, "the operator on correlations is too large for this effort"),)
-    if found.growth is None:
+    if means.growth is None:
         return (
             SOBOLEV.undecided(_SOBOLEV_QUESTION, "the growth of the mean squares is a multiple zero of its polynomial"),
         )
-    return (_found(numbers, found.growth, facts.verdict(STABILITY) is Verdict.PROVED),)
+    return (_of_mean_squares(numbers, means.growth, facts.verdict(STABILITY) is Verdict.PROVED),)
 
 
 def _sobolev_of_box_spline(depth: int) -> Finding:
@@ -220,24 +225,25 @@ def _sobolev_of_box_spline(depth: int) -> Finding:
 
 
 def _least_sobolev(parts: tuple[Part, ...]) -> Finding:
-    found = products.least(parts, questions.SOBOLEV)
-    if found is None:
+    least = products.least(parts, questions.SOBOLEV)
+    if least is None:
         return SOBOLEV.undecided(_SOBOLEV_QUESTION, products.NOT_LEAST)
-    part, witness = found.part.finding(questions.SOBOLEV), products.least_witness(found)
-    value = part.value or Interval()
-    if not found.is_exact:
-        statement = f"s ≥ {rounded_down(value.lower or 0.0)}, the least exponent of a factor: {found.part.name}"
+    finding = least.part.finding(questions.SOBOLEV)
+    value, closed = finding.value or Interval(), finding.closed
+    witness: MultivariateSobolevWitness = {"by": TENSOR_PRODUCT.code}
+    products.put_least(witness, least)
+    if not least.is_exact:
+        statement = f"s ≥ {rounded_down(value.lower or 0.0)}, the least exponent of a factor: {least.part.name}"
         return SOBOLEV.proved(statement, witness, Interval(lower=value.lower))
-    closed = part.closed
     assert closed is not None
     text = readable(closed) or certain(lambda: closed_ball(closed))
-    return SOBOLEV.proved(f"s = {text}, the least exponent of a factor: {found.part.name}", witness, value, part.closed)
+    return SOBOLEV.proved(f"s = {text}, the least exponent of a factor: {least.part.name}", witness, value, closed)
 
 
-def _found(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Finding:
+def _of_mean_squares(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Finding:
     m, dimension, k = numbers.lattice.index, numbers.dimension, numbers.order
     root = Root(tuple(int(c) for c in growth.radius.minimal_polynomial), growth.low, growth.high)
-    witness: dict[str, Data] = {
+    witness: MultivariateSobolevWitness = {
         "by": SUM_RULES.code,
         "polynomial": root.coefficients,
         "low": growth.low,

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import rounded_up
@@ -32,9 +30,17 @@ from subdiv_cli.kinds.multivariate.rules import (
 )
 from subdiv_cli.kinds.multivariate.stages import products
 from subdiv_cli.kinds.multivariate.stages.wording import ANISOTROPIC, growth_proof, not_spanning, spanning
-from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, shown
-from subdiv_cli.kinds.scalar.stages.wording import integer, product_name
-from subdiv_cli.model import Data, Finding, Smoothness, Verdict, exact_root
+from subdiv_cli.kinds.multivariate.witnesses import (
+    DifferenceRadiusProof,
+    DifferenceRadiusWitness,
+    GramProof,
+    GrowthProof,
+    MultivariateSmoothnessWitness,
+    SpaceProof,
+)
+from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, put_radius, shown
+from subdiv_cli.kinds.scalar.stages.wording import product_name
+from subdiv_cli.model import Finding, Smoothness, Verdict, exact_root
 from subdiv_cli.model import findings as questions
 
 _DIFFERENCE_RADIUS_QUESTION = "how fast do differences decay?"
@@ -76,27 +82,27 @@ def difference_radius(numbers: MultivariateNumbers, facts: Facts) -> tuple[Findi
     if radius is None:
         ended = "time budget" if numbers.effort.struck else "effort"
         return (DIFFERENCE_RADIUS.undecided(_DIFFERENCE_RADIUS_QUESTION, f"the {ended} ended before a bound"),)
-    witness: dict[str, Data] = {
+    witness: DifferenceRadiusWitness = {
         "order": space.order,
         "dimension": space.basis.nrows(),
         "method": radius.proof["rule"],
-        **({} if radius.word is None else {"word": radius.word}),
-        **{key: radius.proof[key] for key in ("length", "root", "bound") if key in radius.proof},
     }
+    put_radius(witness, radius)
+    proof: DifferenceRadiusProof = {"space": _space_proof(space), "radius": radius.proof}
     value = enclosed(radius)
     size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
     statement = f"ρ_{space.order} {size} on V_{space.order} of dimension {space.basis.nrows()}{_how(radius)}"
-    return (DIFFERENCE_RADIUS.proved(statement, witness, value, proof={"space": _data(space), "radius": radius.proof}),)
+    return (DIFFERENCE_RADIUS.proved(statement, witness, value, proof=proof),)
 
 
 def _how(radius: Radius) -> str:
-    parts: Any = radius.proof.get("sizes")
+    parts = radius.proof.get("sizes")
     by = f": {len(parts)} diagonal blocks" if parts else ""
     attains = f", attained by {product_name(radius.word)}" if radius.exact is not None and radius.word else ""
     return by + attains
 
 
-def _data(space: DifferenceSpace) -> dict[str, Data]:
+def _space_proof(space: DifferenceSpace) -> SpaceProof:
     """The space as certificates have it."""
     return {
         "order": space.order,
@@ -131,7 +137,7 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
 
     Raises ContradictionError where S converges and ρ_k is at least 1.
     """
-    sums, found = (facts.find(rule) for rule in (COSET_SUMS, DIFFERENCE_RADIUS))
+    sums, decay = (facts.find(rule) for rule in (COSET_SUMS, DIFFERENCE_RADIUS))
     norms = next((code for code in _NORMS if code in facts), None)
     if sums is not None and sums.verdict is Verdict.REFUTED:
         return (
@@ -140,9 +146,9 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
             ),
         )
     if numbers.parts:
-        said = "S converges uniformly: its factors do", "S does not converge uniformly", "its factor in {} does not"
-        return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, *said),)
-    radius, product = (numbers.radius, numbers.product) if found and found.verdict is Verdict.PROVED else (None, None)
+        words = "S converges uniformly: its factors do", "S does not converge uniformly", "its factor in {} does not"
+        return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, *words),)
+    radius, product = (numbers.radius, numbers.product) if decay and decay.verdict is Verdict.PROVED else (None, None)
     diverges = product is not None and product.compare(Fraction(1)) >= 0
     k = numbers.order
     if norms is not None or (radius is not None and radius.is_below(Fraction(1))):
@@ -161,11 +167,14 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
         )
         return (CONVERGENCE.proved(statement, {"by": SOBOLEV.code}, proof=growth_proof(numbers)),)
     if diverges and product is not None:
-        witness: dict[str, Data] = {"by": DIFFERENCE_RADIUS.code, "word": product.word}
         why = f"{product_name(product.word)} keeps ρ_{k} ≥ 1"
-        return (CONVERGENCE.refuted("S does not converge uniformly", witness, why=why),)
+        return (
+            CONVERGENCE.refuted(
+                "S does not converge uniformly", {"by": DIFFERENCE_RADIUS.code, "word": product.word}, why=why
+            ),
+        )
     reason = "no bound of ρ_k below 1 is proved, and no product is known that keeps it above"
-    return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, (found.reason if found is not None else None) or reason),)
+    return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, (decay.reason if decay is not None else None) or reason),)
 
 
 _STABILITY_QUESTION = "are the integer translates of φ stable?"
@@ -200,29 +209,29 @@ def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]
             ),
         )
     if numbers.parts:
-        said = "φ is stable: its factors are", "φ is not stable", "its factor in {} is not"
-        return (products.follows(STABILITY, _STABILITY_QUESTION, numbers.parts, questions.STABILITY, *said),)
+        words = "φ is stable: its factors are", "φ is not stable", "its factor in {} is not"
+        return (products.follows(STABILITY, _STABILITY_QUESTION, numbers.parts, questions.STABILITY, *words),)
     if numbers.is_interpolatory:
         return (STABILITY.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": CONVERGENCE.code}),)
     return (_of_gram_sequence(numbers.gram),)
 
 
-def _of_gram_sequence(found: Gram | None) -> Finding:
-    if found is None:
+def _of_gram_sequence(gram: Gram | None) -> Finding:
+    if gram is None:
         return STABILITY.undecided(_STABILITY_QUESTION, "the Gram sequence of the translates is too long")
-    proof: dict[str, Data] = {"gram": tuple(found.sequence.items()), "correlations": found.correlations}
-    if found.zero is not None:
-        k, n = found.zero
+    proof: GramProof = {"gram": tuple(gram.sequence.items()), "correlations": gram.correlations}
+    if gram.zero is not None:
+        k, n = gram.zero
         at = f"2π({', '.join(str(Fraction(x, n)) for x in k)})"
         statement = f"φ is not stable: Σ ∫φφ(·−α) e^(iα·ω) is zero at ω = {at}"
-        return replace(STABILITY.refuted(statement, {"by": CONVERGENCE.code, "zero": k, "order": n}), proof=proof)
-    if found.tree is None:
+        return STABILITY.refuted(statement, {"by": CONVERGENCE.code, "zero": k, "order": n}, proof=proof)
+    if gram.tree is None:
         return STABILITY.undecided(
             _STABILITY_QUESTION, "the symbol of the Gram sequence is not seen to be positive or to have a zero"
         )
-    boxes = found.tree.count(LEAF)
+    boxes = gram.tree.count(LEAF)
     statement = f"φ is stable: Σ ∫φφ(·−α) e^(iα·ω) is positive for all ω, on each of {boxes} boxes"
-    proof |= {"tree": found.tree}
+    proof["tree"] = gram.tree
     return STABILITY.proved(statement, {"by": CONVERGENCE.code, "boxes": boxes}, proof=proof)
 
 
@@ -241,7 +250,7 @@ def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...
     matrix scheme of differences (SD606) or quotients by pairs of directional factors (SD607) may.
 
     Witness: `order`; `by`, SD605, SD617, SD606, SD607, SD609 or SD603; SD613: `by`, SD603, SD609, SD602 (the sum rules
-    are too few) or SD605 with `word`.
+    are too few) or SD605 (a product of its `word`).
     """
     if not numbers.is_normalised:
         return (
@@ -288,12 +297,12 @@ def _of_box_spline(depth: int) -> tuple[Finding, ...]:
 
 
 def _of_parts(parts: tuple[Part, ...]) -> tuple[Finding, ...]:
-    found, part = products.of_all(parts, questions.SMOOTHNESS)
-    if found is Verdict.REFUTED:
+    verdict, part = products.of_all(parts, questions.SMOOTHNESS)
+    if verdict is Verdict.REFUTED:
         return (
             SMOOTHNESS.refuted(f"φ is not continuous: its factor in {part.name} is not", _by(0, TENSOR_PRODUCT.code)),
         )
-    if found is Verdict.UNDECIDED:
+    if verdict is Verdict.UNDECIDED:
         return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, f"it is not decided for the factor in {part.name}"),)
     orders = [(_order(part.finding(questions.SMOOTHNESS)), part) for part in parts]
     n = min(order for order, _ in orders)
@@ -306,18 +315,20 @@ def _of_parts(parts: tuple[Part, ...]) -> tuple[Finding, ...]:
     return (first, NEXT_SMOOTHNESS.undecided(f"is φ C^{n + 1}?", "it is not excluded for any factor"))
 
 
-def _proved(n: int, why: str, by: str, proof: dict[str, Data] | None = None) -> Finding:
+def _proved(n: int, why: str, by: str, proof: GrowthProof | None = None) -> Finding:
     answers = {questions.SMOOTHNESS: Smoothness(n)}
     return SMOOTHNESS.proved(f"φ is C^{n}: {why}", _by(n, by), proof=proof, answers=answers)
 
 
-def _order(found: Finding) -> int:
-    order = found.witness["order"]
-    assert isinstance(order, int)
-    return order
+def _order(finding: Finding) -> int:
+    """The order of smoothness that a factor is proved to have."""
+    answer = dict(finding.answers)[questions.SMOOTHNESS]
+    assert isinstance(answer, Smoothness)
+    assert answer.order is not None
+    return answer.order
 
 
-def _by(order: int, code: str) -> dict[str, int | str]:
+def _by(order: int, code: str) -> MultivariateSmoothnessWitness:
     return {"order": order, "by": code}
 
 
@@ -352,7 +363,7 @@ def proved_by(numbers: MultivariateNumbers, facts: Facts, n: int) -> str | None:
                 return code
     if DIRECTIONAL_SMOOTHNESS in facts and n <= 1:
         return DIRECTIONAL_SMOOTHNESS.code
-    return MATRIX_NORMS.code if MATRIX_NORMS in facts and n <= integer(facts[MATRIX_NORMS], "smooth") else None
+    return MATRIX_NORMS.code if MATRIX_NORMS in facts and n <= facts.witness(MATRIX_NORMS)["smooth"] else None
 
 
 def reaches(numbers: MultivariateNumbers, product: WordProduct, n: int) -> bool:
@@ -371,5 +382,5 @@ def _obstacle(numbers: MultivariateNumbers, n: int) -> str | None:
     return None
 
 
-def _witness(numbers: MultivariateNumbers, n: int) -> dict[str, int | str]:
+def _witness(numbers: MultivariateNumbers, n: int) -> MultivariateSmoothnessWitness:
     return _by(n, SUM_RULES.code if n >= numbers.order else DIFFERENCE_RADIUS.code)

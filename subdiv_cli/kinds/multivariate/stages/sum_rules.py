@@ -12,8 +12,14 @@ from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbe
 from subdiv_cli.kinds.multivariate.numbers.polynomials import Point, QuasiInterpolation
 from subdiv_cli.kinds.multivariate.rules import CONVERGENCE, COSET_SUMS, QUASI_INTERPOLATION, REPRODUCTION, SUM_RULES
 from subdiv_cli.kinds.multivariate.scheme import Index
+from subdiv_cli.kinds.multivariate.witnesses import (
+    CosetSumsWitness,
+    MultivariateQuasiInterpolationWitness,
+    MultivariateReproductionWitness,
+    PlacedNumbers,
+)
 from subdiv_cli.kinds.scalar.stages.wording import series
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import partial_operator
 
@@ -28,7 +34,7 @@ def coset_sums(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     Witness: `cosets`, a representative of each; `sums`.
     """
     sums, count = numbers.sums, numbers.lattice.index
-    witness: dict[str, Data] = {"cosets": numbers.lattice.representatives, "sums": sums}
+    witness: CosetSumsWitness = {"cosets": numbers.lattice.representatives, "sums": sums}
     if set(sums) == {Fraction(1)}:
         return (COSET_SUMS.proved(f"all {count} coset sums are 1", witness),)
     return (COSET_SUMS.refuted(f"the coset sums are {series(sums, number)}, must be 1", witness),)
@@ -70,10 +76,11 @@ def reproduction(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     if not numbers.order:
         return (REPRODUCTION.skipped("which polynomials are reproduced?", "no sum rule holds"),)
     degree, shift, defect = numbers.reproduction
-    witness: dict[str, Data] = {"degree": degree, "shift": shift, **({} if defect is None else {"defect": defect})}
+    witness: MultivariateReproductionWitness = {"degree": degree, "shift": shift}
     if defect is None:
         why = f"it generates degree {degree} only"
     else:
+        witness["defect"] = defect
         why = f"Σ a_α α^μ is not m τ^μ for μ = ({', '.join(map(str, defect))})"
     tau = ", ".join(map(number, shift))
     statement = f"S reproduces the polynomials of total degree {degree} with parameter shift τ = ({tau})"
@@ -109,40 +116,38 @@ def quasi_interpolation(numbers: MultivariateNumbers, facts: Facts) -> tuple[Fin
                 _QUASI_INTERPOLATION_QUESTION, f"degree {d} has too many derivatives for this effort"
             ),
         )
-    found = numbers.quasi_interpolation
-    witness: dict[str, Data] = {
+    q = numbers.quasi_interpolation
+    witness: MultivariateQuasiInterpolationWitness = {
         "degree": d,
-        "centre": found.centre,
-        "moments": _pairs(found.moments),
-        "operator": _pairs(found.operator),
-        "centred": _pairs(found.centred),
-        "stencil": _pairs(found.stencil),
+        "centre": q.centre,
+        "moments": _pairs(q.moments),
+        "operator": _pairs(q.operator),
+        "centred": _pairs(q.centred),
+        "stencil": _pairs(q.stencil),
     }
-    return (
-        QUASI_INTERPOLATION.proved(f"on polynomials of total degree {d} S^∞ Q f = f with {_formula(found)}", witness),
-    )
+    return (QUASI_INTERPOLATION.proved(f"on polynomials of total degree {d} S^∞ Q f = f with {_formula(q)}", witness),)
 
 
-def _pairs(values: Mapping[Index, Fraction]) -> tuple[tuple[Index, Fraction], ...]:
+def _pairs(values: Mapping[Index, Fraction]) -> PlacedNumbers:
     return tuple(sorted(values.items()))
 
 
-def _formula(found: QuasiInterpolation) -> str:
+def _formula(q: QuasiInterpolation) -> str:
     """The operator Q as text: `Q f(α) = (f - 1/6 f_xx)(α + (1, 1)), or the weights …`."""
-    right = partial_operator(found.centred)
-    if len(found.centred) > _MOST_TERMS:
-        text = f"Q of {len(found.operator)} derivatives"
-    elif not any(found.centre):
+    right = partial_operator(q.centred)
+    if len(q.centred) > _MOST_TERMS:
+        text = f"Q of {len(q.operator)} derivatives"
+    elif not any(q.centre):
         text = f"Q f = {right}"
     else:
-        text = f"Q f(α) = {right if len(found.centred) == 1 else f'({right})'}(α + {_tuple(found.centre)})"
-    if len(found.stencil) == 1:
+        text = f"Q f(α) = {right if len(q.centred) == 1 else f'({right})'}(α + {_tuple(q.centre)})"
+    if len(q.stencil) == 1:
         return text
-    if len(found.stencil) > _MOST_TERMS:
-        return f"{text}, a stencil of {len(found.stencil)} weights"
+    if len(q.stencil) > _MOST_TERMS:
+        return f"{text}, a stencil of {len(q.stencil)} weights"
     places: dict[Fraction, list[Index]] = {}
-    for j in sorted(found.stencil, key=lambda j: (-abs(found.stencil[j]), j)):
-        places.setdefault(found.stencil[j], []).append(j)
+    for j in sorted(q.stencil, key=lambda j: (-abs(q.stencil[j]), j)):
+        places.setdefault(q.stencil[j], []).append(j)
     weights = "; ".join(f"{number(x)} at {', '.join(map(_tuple, places[x]))}" for x in places)
     return f"{text}, a stencil with the weights {weights}"
 

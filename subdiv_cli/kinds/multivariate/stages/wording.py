@@ -7,7 +7,8 @@ from math import gcd
 from subdiv_cli.exact.algebraic import isolated, number_of, power
 from subdiv_cli.exact.closed import exponent
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.model import ClosedForm, Data, Root, unpowered
+from subdiv_cli.kinds.multivariate.witnesses import GrowthProof
+from subdiv_cli.model import ClosedForm, Root, unpowered
 
 ANISOTROPIC = "smoothness is decided for isotropic dilations only"
 
@@ -35,17 +36,17 @@ def multivariate_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm
     return None if raised is None else exponent(base, divisor // common, isolated(raised))
 
 
-def growth_proof(numbers: MultivariateNumbers) -> dict[str, Data]:
+def growth_proof(numbers: MultivariateNumbers) -> GrowthProof:
     """The numbers by which certificates show the growth Λ of mean squares, where that is known."""
-    found = numbers.mean_squares
-    assert found is not None
-    assert found.growth is not None
-    growth = found.growth
+    means = numbers.mean_squares
+    assert means is not None
+    assert means.growth is not None
+    growth = means.growth
     return {
         "polynomial": tuple(int(c) for c in growth.radius.minimal_polynomial),
         "low": growth.low,
         "high": growth.high,
         "cofactor": growth.cofactor_coefficients(),
-        "window": found.window,
-        "pairs": found.pairs,
+        "window": means.window,
+        "pairs": means.pairs,
     }

@@ -94,12 +94,12 @@ class _Rows:
             return None
         assert isinstance(value, list), "anything else is a fault"
         last = depth == len(self._shape) - 1
-        found = [
+        read = [
             self._entry(entry, (*path, i)) if last else self.read(entry, (*path, i), depth + 1)
             for i, entry in enumerate(value)
         ]
-        entries = tuple(entry for entry in found if entry is not None)
-        return entries if len(entries) == len(found) else None
+        entries = tuple(entry for entry in read if entry is not None)
+        return entries if len(entries) == len(read) else None
 
     def _entry(self, value: object, path: KeyPath) -> Expression | None:
         """The coefficient at `path`; None where it is wrong, or one too many."""
@@ -138,26 +138,26 @@ def read_terms(table: Table, dilation: Dilation, parameters: Collection[str]) ->
     if fault:
         problems.add(fault, path)
         return None
-    found: dict[Index, Expression | None] = {}
+    entries: dict[Index, Expression | None] = {}
     work = Work()
     for key, value in inner.data.items():
         entry = read_number(value, (*path, key), parameters, problems, work)
         try:
             index = index_of_key(key)
-            _fits(index, found)
+            _fits(index, entries)
         except Fault as wrong:
             problems.add(wrong, (*path, key), of_key=True)
             continue
-        found[index] = entry
-    matrix = dilation.of(len(next(iter(found)))) if found else None
-    terms = tuple((index, entry) for index, entry in found.items() if entry is not None)
+        entries[index] = entry
+    matrix = dilation.of(len(next(iter(entries)))) if entries else None
+    terms = tuple((index, entry) for index, entry in entries.items() if entry is not None)
     return Terms(dilation=matrix, terms=terms) if matrix is not None and len(terms) == len(inner.data) else None
 
 
-def _fits(index: Index, found: dict[Index, Expression | None]) -> None:
+def _fits(index: Index, entries: dict[Index, Expression | None]) -> None:
     """Raises Fault for an index of another length than the first (SD023), and for one that was there (SD015)."""
-    if found and len(index) != len(first := next(iter(found))):
+    if entries and len(index) != len(first := next(iter(entries))):
         message = f"an index with {len(index)} components, and the first one has {len(first)}"
         raise Fault(faults.BAD_SHAPE, message, "give each index one for each variable")
-    if index in found:
+    if index in entries:
         raise Fault(faults.DUPLICATE_KEY, f"the index {','.join(map(str, index))} is given twice")

@@ -2,61 +2,65 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from math import lcm
-from typing import cast
 
+from subdiv_cli.certificate.claims import polynomial
 from subdiv_cli.certificate.radius import root_fields
-from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_word
 from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.claims import radius
 from subdiv_cli.kinds.scalar.claims.proof import Proof
 from subdiv_cli.kinds.scalar.claims.structure import eigen_condition, residue_sums
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.scalar.witnesses import ProductWitness
+from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model.closed import rational
+from subdiv_cli.model.findings import proof_of
+from subdiv_cli.model.proofs import RadiusProof
 
 
 def contractivity(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD301: a derived scheme contracts, or a product of transition matrices keeps it from doing so."""
+    witness = rules.CONTRACTIVITY.witness_of(finding)
     if finding.verdict is Verdict.PROVED:
-        return proof.contraction(proof.last, finding.witness)
-    return [proof.obstacle(proof.last, as_integer(finding.witness["nu"]) - 1, finding.witness)]
+        return proof.contraction(proof.last, witness)
+    return [proof.obstacle(proof.last, witness["nu"] - 1, witness)]
 
 
 def convergence(proof: Proof, finding: Finding) -> list[int]:
     """The claim of SD201: S converges uniformly, or does not."""
+    witness = rules.CONVERGENCE.witness_of(finding)
     if finding.verdict is Verdict.PROVED:
-        uses = proof.contraction(0, finding.witness)
+        uses = proof.contraction(0, witness)
         return [proof.add("converges", {"holds": True}, uses=uses, name="convergent")]
-    by = finding.witness["by"]
+    by = witness["by"]
     if by == rules.CONTRACTIVITY.code:
-        reason = proof.obstacle(0, 0, finding.witness)
+        reason = proof.obstacle(0, 0, witness)
     else:
-        (reason,) = {rules.RESIDUE_SUMS.code: residue_sums, rules.EIGEN_CONDITION.code: eigen_condition}[str(by)](
-            proof, proof.found[str(by)]
-        )
+        makers = {rules.RESIDUE_SUMS.code: residue_sums, rules.EIGEN_CONDITION.code: eigen_condition}
+        (reason,) = makers[by](proof, proof.facts[by])
     return [proof.add("diverges", {"holds": False}, uses=[reason], name="convergent")]
 
 
 def smoothness(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD302: φ is C^n, or is not continuous."""
+    witness = rules.SMOOTHNESS.witness_of(finding)
     if finding.verdict is Verdict.REFUTED:
-        return _not_smooth(proof, 0, finding.witness)
-    order = as_integer(finding.witness["order"])
-    if finding.witness["by"] == rules.CONVERGENCE.code:
-        uses = proof.contraction(0, proof.found[rules.CONVERGENCE].witness)
+        return _not_smooth(proof, 0, witness)
+    if witness["by"] == rules.CONVERGENCE.code:
+        uses = proof.contraction(0, proof.facts.witness(rules.CONVERGENCE))
     else:
-        uses = [*proof.contraction(proof.last, proof.contractions[-1].witness), *proof.reductions]
-    return [proof.add("smooth", {"order": order}, uses=uses)]
+        uses = [*proof.contraction(proof.last, proof.contractions[-1]), *proof.reductions]
+    return [proof.add("smooth", {"order": witness["order"]}, uses=uses)]
 
 
 def next_smoothness(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD303: φ is not C^(n+1)."""
-    return _not_smooth(proof, as_integer(finding.witness["order"]), finding.witness)
+    witness = rules.NEXT_SMOOTHNESS.witness_of(finding)
+    return _not_smooth(proof, witness["order"], witness)
 
 
-def _not_smooth(proof: Proof, order: int, witness: Mapping[str, Data]) -> list[int]:
+def _not_smooth(proof: Proof, order: int, witness: ProductWitness) -> list[int]:
     stable = proof.last_stable()
     obstacle = proof.obstacle(proof.last, order, witness)
     return [proof.add("not-smooth", {"order": order}, uses=[n, obstacle, *proof.reductions]) for n in stable]
@@ -64,32 +68,31 @@ def _not_smooth(proof: Proof, order: int, witness: Mapping[str, Data]) -> list[i
 
 def joint_radius(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD310: the joint spectral radius of D, or a bound of it."""
-    mask = 0 if finding.witness["of"] == "S" else proof.last
+    witness = rules.JOINT_RADIUS.witness_of(finding)
+    mask = 0 if witness["of"] == "S" else proof.last
     claims = radius.claims(proof, mask)
-    if finding.proof["rule"] == "norm" and "root" in finding.witness:
-        word, length = as_word(finding.witness), as_integer(finding.witness["length"])
-        claims.append(proof.product(mask, *_fitting(word, length, as_rational(finding.proof["bound"]))))
+    if witness["method"] == "norm" and "root" in witness:
+        claims.append(proof.product(mask, *_fitting(witness["word"], witness["length"], witness["bound"])))
     return claims
 
 
 def holder_lower(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD311: the Hölder exponent from below, or what it is where the radius is known."""
-    data, length = radius.of_mask(proof, proof.last), as_integer(finding.witness["length"])
-    last, uses = proof.last, [*radius.claims(proof, proof.last), proof.sum_rules(proof.last)]
-    root = cast("Mapping[str, Data] | None", finding.witness.get("root"))
-    if root is not None and data["rule"] != "norm":
+    witness, last = rules.HOLDER_LOWER.witness_of(finding), proof.last
+    length, root = witness["length"], witness.get("root")
+    uses = [*radius.claims(proof, last), proof.sum_rules(last)]
+    if root is not None and radius.of_mask(proof, last)["rule"] != "norm":
         statement = {"length": length, **root_fields(root)}
         return [
             proof.add("holder-root", statement, uses=[*uses, stable, *proof.reductions])
             for stable in proof.last_stable()
         ]
-    bound = as_rational(root["high"] if root is not None else finding.witness["bound"])
+    bound = witness["bound"] if root is None else root["high"]
     statement = {"level": length, "norm": rational(bound)}
     below = proof.add("holder-lower", statement, uses=[*uses, *proof.reductions])
     if root is None:
         return [below]
-    word = as_word(proof.radii["S" if last == 0 else "S0"].witness)
-    above = _above(proof, *_fitting(word, length, bound))
+    above = _above(proof, *_fitting(proof.radius(last)[0]["word"], length, bound))
     return [proof.add("holder-exact", statement, uses=[below, n], name="holder") for n in above] or [below]
 
 
@@ -101,12 +104,12 @@ def _fitting(word: tuple[int, ...], length: int, power: Fraction) -> tuple[tuple
 
 def holder_upper(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD312: the Hölder exponent from above."""
-    if "word" in finding.witness:
+    witness = rules.HOLDER_UPPER.witness_of(finding)
+    if "word" in witness:
         if (exactly := _exactly(proof)) is not None:
             return [exactly]
-        return _above(proof, as_word(finding.witness), as_rational(finding.witness["radius"]))
-    k = as_integer(finding.witness["difference_order"])
-    statement = {"length": 1, "radius": rational(Fraction(1, proof.p**k))}
+        return _above(proof, witness["word"], witness["radius"])
+    statement = {"length": 1, "radius": rational(Fraction(1, proof.p ** witness["difference_order"]))}
     uses = [proof.sum_rules(proof.last), *proof.reductions]
     return [proof.add("holder-upper", statement, uses=[n, *uses]) for n in proof.last_stable()]
 
@@ -122,24 +125,25 @@ def attained(proof: Proof, finding: Finding) -> list[int]:
     holder = _exactly(proof)
     if holder is None:
         return []
-    mask, nu, rules = proof.last, as_integer(finding.witness["nu"]), proof.sum_rules(proof.last)
+    witness = rules.HOLDER_ATTAINED.witness_of(finding)
+    mask, nu, sum_rules = proof.last, witness["nu"], proof.sum_rules(proof.last)
     statement = {"holds": finding.verdict is Verdict.PROVED}
     if finding.verdict is Verdict.REFUTED:
         family = proof.family(mask, nu)
-        uses = [radius.defective(proof, family, finding.witness), family, holder]
+        uses = [radius.defective(proof, family, witness), family, holder]
         return [
             proof.add("not-attained", statement, uses=[*uses, stable, *proof.reductions], name="attained")
             for stable in proof.last_stable()
         ]
-    if finding.witness["by"] == "norm":
-        norm = proof.norm(mask, nu, as_integer(finding.witness["level"]), as_rational(finding.witness["norm"]))
-        uses = [norm, holder, rules, *proof.reductions]
+    if witness["by"] == "norm":
+        norm = proof.norm(mask, nu, witness["level"], witness["norm"])
+        uses = [norm, holder, sum_rules, *proof.reductions]
         return [proof.add("attained-norm", statement, uses=uses, name="attained")]
     if finding.proof:
-        bounded, family = radius.claims_of(proof, mask, nu, finding.proof)
-        uses = [bounded, holder, family, rules]
+        bounded, family = radius.claims_of(proof, mask, nu, proof_of(finding, RadiusProof))
+        uses = [bounded, holder, family, sum_rules]
     else:
-        uses = [*radius.claims(proof, mask), rules]
+        uses = [*radius.claims(proof, mask), sum_rules]
     return [
         proof.add("attained-bounded", statement, uses=[*uses, stable, *proof.reductions], name="attained")
         for stable in proof.last_stable()
@@ -148,7 +152,7 @@ def attained(proof: Proof, finding: Finding) -> list[int]:
 
 def _exactly(proof: Proof) -> int | None:
     """The claim that says what α is."""
-    if not (claims := holder_lower(proof, proof.found[rules.HOLDER_LOWER])):
+    if not (claims := holder_lower(proof, proof.facts[rules.HOLDER_LOWER])):
         return None
     name = proof.claims.statement(claims[0])["property"]
     return claims[0] if name in ("holder", "holder-root") else None
@@ -156,15 +160,15 @@ def _exactly(proof: Proof) -> int | None:
 
 def sobolev(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD321: the Sobolev exponent; none where the witness of stability was too costly."""
-    found, p = finding.witness, proof.p
+    witness, p = rules.SOBOLEV.witness_of(finding), proof.p
     degree = proof.degrees[proof.last] - proof.orders[proof.last] * (p - 1)
     order = degree // (p - 1) + 1
     statement = {
-        "polynomial": as_polynomial(0, found["polynomial"]),
-        "low": rational(as_rational(found["low"])),
-        "high": rational(as_rational(found["high"])),
+        "polynomial": polynomial(0, witness["polynomial"]),
+        "low": rational(witness["low"]),
+        "high": rational(witness["high"]),
     }
-    hints = {"cofactor": as_polynomial(0, found["cofactor"])}
+    hints = {"cofactor": polynomial(0, witness["cofactor"])}
     uses = [proof.sum_rules(proof.last), *proof.reductions]
     work = (degree + 1) ** 2 + 4 * order**3 + 20
     return [proof.add("sobolev", statement, hints, uses=[n, *uses], work=work) for n in proof.last_stable()]

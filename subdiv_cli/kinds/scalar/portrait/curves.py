@@ -119,11 +119,11 @@ def polygons(
     else:
         low, high = first + degree - p**level + 1, first + count * p**level - 1
         reach = range(count)
-    found = []
+    pieces = []
     for column in columns:
         data = Laurent.from_coefficients(reach[0], [column[i % count] for i in reach])
-        found.append(_between(power * data.inflate(p**level), low, high))
-    return tuple(found)
+        pieces.append(_between(power * data.inflate(p**level), low, high))
+    return tuple(pieces)
 
 
 def _between(f: Laurent, low: int, high: int) -> tuple[Fraction, ...]:

@@ -10,8 +10,8 @@ from subdiv_cli.kinds.scalar.numbers.error_bounds import best_bound
 from subdiv_cli.kinds.scalar.numbers.error_bounds import hermite_bound as best_hermite_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import CONVERGENCE, ERROR_BOUND, HERMITE_BOUND, SMOOTHNESS
-from subdiv_cli.kinds.scalar.stages.wording import integer
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.scalar.witnesses import ErrorBoundWitness, HermiteBoundWitness
+from subdiv_cli.model import Finding, Verdict
 
 _ERROR_BOUND_QUESTION = "how close to the limit is the control polygon?"
 
@@ -42,7 +42,7 @@ def error_bound(tolerance: Fraction) -> Stage:
         if bound is None or levels is None:
             reason = "no norm of (1/p)S_1 below 1 within this effort makes a reasonable bound"
             return (ERROR_BOUND.undecided(_ERROR_BOUND_QUESTION, reason),)
-        witness: dict[str, Data] = {
+        witness: ErrorBoundWitness = {
             "nu": 0,
             "level": bound.level,
             "norms": bound.norms,
@@ -78,21 +78,21 @@ def hermite_bound(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     ((1/p)S_ν)^j; `constant`, H.
     """
     smooth = facts.verdict(SMOOTHNESS) is Verdict.PROVED and facts.verdict(CONVERGENCE) is Verdict.PROVED
-    order = min(integer(facts[SMOOTHNESS], "order"), numbers.order - 1) if smooth else 0
+    order = min(facts.witness(SMOOTHNESS)["order"], numbers.order - 1) if smooth else 0
     for nu in range(order - order % 2, 0, -2):
-        found = best_hermite_bound(numbers, nu)
-        if found is not None:
+        best = best_hermite_bound(numbers, nu)
+        if best is not None:
             break
     else:
         return (HERMITE_BOUND.skipped(_HERMITE_BOUND_QUESTION, "S_2 is not proved to converge"),)
-    witness: dict[str, Data] = {
+    witness: HermiteBoundWitness = {
         "order": nu,
-        "norms": found.bound.norms,
-        "derived_constant": found.bound.constant,
-        "level": found.level,
-        "norm": found.norm,
-        "constant": found.constant,
+        "norms": best.bound.norms,
+        "derived_constant": best.bound.constant,
+        "level": best.level,
+        "norm": best.norm,
+        "constant": best.constant,
     }
-    bound = f"{number(found.constant)} · {numbers.p}^(-{nu}k) ‖Δ^{nu} f‖∞"
+    bound = f"{number(best.constant)} · {numbers.p}^(-{nu}k) ‖Δ^{nu} f‖∞"
     statement = f"‖S^∞ f - Q^k‖∞ ≤ {bound} for the Hermite interpolant Q^k of degree {nu - 1} at i/{numbers.p}^k"
     return (HERMITE_BOUND.proved(statement, witness),)

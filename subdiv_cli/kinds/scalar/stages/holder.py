@@ -15,7 +15,7 @@ from subdiv_cli.exact.rationals import to_fmpq
 from subdiv_cli.exact.text import modulus, number, rounded_down, rounded_up
 from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.products import lyndon_words, radius_bound
-from subdiv_cli.jsr.result import Radius, root_data
+from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.estimate import estimated_exponent
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
@@ -23,10 +23,12 @@ from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
 from subdiv_cli.kinds.scalar.numbers.radius import exponent_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import HOLDER_ATTAINED, HOLDER_LOWER, HOLDER_UPPER
-from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, product_witness, shown
+from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, put_product, shown
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
-from subdiv_cli.model import Data, Exponent, Finding, Interval, Verdict
+from subdiv_cli.kinds.scalar.witnesses import HolderLowerWitness, HolderUpperWitness
+from subdiv_cli.model import Exponent, Finding, Interval, Verdict
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.proofs import root_data
 
 _HOLDER_LOWER_QUESTION = "how regular are the limit functions at least?"
 
@@ -56,7 +58,7 @@ def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
                 _HOLDER_LOWER_QUESTION, f"the {ended} ended before a bound of the joint spectral radius"
             ),
         )
-    witness: dict[str, Data] = {"difference_order": k, "radius_of": numbers.name, "length": radius.upper[0]}
+    witness: HolderLowerWitness = {"difference_order": k, "radius_of": numbers.name, "length": radius.upper[0]}
     name = f"ρ({last_difference(numbers)})"
     if radius.exact is not None:
         exact = exponent(p, *radius.exact)
@@ -92,7 +94,7 @@ def holder_upper(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     k, product = numbers.order, numbers.product
     if k == 0:
         return (HOLDER_UPPER.skipped(_HOLDER_UPPER_QUESTION, no_sum_rule(numbers)),)
-    witness: dict[str, Data] = {"difference_order": k}
+    witness: HolderUpperWitness = {"difference_order": k}
     bound = None if product is None else exponent_bound(product, numbers.p)
     if product is None or bound is None or bound.upper is None or bound.upper > k:
         statement = f"α ≤ {k}, the sum-rule order"
@@ -102,12 +104,13 @@ def holder_upper(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     statement = (
         f"α ≤ {shown}: {product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
     )
-    witness |= {**product_witness(product), "radius": radius_bound(product)}
+    put_product(witness, product)
+    witness["radius"] = radius_bound(product)
     return (_proved(numbers, facts, statement, witness, bound.upper),)
 
 
 def _proved(
-    numbers: ScalarNumbers, facts: Facts, statement: str, witness: dict[str, Data], upper: float | None
+    numbers: ScalarNumbers, facts: Facts, statement: str, witness: HolderUpperWitness, upper: float | None
 ) -> Finding:
     """The finding with an estimate beside it, where the exponent is only enclosed."""
     below = facts[HOLDER_LOWER]
@@ -165,8 +168,8 @@ def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
 def _integer(numbers: ScalarNumbers, m: int) -> Finding:
     """The finding for an integer exponent α = m, decided by products of S_(Δ^m)."""
     what = {1: "φ", 2: "φ'", 3: "φ''"}.get(m, f"φ^({m - 1})")
-    if (found := _contractive_level(numbers, m)) is not None:
-        level, norm = found
+    if (contraction := _contractive_level(numbers, m)) is not None:
+        level, norm = contraction
         shown = power(f"{numbers.name}_{m}", level)
         statement = f"α = {m} is attained: {what} is Lipschitz, as {shown} = {number(norm * numbers.p**level)} ≤ 1"
         return HOLDER_ATTAINED.proved(statement, {"nu": m, "by": "norm", "level": level, "norm": norm})
@@ -194,8 +197,8 @@ def _fractional(numbers: ScalarNumbers) -> Finding:
             return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "norm", "level": level, "norm": scaled})
         return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "radius"})
     length, root = radius.exact
-    if root.low == root.high and length == 1 and (found := _defect(numbers, k, root.low)) is not None:
-        return _refuted("α is not attained", numbers, k, found)
+    if root.low == root.high and length == 1 and (defect := _defect(numbers, k, root.low)) is not None:
+        return _refuted("α is not attained", numbers, k, defect)
     return HOLDER_ATTAINED.undecided(
         _HOLDER_ATTAINED_QUESTION, f"boundedness of the products of {operator} at the radius is not decided"
     )
@@ -260,10 +263,11 @@ def _generalised(product: fmpq_mat, eigenvalue: Fraction) -> tuple[Fraction, ...
     return None
 
 
-def _refuted(statement: str, numbers: ScalarNumbers, nu: int, found: _Defect) -> Finding:
-    word, sign, value, vector = found
+def _refuted(statement: str, numbers: ScalarNumbers, nu: int, defect: _Defect) -> Finding:
+    word, sign, value, vector = defect
     matrix = product_name(word)
     shown = f"{'-' if sign < 0 else ''}{number(value)}"
     reason = f"{matrix} of {numbers.name}_(Δ^{nu}) has a Jordan block at the eigenvalue {shown}"
-    witness: dict[str, Data] = {"nu": nu, "word": word, "sign": sign, "value": value, "vector": vector}
-    return HOLDER_ATTAINED.refuted(f"{statement}: {reason}", witness)
+    return HOLDER_ATTAINED.refuted(
+        f"{statement}: {reason}", {"nu": nu, "word": word, "sign": sign, "value": value, "vector": vector}
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import NamedTuple
 
 from flint import ctx
 
@@ -15,14 +16,34 @@ from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
-from subdiv_cli.model import Data, Finding, Interval
+from subdiv_cli.kinds.scalar.witnesses import JointRadiusWitness, ObstacleWitness, ProductWitness, RadiusWitness
+from subdiv_cli.model import Finding, Interval
 
-Obstacle = tuple[str, dict[str, Data]]
+
+class Obstacle(NamedTuple):
+    """What keeps a stable φ from being smoother, in words: a product, or the order of the sum rules."""
+
+    text: str
+    product: WordProduct | None = None
+    sum_rule_order: int | None = None
+
+    def put_into(self, witness: ObstacleWitness) -> None:
+        """Write the obstacle into a witness."""
+        if self.sum_rule_order is not None:
+            witness["sum_rule_order"] = self.sum_rule_order
+        if self.product is not None:
+            put_product(witness, self.product)
 
 
 def obstacle_to(numbers: ScalarNumbers, m: int) -> Obstacle | None:
-    """The obstacle that keeps a stable φ of these numbers from being C^m; None where none is known."""
-    return sum_rule_obstacle(numbers, m) or product_obstacle(numbers, m)
+    """The obstacle that keeps a stable φ of these numbers from being C^m; None where none is known.
+
+    That is m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e. Or a product.
+    """
+    if m >= (k := numbers.order):
+        return Obstacle(f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", sum_rule_order=k)
+    of_product = product_obstacle(numbers, m)
+    return None if of_product is None else Obstacle(*of_product)
 
 
 def who_is_stable(numbers: ScalarNumbers) -> str:
@@ -30,7 +51,7 @@ def who_is_stable(numbers: ScalarNumbers) -> str:
     return "φ is stable" if numbers.reduced is numbers else "φ0 of the reduced scheme is stable"
 
 
-def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+def product_obstacle(numbers: ScalarNumbers, m: int) -> tuple[str, WordProduct] | None:
     """A product of ℓ matrices of D = S_(Δ^k) with an eigenvalue |λ| >= p^(-mℓ), compared exactly: then α <= m."""
     product, p = numbers.product, numbers.p
     bound = Fraction(1, p**m)
@@ -39,22 +60,12 @@ def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
     total = m * len(product.word)
     size = number(Fraction(1, p**total)) if product.compare(bound) == 0 else modulus(product.eigenvalue)
     matrices = f"{product_text(product)} of {last_difference(numbers)}"
-    return f"{matrices} has an eigenvalue of modulus {size} ≥ {threshold(p, total)}", product_witness(product)
+    return f"{matrices} has an eigenvalue of modulus {size} ≥ {threshold(p, total)}", product
 
 
 def threshold(p: int, m: int) -> str:
     """The power p^-m as text: `1`, or `1/4 = 2^-2`."""
     return f"{number(Fraction(1, p**m))} = {p}^-{m}" if m else "1"
-
-
-def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
-    """The obstacle m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e."""
-    k = numbers.order
-    return (
-        (f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", {"sum_rule_order": k})
-        if m >= k
-        else None
-    )
 
 
 def product_text(product: WordProduct) -> str:
@@ -63,17 +74,15 @@ def product_text(product: WordProduct) -> str:
     return f"the transition matrix {name}" if len(product.word) == 1 else f"the product {name} of transition matrices"
 
 
-def product_witness(product: WordProduct) -> dict[str, Data]:
-    """A product as plain data: its word, its matrices multiplied from right to left, and an eigenvalue.
+def put_product(witness: ProductWitness, product: WordProduct) -> None:
+    """Write a product into a witness: its word, its matrices multiplied from right to left, and an eigenvalue.
 
     Of the eigenvalue the minimal polynomial, lowest coefficient first, and the isolating box (real part from, to;
     imaginary part from, to).
     """
-    return {
-        "word": product.word,
-        "minimal_polynomial": tuple(int(c) for c in product.eigenvalue.minimal_polynomial),
-        "box": product.eigenvalue.box(),
-    }
+    witness["word"] = product.word
+    witness["minimal_polynomial"] = tuple(int(c) for c in product.eigenvalue.minimal_polynomial)
+    witness["box"] = product.eigenvalue.box()
 
 
 _JOINT_RADIUS_QUESTION = "what is the joint spectral radius of the last difference scheme?"
@@ -100,8 +109,8 @@ def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     `vertices`, how many a polytope has. `proof`: the whole of it, as certificate/RADIUS.md says.
     """
     each = [numbers] if numbers.reduced is numbers else [numbers, numbers.reduced]
-    if found := tuple(_finding(one) for one in each if one.order >= 1):
-        return found
+    if findings := tuple(_finding(one) for one in each if one.order >= 1):
+        return findings
     return (JOINT_RADIUS.skipped(_JOINT_RADIUS_QUESTION, no_sum_rule(numbers)),)
 
 
@@ -111,16 +120,25 @@ def _finding(numbers: ScalarNumbers) -> Finding:
         return JOINT_RADIUS.undecided(
             _JOINT_RADIUS_QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before a bound"
         )
-    witness: dict[str, Data] = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
-    if radius.word is not None:
-        witness["word"] = radius.word
-    witness |= {key: radius.proof[key] for key in ("length", "root", "bound") if key in radius.proof}
+    witness: JointRadiusWitness = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
+    put_radius(witness, radius)
     if radius.vertices is not None:
         witness["vertices"] = radius.vertices
     name = f"ρ({last_difference(numbers)})"
     value = enclosed(radius)
     size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
     return JOINT_RADIUS.proved(f"{name} {size}: {_how(numbers, radius)}", witness, value, proof=radius.proof)
+
+
+def put_radius(witness: RadiusWitness, radius: Radius) -> None:
+    """Write into a witness a word, and ρ^length <= bound or ρ^length = root, both where a norm is attained."""
+    if radius.word is not None:
+        witness["word"] = radius.word
+    witness["length"] = radius.proof["length"]
+    if "root" in radius.proof:
+        witness["root"] = radius.proof["root"]
+    if "bound" in radius.proof:
+        witness["bound"] = radius.proof["bound"]
 
 
 def enclosed(radius: Radius) -> Interval:
@@ -150,16 +168,15 @@ def _how(numbers: ScalarNumbers, radius: Radius) -> str:
     attains = (
         f", and {product_text(numbers.product)} attains it" if numbers.product is not None and radius.exact else ""
     )
-    rule, length = radius.method, radius.proof["length"]
+    rule = radius.method
     operator = last_difference(numbers)
     if rule == "norm":
         return f"{power(operator, radius.upper[0])} = {number(radius.upper[1])}{attains}"
     if rule == "positive-symbol":
         return f"the symbol of {operator} is not negative on |z| = 1{attains}"
     if rule == "blocks":
-        return f"it is the largest of the radii of {len(radius.proof['sizes'])} diagonal blocks{attains}"  # type: ignore[arg-type]
+        return f"it is the largest of the radii of {len(radius.proof['sizes'])} diagonal blocks{attains}"
     body = f"an invariant polytope of {radius.vertices} vertices"
     if radius.exact is None:
         return f"{body} bounds it"
-    assert length is not None
     return f"{body} closes at exactly this radius{attains}"

@@ -21,14 +21,20 @@ from subdiv_cli.kinds.scalar.stages.joint_radius import (
     enclosed,
     obstacle_to,
     product_obstacle,
+    put_product,
     shown,
     threshold,
     who_is_stable,
 )
-from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, integer, last_difference, power, scaled, series, text
-from subdiv_cli.model import Data, Finding, Rule, Smoothness, Verdict
+from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, last_difference, power, scaled, series
+from subdiv_cli.kinds.scalar.witnesses import (
+    ContractivityWitness,
+    ConvergenceWitness,
+    NextSmoothnessWitness,
+    SmoothnessWitness,
+)
+from subdiv_cli.model import Finding, Smoothness, Verdict
 from subdiv_cli.model import findings as questions
-from subdiv_cli.model.findings import Witness
 
 
 def contractivity(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -56,8 +62,9 @@ def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
     """Whether (1/p)S_ν contracts, for the mask of these numbers and 1 <= ν <= k."""
     operator = scaled(numbers, nu)
     if (obstacle := product_obstacle(numbers, nu - 1)) is not None:
-        text, witness = obstacle
-        return CONTRACTIVITY.refuted(f"{operator} does not contract: {text}", {"nu": nu, **witness})
+        witness: ContractivityWitness = {"nu": nu}
+        put_product(witness, obstacle[1])
+        return CONTRACTIVITY.refuted(f"{operator} does not contract: {obstacle[0]}", witness)
     norms = numbers.norms(nu)
     if norms and norms[-1] < 1:
         return _by_norm(numbers, nu, norms)
@@ -76,7 +83,7 @@ def _by_norm(numbers: ScalarNumbers, nu: int, norms: tuple[Fraction, ...]) -> Fi
     if level > 1:
         rate = certain(lambda: ball(norm) ** (ball(1) / level), 4)
         statement += f" (norms from L = 1: {series(norms, number)}; rate {rate})"
-    witness: dict[str, Data] = {
+    witness: ContractivityWitness = {
         "nu": nu,
         "level": level,
         "norm": norm,
@@ -91,7 +98,7 @@ def _by_radius(numbers: ScalarNumbers, nu: int) -> Finding:
     assert radius is not None
     name = f"ρ({last_difference(numbers)})"
     condition = f"{name} = {shown(radius)} < {limit}" if radius.exact else f"{name} ≤ {_bound(radius)} < {limit}"
-    witness: dict[str, Data] = {"nu": nu, "radius_of": numbers.name, "condition": condition}
+    witness: ContractivityWitness = {"nu": nu, "radius_of": numbers.name, "condition": condition}
     return CONTRACTIVITY.proved(f"{scaled(numbers, nu)} contracts, as {condition}, so φ is C^{nu - 1}", witness)
 
 
@@ -124,7 +131,7 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if against is not None and proof is not None:
         raise ContradictionError(f"S converges by {proof.code} and does not by {against.code}")
     if proof is not None:
-        condition = text(proof, "condition")
+        condition = CONTRACTIVITY.witness_of(proof)["condition"]
         return (CONVERGENCE.proved(f"S converges uniformly: the residue sums are 1 and {condition}", _witness(proof)),)
     if against is not None:
         limit = " to a non-zero limit" if against.code == RESIDUE_SUMS.code else ""
@@ -132,8 +139,8 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (CONVERGENCE.undecided("does S converge uniformly?", first[0].reason or ""),)
 
 
-def _witness(by: Finding) -> Witness:
-    return {"by": by.code, **by.witness}
+def _witness(by: Finding) -> ConvergenceWitness:
+    return CONVERGENCE.form({"by": by.code, **by.witness})
 
 
 _SMOOTHNESS_QUESTION = "how smooth is φ?"
@@ -161,25 +168,28 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     converges = facts.verdict(CONVERGENCE)
     if not proved and converges is Verdict.PROVED:
         statement = "φ and every limit function are continuous, because S converges"
-        return (_proved(statement, 0, CONVERGENCE),)
+        return (_proved(statement, 0, CONVERGENCE.code),)
     if proved:
-        order = integer(proved[-1], "nu") - 1
+        contracts = CONTRACTIVITY.witness_of(proved[-1])
+        order = contracts["nu"] - 1
         scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
         mask = " for the reduced scheme" if reduced is not numbers else ""
-        statement = f"{scope} C^{order}: {text(proved[-1], 'condition')}{mask}"
+        statement = f"{scope} C^{order}: {contracts['condition']}{mask}"
         if converges is Verdict.REFUTED:
             statement += ", but S does not converge"
             if reduced is numbers:
                 raise ContradictionError("a stable φ is continuous and S does not converge")
-        return (_proved(statement, order, CONTRACTIVITY),)
+        return (_proved(statement, order, CONTRACTIVITY.code),)
     if (obstacle := obstacle_to(reduced, 0)) is not None:
-        return (SMOOTHNESS.refuted(f"φ is not continuous: {who_is_stable(numbers)}, and {obstacle[0]}", obstacle[1]),)
+        witness: SmoothnessWitness = {}
+        obstacle.put_into(witness)
+        return (SMOOTHNESS.refuted(f"φ is not continuous: {who_is_stable(numbers)}, and {obstacle.text}", witness),)
     return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, "the norms do not prove that φ is continuous"),)
 
 
-def _proved(statement: str, order: int, by: Rule) -> Finding:
+def _proved(statement: str, order: int, by: str) -> Finding:
     answers = {questions.SMOOTHNESS: Smoothness(order)}
-    return SMOOTHNESS.proved(statement, {"order": order, "by": by.code}, answers=answers)
+    return SMOOTHNESS.proved(statement, {"order": order, "by": by}, answers=answers)
 
 
 def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -197,12 +207,14 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
     """
     if facts.verdict(SMOOTHNESS) is not Verdict.PROVED:
         return (NEXT_SMOOTHNESS.skipped("is φ smoother than proved?", "no smoothness of φ is proved"),)
-    reduced, proved = numbers.reduced, integer(facts[SMOOTHNESS], "order")
+    reduced, proved = numbers.reduced, facts.witness(SMOOTHNESS)["order"]
     if obstacle_to(reduced, proved) is not None:
         raise ContradictionError(f"C^{proved} is proved and refuted")
     obstacle = obstacle_to(reduced, proved + 1)
     if obstacle is None:
         reason = "no norm proves it and no short product of transition matrices excludes it; a higher effort may decide"
         return (NEXT_SMOOTHNESS.undecided(f"is φ C^{proved + 1}?", reason),)
-    statement = f"φ is not C^{proved + 1}: {who_is_stable(numbers)}, and {obstacle[0]}"
-    return (NEXT_SMOOTHNESS.refuted(statement, {"order": proved + 1, **obstacle[1]}),)
+    statement = f"φ is not C^{proved + 1}: {who_is_stable(numbers)}, and {obstacle.text}"
+    witness: NextSmoothnessWitness = {"order": proved + 1}
+    obstacle.put_into(witness)
+    return (NEXT_SMOOTHNESS.refuted(statement, witness),)

@@ -32,7 +32,8 @@ from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth, mean_square_growth, transfer_order
 from subdiv_cli.kinds.scalar.rules import SOBOLEV
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule
-from subdiv_cli.model import ClosedForm, Data, Finding, Interval, Root
+from subdiv_cli.kinds.scalar.witnesses import SobolevWitness
+from subdiv_cli.model import ClosedForm, Finding, Interval, Root
 from subdiv_cli.model.closed import spelled
 
 RULE = SOBOLEV
@@ -52,7 +53,7 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     growth = mean_square_growth(d, p)
     root = Root(tuple(int(c) for c in growth.radius.minimal_polynomial), growth.low, growth.high)
     exact = exponent(p, 2, root)
-    witness: dict[str, Data] = {
+    witness: SobolevWitness = {
         "difference_order": k,
         "polynomial": root.coefficients,
         "low": growth.low,

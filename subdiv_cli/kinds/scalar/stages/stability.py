@@ -13,8 +13,8 @@ from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.stability import ReductionStep
 from subdiv_cli.kinds.scalar.rules import INDEPENDENCE, REDUCTION, STABILITY
 from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED
-from subdiv_cli.model import Data, Finding, Verdict
-from subdiv_cli.model.findings import Witness
+from subdiv_cli.kinds.scalar.witnesses import ReductionWitness, StabilityWitness
+from subdiv_cli.model import Finding, Verdict
 
 
 def independence(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -85,12 +85,12 @@ def _stability(numbers: ScalarNumbers, facts: Facts) -> Finding:
     return STABILITY.proved(f"{statement}, and a(z) has no cycle", stability_witness(numbers))
 
 
-def stability_witness(numbers: ScalarNumbers) -> Witness:
+def stability_witness(numbers: ScalarNumbers) -> StabilityWitness:
     """The witness of stability: `gcd` of the polyphase components, monic, and `starts` and `cofactors` u_r.
 
     The u_r are Laurent polynomials with Σ_r u_r a_r = gcd; they are left out where they cost more than the effort.
     """
-    witness: dict[str, Data] = {"gcd": numbers.polyphase_gcd.coefficients()}
+    witness: StabilityWitness = {"gcd": numbers.polyphase_gcd.coefficients()}
     if (cofactors := numbers.bezout_cofactors) is not None:
         witness["starts"] = tuple(u.low for u in cofactors)
         witness["cofactors"] = tuple(u.coefficients() for u in cofactors)
@@ -122,7 +122,7 @@ def reduced_mask(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         f"φ is as smooth as the stable φ0 of the reduced scheme S0 with symbol a0(z) = {laurent(reduced)}, {how}"
     )
     order, cofactor = numbers.reduced.sum_rules[:2]
-    witness: dict[str, Data] = {
+    witness: ReductionWitness = {
         "factors": tuple(step.factor.coefficients() for step in steps),
         "cycles": tuple(step.cycle for step in steps),
         "starts": tuple(step.symbol.low for step in steps),
@@ -130,7 +130,7 @@ def reduced_mask(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         "order": order,
         "cofactor_start": cofactor.low,
         "cofactor": cofactor.coefficients(),
-        "stable": dict(stability_witness(numbers.reduced)),
+        "stable": stability_witness(numbers.reduced),
     }
     return (REDUCTION.proved(statement, witness),)
 

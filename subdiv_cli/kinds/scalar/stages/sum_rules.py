@@ -8,7 +8,8 @@ from subdiv_cli.kinds.scalar.numbers.polynomials import parameter_shift, reprodu
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import DERIVED_SCHEMES, GENERATION, REPRODUCTION, RESIDUE_SUMS, SUM_RULES
 from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, derived_names
-from subdiv_cli.model import Data, Finding
+from subdiv_cli.kinds.scalar.witnesses import DerivedSchemesWitness, ReproductionWitness, SumRulesWitness
+from subdiv_cli.model import Finding
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import near_one
 
@@ -45,7 +46,7 @@ def sum_rules(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         return (SUM_RULES.skipped("which sum rules hold?", NOT_NORMALISED),)
     p, k = numbers.p, numbers.order
     cofactor, remainder = numbers.sum_rules[1:]
-    witness: dict[str, Data] = {
+    witness: SumRulesWitness = {
         "order": k,
         "cofactor_start": cofactor.low,
         "cofactor": cofactor.coefficients(),
@@ -94,7 +95,7 @@ def reproduction(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     tau = parameter_shift(numbers.symbol, p)
     defects = reproduction_defects(numbers.symbol, p, generation)
     degree = next((j for j, defect in enumerate(defects) if defect), len(defects)) - 1
-    witness: dict[str, Data] = {"shift": tau, "defects": defects}
+    witness: ReproductionWitness = {"shift": tau, "defects": defects}
     if degree < 0:
         return (REPRODUCTION.refuted("S does not even reproduce constants", witness),)
     witness = {"degree": degree, **witness}
@@ -129,7 +130,10 @@ def derived_schemes(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
             ),
         )
     masks = [numbers.difference(nu).scale(numbers.p**nu) for nu in range(1, k + 1)]
-    witness: dict[str, Data] = {"starts": tuple(m.low for m in masks), "masks": tuple(m.coefficients() for m in masks)}
+    witness: DerivedSchemesWitness = {
+        "starts": tuple(m.low for m in masks),
+        "masks": tuple(m.coefficients() for m in masks),
+    }
     shown = f"; S_{k} has the symbol {laurent(masks[-1])}" if masks[-1].degree < _LONGEST_MASK else ""
     exist = f"{derived_names(k)} exist{'s' if k == 1 else ''}"
     return (DERIVED_SCHEMES.proved(f"{exist}, S_{k + 1} does not{shown}", witness),)
