@@ -32,8 +32,9 @@ _LEAST = 20
 def command(name: str | None) -> None:
     """Explain a finding, a kind of scheme, or a subject.
 
-    Of a finding, by its CODE as in a report, SD201, or its name, convergence: what it means, why it matters, how to mend
-    it, its source. Of a KIND, such as multivariate: its files, and what is decided. The pages are listed without a name.
+    Of a finding, by its CODE as in a report, SD201, or its name, convergence: what it means, why it matters, how to
+    mend it, its source. Of a KIND, such as multivariate: its files, and what is decided. Without a name the pages are
+    listed.
     """
     from subdiv_cli.explain import UnknownPageError, page
 

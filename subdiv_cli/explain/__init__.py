@@ -1,6 +1,6 @@
-"""The pages, as Markdown in `pages/`: `SDnnn.md` of a finding code, which begins `# SD101 residue-sums`, and the others.
+"""The pages, as Markdown in `pages/`: `SDnnn.md` of a finding code, which begins `# SD101 residue-sums`, and others.
 
-Those are of a kind of scheme, which bears its name (`scalar.md`, begins `# scalar`), or of a subject such as `formats`.
+The others are of a kind of scheme, whose name they bear (`scalar.md`, `# scalar`), or of a subject such as `formats`.
 """
 
 from __future__ import annotations
