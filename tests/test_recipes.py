@@ -1,4 +1,4 @@
-"""The CI recipes of `subdiv explain ci`, acted out: every `subdiv` command in them runs as it is written, and passes."""
+"""The CI recipes of `subdiv explain ci`, acted out: every `subdiv` command in them runs as written, and passes."""
 
 import os
 import re
