@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from subdiv_cli.catalog.run import check_all
-from subdiv_cli.explain import codes, page, title
+from subdiv_cli.explain import codes, page, subjects, title
 from subdiv_cli.kinds import KINDS, kind_named
 from subdiv_cli.kinds.reading import read_text
 from subdiv_cli.maskfile import MaskFileError
@@ -81,6 +81,35 @@ def test_failing_example(file, tmp_path):
         else:
             assert result.status in {"failed", "undecided"}
             assert file.stem in {finding.code for finding in findings_of(body, file.stem, tmp_path)}
+
+
+def test_every_kind_has_a_page():
+    assert set(KINDS) | {"formats", "ci"} == set(subjects())
+
+
+@pytest.mark.parametrize("name", subjects())
+def test_examples_of_a_kind_pass_and_are_of_it(name, tmp_path):
+    examples = fences(page(name), "passes")
+    assert examples or name not in KINDS or name == "matrices"
+    for body in examples:
+        assert (result_of(body, tmp_path).status, read_text(body, file="mask.toml").kind) == ("passed", name)
+
+
+def test_the_page_of_a_kind_names_the_keys_of_expectations():
+    from subdiv_cli.maskfile.properties import KEYS
+
+    for key in KEYS:
+        assert f"`{key}`" in page("scalar")
+
+
+def test_the_page_of_formats_names_every_format_and_every_key():
+    import json
+
+    from subdiv_cli.report import FORMATS
+
+    schema = json.loads((PACKAGE / "report" / "schema.json").read_text(encoding="utf-8"))
+    for name in (*FORMATS, *schema["$defs"]["result"]["properties"]):
+        assert f"`{name}`" in page("formats"), name
 
 
 def test_files_that_fail_do_so_when_read():
