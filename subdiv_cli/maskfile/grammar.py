@@ -15,7 +15,7 @@ from collections.abc import Collection
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_EXPONENT, MAX_NESTING
 from subdiv_cli.maskfile.nodes import Factor, Logarithm, Name, Node, Number, Power, RootOf, Sum, product_of
-from subdiv_cli.maskfile.problems import Fault, Reason, shown
+from subdiv_cli.maskfile.problems import Fault, shown
 from subdiv_cli.maskfile.tokens import Token, number, tokens
 
 ROOT_FORM = "root(x^2-x-1, 1.61, 1.62)"
@@ -83,8 +83,7 @@ class Parser:
         else:
             help = f"remove it or write {expected} before it"
         message = f'"{shown(token.text)}" stands where {expected} was expected'
-        reason = Reason.COMMA if token.kind == "," else None
-        return Fault(faults.BAD_EXPRESSION, message, help, token.at, reason=reason)
+        return Fault(faults.BAD_EXPRESSION, message, help, token.at)
 
     def sum(self) -> Node:
         """The tree of a sum: product { ("+" | "-") product }."""
