@@ -38,9 +38,8 @@ def parse_override(text: str) -> tuple[str, Fraction]:
     said = name.strip()
     try:
         if not equals:
-            raise Fault(
-                faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', "write NAME=VALUE: -p w=1/20", len(text)
-            )
+            help = f"write NAME=VALUE: -p {shown(said) if is_name(said) else 'w'}=1/20"
+            raise Fault(faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', help, len(text))
         if not is_name(said):
             raise Fault(
                 faults.BAD_PARAMETER, f'"{shown(said)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20"

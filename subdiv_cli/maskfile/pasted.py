@@ -1,7 +1,7 @@
 """Lists as other programs print them, in the characters of the grammar: NumPy, MATLAB, JSON, CSV, Python.
 
-Every step keeps the length of the text, so that an offset in the result is one in what was pasted. Blanks separate where
-no comma does; as in MATLAB, `1 -2` is two numbers, and `1 - 2` and `1-2` are one.
+Every step keeps the length of the text, so that an offset in the result is one in what was pasted. Blanks separate
+where no comma does; as in MATLAB, `1 -2` is two numbers, and `1 - 2` and `1-2` are one.
 """
 
 from __future__ import annotations

@@ -24,6 +24,7 @@ KEYS = EXPECTED
 TRUTHS = tuple(key for key in KEYS if BY_KEY[key].form == "verdict")
 ORDER = re.compile(r"\s*[Cc]\s*\^?\s*(?:([0-9]+)|\(([0-9]+)\))\s*")
 """An order of smoothness as `C1`, `C^1` or `C^(1)`."""
+_AT_LEAST = re.compile(r"(?:≥|=>|>)\s*([^\s<>=≤≥].*)", re.DOTALL)
 ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree"))
 
 
@@ -68,7 +69,9 @@ def comparison(key: str, text: str, at: int = 0) -> Expectation:
     at += len(text) - len(body)
     body = body.rstrip()
     if body.startswith(("≥", "=>", "≤", "<", ">")) and not body.startswith(">="):
-        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:2].strip())}" is no comparison here', _form(key), at)
+        least = _AT_LEAST.match(body)
+        help = f'write {key} = ">= {shown(least[1], 30)}" for at least' if least else _form(key)
+        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:2].strip())}" is no comparison here', help, at)
     equals = len(body) - len(body.lstrip("="))
     if equals > 2:
         raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:equals])}" is no comparison here', _form(key), at)
