@@ -90,11 +90,9 @@ class Run:
             raise click.ClickException(f"certificates cannot be written: {error}") from None
 
     def _listeners(self) -> dict[str, Any]:
-        told: dict[str, Any] = {
-            "on_total": self._progress.begin,
-            "on_done": self._hear,
-            "on_unwritten": self.unwritten.setdefault,
-        }
+        told: dict[str, Any] = {"on_total": self._progress.begin, "on_done": self._hear}
+        if self.asked.certificates is not None:
+            told["on_unwritten"] = self.unwritten.setdefault
         if self.asked.verbose:
             told["on_skipped"] = _tell_skipped
         if "html" in self.forms or ("text" in self.forms and self.asked.verbosity > 0):

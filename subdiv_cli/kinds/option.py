@@ -15,7 +15,7 @@ from subdiv_cli.maskfile.grammar import Parser, parse
 from subdiv_cli.maskfile.mask import Body, MaskFile, check_fixed_mask
 from subdiv_cli.maskfile.nodes import Factor, Node, Product, Sum, product_of
 from subdiv_cli.maskfile.option import Given
-from subdiv_cli.maskfile.pasted import plain
+from subdiv_cli.maskfile.pasted import is_list, plain
 from subdiv_cli.maskfile.problems import Collector, Fault, Reason, Source, shown
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def from_given(text: str, given: Given, *, file: str = "--mask") -> MaskFile:
 def _body(text: str, start: tuple[int, ...], arity: int, names: Collection[str]) -> Body:
     """The body that the text of `--mask` gives. Raises Fault."""
     text = plain(text)
-    if not ("[" in text or "," in text):
+    if not is_list(text):
         if any(start):
             raise Fault(
                 faults.DUPLICATE_KEY, "--start and a symbol both say where the mask begins", "leave --start out"
@@ -111,7 +111,7 @@ def _on_the_command_line(fault: Fault) -> Fault:
 
 
 def _list(text: str, names: Collection[str]) -> Nested:
-    """The coefficients of a list by the grammar: list = [ product [ "*" ] ] rows { ("*" | "/") factor } | values.
+    """The coefficients of a list by the grammar: list = [ factors [ "*" ] ] rows { ("*" | "/") factor } | values.
 
     The factors go into every coefficient.
     """
@@ -120,21 +120,27 @@ def _list(text: str, names: Collection[str]) -> Nested:
         return _scaled_rows(_values(Parser(text, names), text, 0, "end"), _Scale())
     front = text[:opening].strip()
     said = f"{front}1" if front in ("-", "+") else front.removesuffix("*").rstrip()
-    before = parse(said, names, at=text.index(front)) if front else None
+    before: list[Factor] = []
+    if front:
+        parser = Parser(said, names, at=text.index(front))
+        before = [Factor(parser.factor(), False, parser.token.at), *_more_factors(parser, "* or / or a list")]
     parser = Parser(text[opening:], names, at=opening)
     rows = _rows(parser, text, 1)
     start = parser.token.at
-    tail = []
+    behind = _more_factors(parser, "* or / or the end")
+    return _scaled_rows(rows, _Scale(f"{said}*" if front else "", tuple(before), text[start:].strip(), tuple(behind)))
+
+
+def _more_factors(parser: Parser, expected: str) -> list[Factor]:
+    """The factors up to the end by the grammar: { ("*" | "/") factor }."""
+    found = []
     while parser.token.kind in ("*", "/"):
         divides = parser.advance().kind == "/"
         at = parser.token.at
-        tail.append(Factor(parser.factor(), divides, at))
+        found.append(Factor(parser.factor(), divides, at))
     if parser.token.kind != "end":
-        raise parser.unexpected("* or / or the end")
-    behind = (text[start:].strip(), tuple(tail))
-    if before is None:
-        return _scaled_rows(rows, _Scale("", (), *behind))
-    return _scaled_rows(rows, _Scale(f"{_grouped(said, before)}*", _factors(before), *behind))
+        raise parser.unexpected(expected)
+    return found
 
 
 class _Span(NamedTuple):
@@ -205,19 +211,12 @@ def _scaled(entry: _Span, scale: _Scale) -> Expression:
     node = entry.node
     if scale == _Scale():
         return Expression(text=_ungrouped(entry.said), node=node)
-    said = f"{scale.said_before}{_grouped(entry.said, node)}{scale.said_behind}"
-    return Expression(text=said, node=product_of((*scale.before, *_factors(node), *scale.behind), node.at))
-
-
-def _factors(node: Node) -> tuple[Factor, ...]:
-    """The factors of an expression as a product has them."""
-    return node.factors if isinstance(node, Product) else (Factor(node),)
-
-
-def _grouped(said: str, node: Node) -> str:
-    """The text of a factor, a sum in parentheses."""
-    said = _ungrouped(said)
-    return f"({said})" if isinstance(node, Sum) and len(node.terms) > 1 else said
+    said = _ungrouped(entry.said)
+    if isinstance(node, Sum) and len(node.terms) > 1:
+        said = f"({said})"
+    factors = node.factors if isinstance(node, Product) else (Factor(node),)
+    node = product_of((*scale.before, *factors, *scale.behind), node.at)
+    return Expression(text=f"{scale.said_before}{said}{scale.said_behind}", node=node)
 
 
 def _ungrouped(said: str) -> str:

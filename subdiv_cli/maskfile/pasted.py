@@ -13,7 +13,7 @@ from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.problems import Fault, shown
 
 _STRING = re.compile(r'"""(?s:.*?)"""|\'\'\'(?s:.*?)\'\'\'|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'')
-_NO_CODE = re.compile(r"#[^\n]*|\([^()]*\)")
+_COMMENT = re.compile(r"#[^\n]*")
 _HEADER = re.compile(r"^[ \t]*\[\[?[ \t]*[A-Za-z_][\w.-]*[ \t]*\]{0,2}[ \t\r]*$", re.MULTILINE)
 _CALL = re.compile(r"(?<![\w.])(?:(?:np|numpy)\.)?(?:array|asarray|matrix|list|tuple|float(?:16|32|64)?)[ \t]*(?=\()")
 _TYPE = re.compile(r",\s*dtype\s*=[^,()\[\]]*(?=\))")
@@ -33,8 +33,13 @@ def is_toml(text: str) -> bool:
     """Whether a text is a mask file and no list or symbol: it has "=" outside strings, the header of a table, or no
     code at all.
     """
-    code = _NO_CODE.sub("", _STRING.sub("", text))
+    code = _TYPE.sub("", _COMMENT.sub("", _STRING.sub("''", text)))
     return "=" in code or not code.strip() or _HEADER.search(code) is not None
+
+
+def is_list(text: str) -> bool:
+    """Whether a plain text is a list and no symbol: it has brackets, or a comma and no variable."""
+    return "[" in text or ("," in text and not _VARIABLE.search(text))
 
 
 def plain(text: str) -> str:
