@@ -21,7 +21,7 @@ _MOST_COEFFICIENTS = 200
 _MOST_RULES = 40
 _MOST_GUARDS = 5
 """The most decimals, and one, that the cofactor has more than the mask."""
-_UNITS = 3
+_UNITS = 2
 """How far, in units of the last place, a coefficient may be from the one that is given; half a unit is rounding."""
 _DOUBLE = Fraction(1, 10**15)
 """How far off a double near 1 may be, after a few operations."""
