@@ -30,8 +30,9 @@ _BRACKETS = "[1, 3, 3, 1]/4"
 
 
 def is_toml(text: str) -> bool:
-    """Whether a text is a mask file and no list or symbol: it has "=" outside strings, the header of a table, or no
-    code at all.
+    """Whether a text is a mask file and no list or symbol.
+
+    It is where it has "=" outside strings, the header of a table, or no code at all.
     """
     code = _TYPE.sub("", _COMMENT.sub("", _STRING.sub("''", text)))
     return "=" in code or not code.strip() or _HEADER.search(code) is not None
