@@ -13,31 +13,54 @@ from typing import Any
 
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.model import Exponent, Judgement, Result, Verdict
+from subdiv_cli.model.closed import rational
 from subdiv_cli.model.properties import PROPERTIES
 
 _RANK = {"refuted": 0, "undecided": 1, "skipped": 1, "proved": 2}
 
 
+_Key = tuple[str, tuple[tuple[str, str], ...]]
+"""A file and its parameters, as a report spells them."""
+
+
 class Baseline:
-    """The results of a report, as JSON data, by their files."""
+    """The results of a report, as JSON data, by their files and parameters."""
 
     def __init__(self, results: Sequence[Mapping[str, Any]]) -> None:
-        self._old = {_same(old["file"]): old for old in results}
-        self._seen: set[str] = set()
+        self._old = {(_same(old["file"]), _at(old.get("parameters", {}))): old for old in results}
+        self._only: dict[str, _Key | None] = {}
+        """The key of each file that the report has once; None for a file that it has at several parameters."""
+        for key in self._old:
+            self._only[key[0]] = key if key[0] not in self._only else None
+        self._seen: set[_Key] = set()
 
     def judge(self, result: Result) -> Result:
         """The result with its regressions, which decide its status; unchanged where the baseline has no such mask."""
-        file = _same(result.file)
-        self._seen.add(file)
-        old = self._old.get(file)
+        key: _Key | None = (
+            _same(result.file),
+            _at({name: rational(value) for name, value in result.parameters.items()}),
+        )
+        if key not in self._old and not result.varied:
+            key = self._only.get(_same(result.file))  # another default than then
+        old = None if key is None else self._old.get(key)
+        if key is not None:
+            self._seen.add(key)
         if old is None or old["status"] == "invalid" or result.status == "invalid":
             return result
         worse = tuple(faults.BASELINE.problem(message, file=result.file) for message in _worse(result, old))
         return replace(result, regressions=worse, status="failed" if worse else "passed")
 
     def missing(self) -> tuple[str, ...]:
-        """The files of the baseline that no result was about."""
-        return tuple(sorted(old["file"] for file, old in self._old.items() if file not in self._seen))
+        """The files of the baseline that no result was about, with the parameters where it has several of a file."""
+        return tuple(sorted(self._name(key, old["file"]) for key, old in self._old.items() if key not in self._seen))
+
+    def _name(self, key: _Key, file: str) -> str:
+        at = ",".join(f"{name}={value}" for name, value in key[1])
+        return f"{file}[{at}]" if at and self._only[key[0]] is None else file
+
+
+def _at(parameters: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
+    return tuple(sorted(parameters.items()))
 
 
 def _same(file: str) -> str:

@@ -6,6 +6,12 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
+from subdiv_cli.model import Result
+from subdiv_cli.model.closed import rational
+
+_LONGEST = 200
+"""The most bytes of a name for which the name of its unfinished file, which is longer, is one too."""
+
 
 def write_whole(file: str | Path, content: str | bytes, *, durable: bool = True) -> None:
     """Write a file so that it is the old one or the new one and never a part; after an OSError it is the old one.
@@ -17,7 +23,8 @@ def write_whole(file: str | Path, content: str | bytes, *, durable: bool = True)
     if path.exists() and not path.is_file():
         path.write_bytes(data)
         return
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    name = path.name if len(os.fsencode(path.name)) <= _LONGEST else path.name[:50]
+    part = path.with_name(f".{name}.{os.getpid()}.part")
     try:
         with part.open("xb") as new:
             new.write(data)
@@ -42,9 +49,13 @@ class CertificateDirectory:
         self._directory.mkdir(parents=True, exist_ok=True)
         self._taken: set[str] = set()
 
-    def write(self, mask_file: str, text: str) -> str:
-        """The name of the file to which a certificate is written; masks of one name get numbers. Raises OSError."""
-        stem = {"-": "stdin", "--mask": "mask"}.get(mask_file) or Path(mask_file).stem
+    def write(self, result: Result, text: str) -> str:
+        """The name of the file to which the certificate of a mask is written. Raises OSError.
+
+        It is that of the mask's file, with the parameters that vary in the run; masks of one name get numbers.
+        """
+        stem = {"-": "stdin", "--mask": "mask"}.get(result.file) or Path(result.file).stem
+        stem += "".join(f"-{name}={rational(result.parameters[name])}" for name in result.varied).replace("/", "_")
         name, number = stem, 1
         while name in self._taken:
             number += 1

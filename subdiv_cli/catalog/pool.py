@@ -179,4 +179,5 @@ def lost(file: str, why: str) -> Result:
 
 def _stopped(task: Task) -> Result:
     """The undecided result of a mask that the budget ended before anything was decided."""
-    return Result(file=task.file, status="undecided", stopped="budget", convergent=Verdict.UNDECIDED)
+    known: dict[str, Any] = {"parameters": task.overrides, "varied": task.varied}
+    return Result(file=task.file, status="undecided", stopped="budget", convergent=Verdict.UNDECIDED, **known)

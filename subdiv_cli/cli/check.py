@@ -21,6 +21,7 @@ _EPILOG = """\b
 Examples:
   subdiv check four-point.toml
   subdiv check four-point.toml -p w=1/20
+  subdiv check four-point.toml -p w=1/16 -p w=1/8
   subdiv check masks/ -q
   subdiv check masks/ --jobs 2 --format github -o junit.xml -o json:report.json
   subdiv check masks/ --require C1 --require "holder>=1.5"
@@ -52,6 +53,9 @@ select, ignore, require, baseline, allow-undecided, effort, budget, jobs, cache,
 cache-dir, dask. Environment variables stand above those, the command line above
 all. NO_COLOR and COLUMNS are honoured.
 """
+
+_MOST_REASONS = 10
+"""The most certificates of which is said why they could not be written."""
 
 
 @click.command("check", cls=SectionedCommand, epilog=_EPILOG)
@@ -87,7 +91,11 @@ def _settings(asked: Asked) -> dict[str, Any]:
         "jobs": asked.jobs,
         "cache": None if asked.no_cache else directory(asked.cache_dir),
     }
-    optional = {"certificates": asked.certificates, "shard": asked.shard, "cluster": asked.dask}
+    optional: dict[str, Any] = {"certificates": asked.certificates, "shard": asked.shard, "cluster": asked.dask}
+    if asked.mask is None and (asked.start is not None or asked.arity is not None):
+        from subdiv_cli.maskfile.option import Given
+
+        optional["given"] = Given(asked.start, asked.arity)
     return told | {key: value for key, value in optional.items() if value is not None}
 
 
@@ -120,6 +128,8 @@ def _close(run: Run, look: Look) -> ExitCode:
     printed = run.printed if streamed else put_report(render, asked.form, look._replace(problems=False))
     written = put_reports(render, asked.form, look, asked.outputs)
     tell_missing(missing)
+    for file, reason in list(run.unwritten.items())[:_MOST_REASONS]:
+        emit(f"error: the certificate of {file} cannot be written: {reason}\n", sys.stderr)
     for sentence in run.unproved:
         emit(f"warning: {sentence}\n", sys.stderr)
     count = len(run.results)
@@ -129,4 +139,5 @@ def _close(run: Run, look: Look) -> ExitCode:
     code = exit_code(statuses, allow_undecided=asked.allow_undecided, interrupted=run.interrupted)
     if run.unproved and code is ExitCode.PASSED and not asked.allow_undecided:
         code = ExitCode.UNDECIDED
-    return code if (printed and written) or run.interrupted else ExitCode.ERROR
+    done = printed and written and not run.unwritten
+    return code if done or run.interrupted else ExitCode.ERROR

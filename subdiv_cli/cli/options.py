@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, TypeVar
 
 import click
@@ -126,23 +126,27 @@ text_or_json = click.option(
     "--format", "form", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Format on stdout."
 )
 named = all_of(
-    parameter("Set a mask's parameter: w=1/20. Repeatable."),
+    parameter("Set a parameter of the masks that have it: w=1/20. Repeatable; several values give each combination."),
     option(
         "Masks", "--mask", metavar="MASK",
-        help="Take this mask instead of a file: a list, [1, 3, 3, 1]/4, or a symbol, (1+z)^3/4.",
+        help="Take this mask instead of a file: a list, [1, 3, 3, 1]/4, as NumPy, MATLAB, JSON or CSV print it "
+        "too, or a symbol, (1+z)^3/4. Standard input, -, may have one as well.",
     ),
     option(
         "Masks", "--start", type=INDEX, metavar="INDEX",
-        help="Index of the first coefficient of --mask; in several variables -1,-1.  [default: 0]",
+        help="Index of the first coefficient of --mask, in several variables -1,-1; it only shifts the limit.  "
+        "[default: 0]",
     ),
     option("Masks", "--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
 )  # fmt: skip
 """The options that name masks beside files; `belongs_to_mask` refuses those that do not go together."""
 
 
-def belongs_to_mask(mask: str | None, start: tuple[int, ...] | None, arity: int | None) -> None:
-    """Raise a usage error for options about a mask that is not there."""
-    if mask is None and (start is not None or arity is not None):
+def belongs_to_mask(
+    mask: str | None, start: tuple[int, ...] | None, arity: int | None, files: Sequence[str] = ()
+) -> None:
+    """Raise a usage error for options about a mask that is not there; standard input may have one."""
+    if mask is None and "-" not in files and (start is not None or arity is not None):
         name = "--start" if start is not None else "--arity"
         raise click.UsageError(f"{name} belongs to --mask; a file says it itself, under [mask]")
 

@@ -36,6 +36,8 @@ class Run:
         self.baseline = _baseline(asked.baseline)
         self.unproved: list[str] = []
         """What certificates that were asked for leave out, a sentence for each mask."""
+        self.unwritten: dict[str, str] = {}
+        """The reason why the certificate of a file could not be written."""
         self._trouble: str | None = None
         self._progress = Progress()
 
@@ -89,6 +91,8 @@ class Run:
 
     def _listeners(self) -> dict[str, Any]:
         told: dict[str, Any] = {"on_total": self._progress.begin, "on_done": self._hear}
+        if self.asked.certificates is not None:
+            told["on_unwritten"] = self.unwritten.setdefault
         if self.asked.verbose:
             told["on_skipped"] = _tell_skipped
         if "html" in self.forms or ("text" in self.forms and self.asked.verbosity > 0):
@@ -106,7 +110,7 @@ class Run:
         if self.asked.form == "jsonl":
             self._progress.close()
             self.printed &= put(renderer("jsonl")([result], self.look), encoding="utf-8")
-        if self.asked.certificates is not None and result.status != "invalid":
+        if self.asked.certificates is not None and result.status != "invalid" and result.file not in self.unwritten:
             self.unproved += _left_out(result)
         self.results.append(self._slim(result))
 

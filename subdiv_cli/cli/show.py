@@ -130,7 +130,7 @@ def _labelled(one: single.One, checked: Checked, certificate: str | None) -> Res
         return result
     from dataclasses import replace
 
-    return replace(result, certificate=_write_certificate(certificate, result.file, text))
+    return replace(result, certificate=_write_certificate(certificate, result, text))
 
 
 def _by_suffix(output: str | None) -> str:
@@ -139,10 +139,10 @@ def _by_suffix(output: str | None) -> str:
     return "text" if output is None else SUFFIXES.get(PurePath(output).suffix.lower(), "text")
 
 
-def _write_certificate(directory: str, file: str, text: str) -> str:
+def _write_certificate(directory: str, result: Result, text: str) -> str:
     from subdiv_cli.catalog.files import CertificateDirectory
 
     try:
-        return CertificateDirectory(directory).write(file, text)
+        return CertificateDirectory(directory).write(result, text)
     except OSError as error:
         raise click.ClickException(f"the certificate cannot be written: {error}") from None

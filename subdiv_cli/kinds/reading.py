@@ -6,10 +6,13 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
+from subdiv_cli.kinds.option import from_given
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES, at_most
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
 from subdiv_cli.maskfile.mask import MaskFile, check_fixed_mask
+from subdiv_cli.maskfile.option import NOTHING_GIVEN, Given
+from subdiv_cli.maskfile.pasted import is_toml
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
 from subdiv_cli.maskfile.properties import KEYS, contradictions, expectation
 from subdiv_cli.maskfile.recognise import MARKS
@@ -21,13 +24,16 @@ _TOP = ("format", "name", "reference", "kind", "parameters", "expect")
 """The keys that files of every kind may have."""
 
 
-def read_path(path: str | Path, *, kind: str | None = None, capability: str = "analyse") -> MaskFile:
+def read_path(
+    path: str | Path, *, kind: str | None = None, capability: str = "analyse", given: Given = NOTHING_GIVEN
+) -> MaskFile:
     """The mask of a file; "-" is standard input. Raises MaskFileError, also for a file that cannot be read (SD002).
 
     `kind`: the one that is wanted here; another is refused (SD013) before its mask is read, and so is, without it, a
-    kind that does not declare the capability, a field of `Kind`.
+    kind that does not declare the capability, a field of `Kind`. `given` belongs to a list on standard input.
     """
-    return read_text(text_of(load_path(path), str(path)), file=str(path), wanted=kind, capability=capability)
+    text = text_of(load_path(path), str(path))
+    return read_text(text, file=str(path), wanted=kind, capability=capability, given=given)
 
 
 def load_path(path: str | Path) -> bytes:
@@ -42,9 +48,9 @@ def load_path(path: str | Path) -> bytes:
     return data
 
 
-def read_bytes(data: bytes, *, file: str) -> MaskFile:
+def read_bytes(data: bytes, *, file: str, given: Given = NOTHING_GIVEN) -> MaskFile:
     """The mask in the bytes of a file. Raises MaskFileError and nothing else, whatever the bytes."""
-    return read_text(text_of(data, file), file=file)
+    return read_text(text_of(data, file), file=file, given=given)
 
 
 def text_of(data: bytes, file: str) -> str:
@@ -76,8 +82,18 @@ def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
     )
 
 
-def read_text(text: str, *, file: str, wanted: str | None = None, capability: str = "analyse") -> MaskFile:
+def _says_itself(file: str, option: str) -> Problem:
+    """The problem of an option that belongs to a list, beside a mask file on standard input."""
+    message = f"--{option} belongs to a list of coefficients, and this is a mask file"
+    return faults.DUPLICATE_KEY.problem(message, f"write it under [mask]: {option} = …", file=file)
+
+
+def read_text(
+    text: str, *, file: str, wanted: str | None = None, capability: str = "analyse", given: Given = NOTHING_GIVEN
+) -> MaskFile:
     """The mask in the text of a file. Raises MaskFileError and nothing else, whatever the text.
+
+    Standard input, "-", may have a list or a symbol instead, as `--mask` has it.
 
     Expressions without parameters are evaluated, so that their faults are reported here; those of the others come
     from `MaskFile.scheme`.
@@ -85,6 +101,11 @@ def read_text(text: str, *, file: str, wanted: str | None = None, capability: st
     text = text.removeprefix("\ufeff")
     if len(text) > MAX_FILE_BYTES:
         raise MaskFileError([_too_big(file)])
+    if file == "-" and wanted is None:
+        if not is_toml(text):
+            return from_given(text, given, file=file)
+        if given.start is not None or given.arity is not None:
+            raise MaskFileError([_says_itself(file, "start" if given.start is not None else "arity")])
     source = Source(file, text)
     problems = Collector(source)
     document = load(source)

@@ -2,8 +2,8 @@
 
 Examples:
 
-    convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01",
-    "-log2(root(x^2-x-1, 1.61, 1.62))"
+    convergent = true      smoothness = 1 (exactly), "C1", ">= 1", ">= C1"
+    holder = "2", ">= log2(3)", "1.99 .. 2.01", "-log2(root(x^2-x-1, 1.61, 1.62))"
 """
 
 from __future__ import annotations
@@ -22,7 +22,9 @@ from subdiv_cli.model.properties import BY_KEY, EXPECTED
 
 KEYS = EXPECTED
 TRUTHS = tuple(key for key in KEYS if BY_KEY[key].form == "verdict")
-_ORDER = re.compile(r"[Cc]\s*\^?\s*\(?([0-9]{1,4})\)?")
+ORDER = re.compile(r"\s*[Cc]\s*\^?\s*(?:([0-9]+)|\(([0-9]+)\))\s*")
+"""An order of smoothness as `C1`, `C^1` or `C^(1)`."""
+_AT_LEAST = re.compile(r"(?:≥|=>|>)\s*([^\s<>=≤≥].*)", re.DOTALL)
 ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree"))
 
 
@@ -67,17 +69,15 @@ def comparison(key: str, text: str, at: int = 0) -> Expectation:
     at += len(text) - len(body)
     body = body.rstrip()
     if body.startswith(("≥", "=>", "≤", "<", ">")) and not body.startswith(">="):
-        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:2].strip())}" is no comparison here', _form(key), at)
+        least = _AT_LEAST.match(body)
+        help = f'write {key} = ">= {shown(least[1], 30)}" for at least' if least else _form(key)
+        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:2].strip())}" is no comparison here', help, at)
     equals = len(body) - len(body.lstrip("="))
     if equals > 2:
         raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:equals])}" is no comparison here', _form(key), at)
     at += len(body) - len(body[equals:].lstrip())
     body = body[equals:].strip()
     if body.startswith(">="):
-        if key == "smoothness" and (order := _ORDER.fullmatch(body[2:].strip())):
-            raise Fault(
-                faults.BAD_EXPECTATION, f'"{shown(body)}" gives no integer', f'write smoothness = ">= {order[1]}"', at
-            )
         lower = _number(key, body[2:], at + 2)
         return Expectation(key=key, text=f">= {body[2:].strip()}", lower=lower)
     if ".." in body:
@@ -87,8 +87,6 @@ def comparison(key: str, text: str, at: int = 0) -> Expectation:
             help = "write the smaller end first: 1.99 .. 2.01"
             raise Fault(faults.BAD_EXPECTATION, f"the interval {shown(body)} is empty", help, at)
         return Expectation(key=key, text=f"{first.strip()} .. {second.strip()}", lower=lower, upper=upper)
-    if key == "smoothness" and (order := _ORDER.fullmatch(body)):
-        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body)}" is no integer', f"write smoothness = {order[1]}", at)
     value = _number(key, body, at)
     return Expectation(key=key, text=body, lower=value, upper=value)
 
@@ -108,6 +106,8 @@ def _number(key: str, text: str, at: int) -> int | ClosedForm:
     """The number of an expectation: an integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
     if not text.strip():
         raise Fault(faults.BAD_EXPECTATION, f"a number is missing in the expected {key}", _form(key), at)
+    if key == "smoothness" and (order := ORDER.fullmatch(text)):
+        at, text = at + max(order.start(1), order.start(2)), order[1] or order[2]
     try:
         value = read_closed_form(text, at)
     except Fault as fault:

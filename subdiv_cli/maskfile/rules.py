@@ -55,7 +55,8 @@ BAD_SHAPE = FaultRule("SD023", "bad-shape")
 INTERNAL_ERROR = FaultRule(
     "SD099",
     "internal-error",
-    "this is a fault of subdiv and not of the mask: please report it with the mask file and `--debug`",
+    "this is a fault of subdiv and not of the mask: please report it with the mask file, the output of "
+    "`subdiv --version` and what the same command with `--debug` prints",
 )
 
 ROWS: Mapping[str, FaultRule] = {row.code: row for row in list(globals().values()) if isinstance(row, FaultRule)}

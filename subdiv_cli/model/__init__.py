@@ -94,6 +94,8 @@ class Result:
     name: str | None = None
     kind: str | None = None
     parameters: Mapping[str, Fraction] = field(default_factory=dict)
+    varied: tuple[str, ...] = ()
+    """The parameters that have several values in this run, so that file and name alone do not tell results apart."""
     reference: str | None = None
     stopped: Literal["budget"] | None = None
     problems: tuple[Problem, ...] = ()

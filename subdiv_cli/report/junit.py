@@ -56,7 +56,7 @@ def _suite(result: Result, cases: Sequence[Case]) -> Xml.Element:
         skipped=str(counts["skipped"]),
     )
     for case in cases:
-        node = Xml.SubElement(suite, "testcase", classname=clean(result.file or "mask"), name=clean(case.name))
+        node = Xml.SubElement(suite, "testcase", classname=clean(words.place(result) or "mask"), name=clean(case.name))
         if case.outcome is not None:
             shown = {"message": clean(case.message)}
             why = Xml.SubElement(node, case.outcome, {"type": case.kind, **shown} if case.kind else shown)

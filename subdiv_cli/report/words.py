@@ -24,8 +24,15 @@ def mark(verdict: Verdict) -> str:
 
 
 def name(result: Result) -> str:
-    """The name of the mask, else that of its file."""
-    return result.name or result.file
+    """The name of the mask, else that of its file; with the parameters that vary in the run."""
+    at = (f"{parameter} = {rational(result.parameters[parameter])}" for parameter in result.varied)
+    return ", ".join((result.name or result.file, *at))
+
+
+def place(result: Result) -> str:
+    """The file of the mask, with the parameters that vary in the run, in one word: `four_point.toml[w=1/16]`."""
+    at = ",".join(f"{parameter}={rational(result.parameters[parameter])}" for parameter in result.varied)
+    return f"{result.file}[{at}]" if at else result.file
 
 
 def convergence(result: Result) -> str:

@@ -22,12 +22,12 @@ _NESTED = 'write a list of rows: coefficients = [["1/4", "1/2"], ["1/2", 1]]'
 def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> CoefficientGrid | None:
     """The body that `start` and `coefficients` give; None where something is wrong, which is recorded."""
     problems = table.problems
-    start = _start(table)
     path = (*table.path, "coefficients")
     shape = _shape(table.data["coefficients"], path, problems)
     if shape is None:
         return None
     matrix = dilation.of(len(shape))
+    start = _start(table, len(shape))
     if start is not None and len(start) != len(shape):
         plural = "" if len(start) == 1 else "s"
         message = f"start has {len(start)} component{plural}, and coefficients are nested {len(shape)} deep"
@@ -39,13 +39,11 @@ def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> 
     return CoefficientGrid(dilation=matrix, start=start, coefficients=entries)
 
 
-def _start(table: Table) -> Index | None:
-    """The index of the first coefficient; None where it is wrong or missing, which is recorded."""
-    help = "write the index of the first coefficient: start = [-1, -1]"
-    if "start" not in table.data:
-        table.missing("start", "start is missing", help)
-        return None
-    return integer_list(table.data["start"], (*table.path, "start"), table.problems, "start", help)
+def _start(table: Table, dimension: int) -> Index | None:
+    """The index of the first coefficient, zero where it is left out; None where it is wrong, which is recorded."""
+    help = "write the index of the first coefficient, start = [-1, -1], or leave it out: it only shifts the limit"
+    given = table.data.get("start", [0] * dimension)
+    return integer_list(given, (*table.path, "start"), table.problems, "start", help)
 
 
 def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...] | None:
