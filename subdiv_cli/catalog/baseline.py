@@ -15,6 +15,8 @@ from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.model import Exponent, Judgement, Result, Verdict
 from subdiv_cli.model.properties import PROPERTIES
 
+_LONG = ("findings", "facts")
+"""The keys that nothing is held to: they are most of a result."""
 _RANK = {"refuted": 0, "undecided": 1, "skipped": 1, "proved": 2}
 
 
@@ -22,7 +24,7 @@ class Baseline:
     """The results of a report, as JSON data, by their files."""
 
     def __init__(self, results: Sequence[Mapping[str, Any]]) -> None:
-        self._old = {_same(old["file"]): old for old in results}
+        self._old = {_same(old["file"]): {key: old[key] for key in old if key not in _LONG} for old in results}
         self._seen: set[str] = set()
 
     def judge(self, result: Result) -> Result:

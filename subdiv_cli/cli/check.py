@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from typing import Any
 
 import click
@@ -14,7 +15,7 @@ from subdiv_cli.cli.outputs import put_report, put_reports
 from subdiv_cli.cli.running import Run, tell_missing
 from subdiv_cli.cli.settings import SettingsError, with_settings
 from subdiv_cli.cli.streams import complain, emit, look_of
-from subdiv_cli.report import renderer
+from subdiv_cli.report import streamer
 from subdiv_cli.report.look import Look
 
 _EPILOG = """\b
@@ -111,11 +112,11 @@ def _close(run: Run, look: Look) -> ExitCode:
     missing = run.missing()
     look = look._replace(missing=missing, interrupted=run.interrupted)
 
-    def render(form: str, look: Look) -> str:
-        return renderer(form)(run.results, look)
+    def render(form: str, look: Look) -> Iterator[str]:
+        return streamer(form)(run.results, look)
 
     if asked.form == "text":  # the errors on stderr, and first
-        complain(problem for result in run.results for problem in result.problems)
+        complain(run.problems)
     streamed = asked.form == "jsonl"
     printed = run.printed if streamed else put_report(render, asked.form, look._replace(problems=False))
     written = put_reports(render, asked.form, look, asked.outputs)

@@ -10,7 +10,7 @@ import click
 from subdiv_cli.cli import options
 from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.progress import Progress
-from subdiv_cli.cli.streams import look_of, put
+from subdiv_cli.cli.streams import look_of, put, put_pieces
 from subdiv_cli.model import Result
 from subdiv_cli.report import words
 from subdiv_cli.report.look import Look
@@ -56,9 +56,9 @@ def command(words_: tuple[str, ...], form: str, jobs: int, no_cache: bool, cache
         progress.close()
     look = look_of(sys.stdout)
     if form == "json":
-        from subdiv_cli.report import renderer
+        from subdiv_cli.report import streamer
 
-        put(renderer("json")(results, look), encoding="utf-8")
+        put_pieces(streamer("json")(results, look), encoding="utf-8")
     else:
         put(_table(results, directory, look))
     return exit_code(result.status for result in results) if results else ExitCode.FAILED

@@ -5,15 +5,15 @@ from __future__ import annotations
 import sys
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from subdiv_cli.catalog.spool import Spool
 from subdiv_cli.cli.options import Asked
 from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import complain, emit, put
-from subdiv_cli.model import Result
+from subdiv_cli.model import Problem, Result
 from subdiv_cli.model.findings import UNCERTIFIED
 from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
@@ -29,7 +29,8 @@ class Run:
 
     def __init__(self, asked: Asked, look: Look) -> None:
         self.asked, self.look = asked, look
-        self.results: list[Result] = []
+        self.results = Spool[Result]()
+        self.problems: list[Problem] = []
         self.interrupted = False
         self.printed = True
         self.forms = {asked.form, *(output.format or asked.form for output in asked.outputs)}
@@ -108,16 +109,8 @@ class Run:
             self.printed &= put(renderer("jsonl")([result], self.look), encoding="utf-8")
         if self.asked.certificates is not None and result.status != "invalid":
             self.unproved += _left_out(result)
-        self.results.append(self._slim(result))
-
-    def _slim(self, result: Result) -> Result:
-        """The result without witnesses where no format shows them: of many masks they would be most of the memory."""
-        written = {output.format or self.asked.form for output in self.asked.outputs}
-        if self.asked.verbose > 1 or written & {"json", "jsonl"} or self.asked.form == "json":
-            return result
-        if self.asked.form == "jsonl" and not written:
-            return replace(result, findings=(), facts={})
-        return replace(result, findings=tuple(replace(found, witness={}) for found in result.findings))
+        self.problems += result.problems
+        self.results.append(result)
 
 
 def _left_out(result: Result) -> Iterator[str]:

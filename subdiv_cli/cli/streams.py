@@ -121,7 +121,17 @@ def put(text: str, *, encoding: str | None = None) -> bool:
     return True
 
 
-def put_file(file: str, content: str | bytes) -> bool:
+def put_pieces(pieces: Iterable[str], *, encoding: str | None = None) -> bool:
+    """Whether a result in pieces could be written to stdout, none before all are made; if not, why is on stderr."""
+    from subdiv_cli.catalog.spool import Spool
+
+    spool = Spool[str]()
+    for piece in pieces:
+        spool.append(piece)
+    return all(put(piece, encoding=encoding) for piece in spool)
+
+
+def put_file(file: str, content: str | bytes | Iterable[str]) -> bool:
     """Whether a result could be written to a file, whole or not at all; if not, the reason is written to stderr."""
     from subdiv_cli.catalog.files import write_whole
 

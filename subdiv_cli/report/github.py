@@ -16,12 +16,12 @@ from subdiv_cli.report.notices import Notice, is_file, notices
 _COMMANDS = {"error": "error", "warning": "warning", "note": "notice"}
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The annotations of all results."""
     lines = [line for result in results for line in _lines(result, look)]
     lines += [f"::warning title=missing::{_message(file)} of the baseline was not checked" for file in look.missing]
     lines.append(words.footer(results, allow_undecided=look.allow_undecided))
-    return "".join(line + "\n" for line in lines)
+    yield from (line + "\n" for line in lines)
 
 
 def _lines(result: Result, look: Look) -> Iterator[str]:

@@ -6,6 +6,7 @@ invalid mask is an error. A mask without expectations has the one test case `con
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 from xml.etree import ElementTree as Xml
@@ -16,6 +17,8 @@ from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.notices import notices
 
+_NEXT = "\n  "
+"""What stands before each suite."""
 _COUNTED = ("failure", "error", "skipped")
 
 
@@ -29,20 +32,21 @@ class Case(NamedTuple):
     message: str = ""
 
 
-def render(results: Sequence[Result], look: Look) -> str:
-    """The XML document. It has no times: the same results give the same bytes."""
-    root = Xml.Element("testsuites", name="subdiv")
-    totals = dict.fromkeys(("tests", "failures", "errors"), 0)
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
+    """The XML document. But for its times the same results give the same bytes."""
+    totals = Counter[str | None]()
     for result in results:
-        cases = list(_cases(result, look))
-        suite = _suite(result, cases)
-        root.append(suite)
-        for key in totals:
-            totals[key] += int(suite.get(key, "0"))
-    for key, count in totals.items():
-        root.set(key, str(count))
-    Xml.indent(root)
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + Xml.tostring(root, encoding="unicode") + "\n"
+        totals.update(case.outcome for case in _cases(result, look))
+    counts = {"tests": totals.total(), "failures": totals["failure"], "errors": totals["error"]}
+    root = Xml.Element("testsuites", {"name": "subdiv", **{key: str(count) for key, count in counts.items()}})
+    root.text = _NEXT if results else None
+    head, end, tail = Xml.tostring(root, encoding="unicode").partition("</")
+    yield f'<?xml version="1.0" encoding="UTF-8"?>\n{head.removesuffix(_NEXT)}'
+    for result in results:
+        suite = _suite(result, list(_cases(result, look)))
+        Xml.indent(suite, level=1)
+        yield _NEXT + Xml.tostring(suite, encoding="unicode")
+    yield f"\n{end}{tail}\n" if results else "\n"
 
 
 def _suite(result: Result, cases: Sequence[Case]) -> Xml.Element:

@@ -36,6 +36,11 @@ class Page:
         self.look = look
         self.lines: list[Line] = []
 
+    def take(self) -> str:
+        """The finished lines as text, which are put away; the last one stays, since `blank` looks at it."""
+        done, self.lines = self.lines[:-1], self.lines[-1:]
+        return paint(done, colour=self.look.colour)
+
     def say(self, text: str) -> str:
         """The text as it may be printed."""
         return letters(text, self.look.unicode)
