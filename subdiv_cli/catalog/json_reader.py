@@ -17,7 +17,7 @@ _BLANK = re.compile(r"[ \t\n\r]*")
 class JsonReader:
     """A place in a JSON text: what comes next is looked at, and read as a whole or part by part.
 
-    Every method raises ValueError where the text is not JSON, or not what it is to read.
+    ValueError is raised where the text is not JSON, or not what is to be read.
     """
 
     def __init__(self, stream: BufferedReader) -> None:
@@ -51,7 +51,7 @@ class JsonReader:
                 return value
 
     def members(self) -> Iterator[str]:
-        """The keys of the object that comes next; whoever iterates reads the value after each."""
+        """The keys of the object that comes next; whoever iterates reads the value after each. Raises ValueError."""
         self._take("{")
         if self.next() == "}":
             self._take("}")
@@ -77,7 +77,7 @@ class JsonReader:
                 return
 
     def end(self) -> None:
-        """Make sure that nothing comes any more."""
+        """Make sure that nothing comes any more. Raises ValueError."""
         if self.next():
             raise ValueError("there is something after the end")
 

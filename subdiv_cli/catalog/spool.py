@@ -5,12 +5,10 @@ The file has no name, or loses it at once, so that nothing of it is left however
 
 from __future__ import annotations
 
-import pickle
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from os import SEEK_END
 from typing import IO, Generic, TypeVar, overload
-from weakref import finalize
 
 T = TypeVar("T")
 U = TypeVar("U")
@@ -55,8 +53,11 @@ class Spool(_Lazy[T]):
 
     def _written(self, value: T) -> tuple[int, int]:
         """The place in the file to which a value was written, and its size there. Raises OSError."""
+        import pickle  # like the others only where there are many
+
         if self._file is None:
             from tempfile import TemporaryFile
+            from weakref import finalize
 
             self._file = TemporaryFile(prefix="subdiv-", buffering=0)  # noqa: SIM115 (closed in the next line)
             finalize(self, self._file.close)
@@ -71,6 +72,8 @@ class Spool(_Lazy[T]):
             case (value,):
                 return value
             case (place, size):
+                import pickle
+
                 assert self._file is not None
                 self._file.seek(place)
                 read: T = pickle.loads(self._file.read(size))
