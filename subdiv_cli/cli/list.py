@@ -10,10 +10,10 @@ import click
 from subdiv_cli.cli import options
 from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.progress import Progress
-from subdiv_cli.cli.streams import look_of, put, put_pieces
+from subdiv_cli.cli.streams import columns, look_of, put, put_pieces
 from subdiv_cli.model import Result
 from subdiv_cli.report import words
-from subdiv_cli.report.look import Look
+from subdiv_cli.report.look import UNWRAPPED, Look
 from subdiv_cli.report.page import Page, paint
 
 _EPILOG = """\b
@@ -54,7 +54,7 @@ def command(words_: tuple[str, ...], form: str, jobs: int, no_cache: bool, cache
         raise click.ClickException(str(error)) from None
     finally:
         progress.close()
-    look = look_of(sys.stdout)
+    look = look_of(sys.stdout, width=columns(sys.stdout, elsewhere=UNWRAPPED))
     if form == "json":
         from subdiv_cli.report import streamer
 

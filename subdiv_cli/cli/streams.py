@@ -40,15 +40,15 @@ def look_of(stream: TextIO, **settings: int | bool) -> Look:
     return Look(**chosen)  # type: ignore[arg-type]
 
 
-def columns(stream: TextIO) -> int:
-    """The width: COLUMNS if it is set, else the terminal's width up to a pleasant one, else that of a file."""
+def columns(stream: TextIO, elsewhere: int = Look().width) -> int:
+    """The width: COLUMNS if it is set, else the terminal's up to a pleasant one; in pipes and files `elsewhere`."""
     with suppress(ValueError):
         if (told := int(os.environ.get("COLUMNS", ""))) > 0:
             return told
     with suppress(OSError, ValueError, AttributeError):
         if (seen := os.get_terminal_size(stream.fileno()).columns) > 0:
             return min(seen, WIDEST)
-    return Look().width
+    return elsewhere
 
 
 def speaks_mathematics(stream: TextIO) -> bool:
