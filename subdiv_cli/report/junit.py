@@ -1,7 +1,8 @@
 """The report as JUnit XML, which CI servers read: a test suite for each mask, a test case for each expectation.
 
 A refuted expectation is a failure, and an undecided one too, unless undecided is allowed: then it is skipped. An
-invalid mask is an error. A mask without expectations has the one test case `convergent`.
+invalid mask is an error. A mask without expectations has the one test case `convergent`. A mask is analysed once for
+all its expectations, so each has an equal part of its time; a merged report has no times.
 """
 
 from __future__ import annotations
@@ -51,16 +52,18 @@ def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
 
 def _suite(result: Result, cases: Sequence[Case]) -> Xml.Element:
     counts = {kind: sum(case.outcome == kind for case in cases) for kind in _COUNTED}
-    suite = Xml.Element(
-        "testsuite",
-        name=clean(words.name(result)),
-        tests=str(len(cases)),
-        failures=str(counts["failure"]),
-        errors=str(counts["error"]),
-        skipped=str(counts["skipped"]),
-    )
+    shown = {
+        "name": clean(words.name(result)),
+        "tests": str(len(cases)),
+        "failures": str(counts["failure"]),
+        "errors": str(counts["error"]),
+        "skipped": str(counts["skipped"]),
+    }
+    suite = Xml.Element("testsuite", {**shown, **_time(result.seconds)})
+    share = None if result.seconds is None else result.seconds / len(cases)
     for case in cases:
-        node = Xml.SubElement(suite, "testcase", classname=clean(result.file or "mask"), name=clean(case.name))
+        named = {"classname": clean(result.file or "mask"), "name": clean(case.name)}
+        node = Xml.SubElement(suite, "testcase", {**named, **_time(share)})
         if case.outcome is not None:
             shown = {"message": clean(case.message)}
             why = Xml.SubElement(node, case.outcome, {"type": case.kind, **shown} if case.kind else shown)
@@ -68,6 +71,10 @@ def _suite(result: Result, cases: Sequence[Case]) -> Xml.Element:
     suite_out = Xml.SubElement(suite, "system-out")
     suite_out.text = clean(words.headline(result))
     return suite
+
+
+def _time(seconds: float | None) -> dict[str, str]:
+    return {} if seconds is None else {"time": f"{seconds:.3f}"}
 
 
 def _cases(result: Result, look: Look) -> Iterator[Case]:
