@@ -18,7 +18,7 @@ FEWEST = 4
 """The fewest masks for each process that make it worth starting it."""
 
 
-def _ignore(_: object) -> None:
+def _ignore(*_: object) -> None:
     """A callback that does nothing."""
 
 
@@ -29,7 +29,8 @@ def check_all(
     work: int = DEFAULT_EFFORT,
     seconds: float | None = None,
     debug: bool = False,
-    on_skipped: Callable[[int], None] = _ignore,
+    exclude: Sequence[str] = (),
+    on_skipped: Callable[[int, int], None] = _ignore,
     certificates: str | None = None,
     required: Sequence[Expectation] = (),
     cache: str | None = None,
@@ -45,9 +46,10 @@ def check_all(
     `work` and `seconds` are the effort for each question and the time for each mask; `required` is what every mask is
     held to beside its own expectations. `certificates` is a directory for the proofs, made where it is missing;
     `cache` one for results. `jobs` processes work here, or those of the Dask scheduler `cluster`; `shard` (i, n) takes
-    every n-th mask from the i-th on. With `sections` the results have their stencils and pictures. `on_skipped` hears
-    how many TOML files of the directories are no masks, `on_total` how many masks there are, `on_done` of each when it
-    is done, in whatever order.
+    every n-th mask from the i-th on. With `sections` the results have their stencils and pictures. `exclude` are
+    patterns for what a search of directories leaves out. `on_skipped` hears how many TOML files of the directories are
+    no masks, and how many files and directories were left out; `on_total` how many masks there are, `on_done` of each
+    when it is done, in whatever order.
 
     Nothing is raised for bad input: its result is `invalid` and holds the problems. An internal error is one too
     (SD099), unless `debug` lets it through. On Ctrl-C what is done comes, then KeyboardInterrupt. Raises OSError where
@@ -64,17 +66,17 @@ def check_all(
         cache=cache,
         sections=sections,
     )
-    found = discover(target for target in targets if isinstance(target, str))
-    on_skipped(found.skipped)
+    found = discover((target for target in targets if isinstance(target, str)), exclude)
+    on_skipped(found.skipped, found.left_out)
     entries = [*found.entries, *(target for target in targets if isinstance(target, MaskFile))]
     if shard is not None:
         entries = entries[shard[0] - 1 :: shard[1]]
     on_total(len(entries))
     for done in _run(entries, settings, jobs, cluster, on_done):
-        if directory is None or done.certificate is None:
-            yield done.result
-        else:
-            yield replace(done.result, certificate=directory.write(done.result.file, done.certificate))
+        result = replace(done.result, seconds=done.seconds)
+        if directory is not None and done.certificate is not None:
+            result = replace(result, certificate=directory.write(result.file, done.certificate))
+        yield result
 
 
 def _run(

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from subdiv_cli.cli.streams import put_file, put_pieces, why_not
+from subdiv_cli.cli.streams import put, put_file, put_pieces, why_not
+from subdiv_cli.model import Result
 from subdiv_cli.report import FOR_PEOPLE, FORMATS, SUFFIXES
 from subdiv_cli.report.look import Look
 
@@ -77,6 +78,15 @@ def _formats() -> str:
 def put_report(render: Callable[[str, Look], Iterable[str]], form: str, look: Look) -> bool:
     """Whether a report, rendered in a format for a look, could be written to stdout."""
     return put_pieces(render(form, look), encoding=None if form in FOR_PEOPLE else "utf-8")
+
+
+def put_statistics(results: Sequence[Result], form: str, look: Look) -> bool:
+    """Whether the statistics of a run could be written to stdout, as a table or as JSON."""
+    from subdiv_cli.report import statistics
+
+    if form == "json":
+        return put(statistics.as_json(results, look), encoding="utf-8")
+    return put(statistics.as_text(results, look))
 
 
 def put_reports(render: Callable[[str, Look], Iterable[str]], form: str, look: Look, outputs: Sequence[Output]) -> bool:
