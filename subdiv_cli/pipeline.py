@@ -15,7 +15,7 @@ from subdiv_cli.checker import Outcome, check_document
 from subdiv_cli.exact.closed import compare, digits
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import Analysis, Drawings, Kind, Options, Scheme, gather
-from subdiv_cli.model import DECIDED, Effort, Expectation, Exponent, Finding, Judgement, Result
+from subdiv_cli.model import DECIDED, Effort, Expectation, Exponent, Finding, Judgement, Result, watch
 from subdiv_cli.model.findings import TOO_DEAR, UNWRITTEN, uncertified
 from subdiv_cli.model.judge import judge, status
 
@@ -58,6 +58,7 @@ def show(scheme: Scheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, 
     assert kind.portraits is not None, "a mask of a kind that is not taken apart is not read"
     analysis = kind.portraits.analyse(scheme, effort, tolerance)
     checked = certified(kind, analysis, (), effort)
+    watch.begin("page")
     return checked, kind.portraits.make(analysis, checked.result)
 
 
@@ -72,7 +73,9 @@ def draw(scheme: Scheme, drawings: Drawings, options: Options, effort: Effort) -
 
     def certify(part: Effort) -> tuple[Analysis, Result]:
         analysis = analyse(scheme, part)
-        return analysis, certified(kind, analysis, (), part).result
+        result = certified(kind, analysis, (), part).result
+        watch.begin("picture")
+        return analysis, result
 
     return drawings.make(scheme, effort, options, certify)
 
@@ -83,6 +86,7 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
     Raises DisagreementError.
     """
     assert kind.proofs is not None, "a kind that finds something proves it"
+    watch.begin("certificate")
     proofs = kind.proofs(analysis)
     certificate = _verified(proofs)
     claims = certificate.claims if certificate is not None else [()] * len(analysis.findings)
@@ -119,6 +123,7 @@ def _verified(proofs: Proofs) -> Certificate | None:
 
 def _outcome(document: Mapping[str, Any]) -> Outcome:
     """The checker's outcome: verified, or too much work. Raises DisagreementError where the checker says no."""
+    watch.begin("checker")
     outcome = check_document(document)
     if not outcome.verified and not outcome.exhausted:
         raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
@@ -165,6 +170,7 @@ def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effo
     """
     from subdiv_cli.jsr.answer import answer  # numpy comes with it
 
+    watch.begin("joint spectral radius")
     radius = answer(matrices, effort)
     document = family_certificate(matrices, radius)
     if document is not None and not _outcome(document).verified:

@@ -16,6 +16,8 @@ from subdiv_cli.model import Exponent, Judgement, Result, Verdict
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.properties import PROPERTIES
 
+_LONG = ("findings", "facts")
+"""The keys that nothing is held to: they are most of a result."""
 _RANK = {"refuted": 0, "undecided": 1, "skipped": 1, "proved": 2}
 
 
@@ -27,7 +29,10 @@ class Baseline:
     """The results of a report, as JSON data, by their files and parameters."""
 
     def __init__(self, results: Sequence[Mapping[str, Any]]) -> None:
-        self._old = {(_same(old["file"]), _at(old.get("parameters", {}))): old for old in results}
+        self._old = {
+            (_same(old["file"]), _at(old.get("parameters", {}))): {key: old[key] for key in old if key not in _LONG}
+            for old in results
+        }
         self._only: dict[str, _Key | None] = {}
         """The key of each file that the report has once; None for a file that it has at several parameters."""
         for key in self._old:

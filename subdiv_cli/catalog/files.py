@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
@@ -13,21 +14,28 @@ _LONGEST = 200
 """The most bytes of a name for which the name of its unfinished file, which is longer, is one too."""
 
 
-def write_whole(file: str | Path, content: str | bytes, *, durable: bool = True) -> None:
+def write_whole(file: str | Path, content: str | bytes | Iterable[str], *, durable: bool = True) -> None:
     """Write a file so that it is the old one or the new one and never a part; after an OSError it is the old one.
 
+    The content may come in pieces.
     What is not a plain file (a pipe, /dev/stdout) is written to as it is. `durable`: whole also after a power cut.
     """
-    data = content if isinstance(content, bytes) else content.encode("utf-8", "backslashreplace")
+    data: Iterable[bytes]
+    if isinstance(content, bytes):
+        data = (content,)
+    else:
+        texts = (content,) if isinstance(content, str) else content
+        data = (text.encode("utf-8", "backslashreplace") for text in texts)
     path = Path(os.path.realpath(file))
     if path.exists() and not path.is_file():
-        path.write_bytes(data)
+        with path.open("wb") as there:
+            there.writelines(data)
         return
     name = path.name if len(os.fsencode(path.name)) <= _LONGEST else path.name[:50]
     part = path.with_name(f".{name}.{os.getpid()}.part")
     try:
         with part.open("xb") as new:
-            new.write(data)
+            new.writelines(data)
             new.flush()
             if durable:
                 os.fsync(new.fileno())

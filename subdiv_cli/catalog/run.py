@@ -33,7 +33,8 @@ def check_all(
     work: int = DEFAULT_EFFORT,
     seconds: float | None = None,
     debug: bool = False,
-    on_skipped: Callable[[int], None] = _ignore,
+    exclude: Sequence[str] = (),
+    on_skipped: Callable[[int, int], None] = _ignore,
     certificates: str | None = None,
     required: Sequence[Expectation] = (),
     cache: str | None = None,
@@ -53,10 +54,10 @@ def check_all(
     `work` and `seconds` are the effort for each question and the time for each mask; `required` is what every mask is
     held to beside its own expectations. `certificates` is a directory for the proofs, made where it is missing;
     `cache` one for results. `jobs` processes work here, or those of the Dask scheduler `cluster`; `shard` (i, n) takes
-    every n-th mask from the i-th on. With `sections` the results have their stencils and pictures. `on_skipped` hears
-    how many TOML files of the directories are no masks, `on_total` how many masks there are, `on_done` of each when it
-    is done, in whatever order; `on_unwritten` of which file the certificate could not be
-    written, and why.
+    every n-th mask from the i-th on. With `sections` the results have their stencils and pictures. `exclude` are
+    patterns for what a search of directories leaves out. `on_skipped` hears how many TOML files of the directories are
+    no masks, and how many files and directories were left out; `on_total` how many masks there are, `on_done` of each
+    when it is done, in whatever order; `on_unwritten` of which file the certificate could not be written, and why.
 
     Nothing is raised for bad input: its result is `invalid` and holds the problems. An internal error is one too
     (SD099), unless `debug` lets it through. On Ctrl-C what is done comes, then KeyboardInterrupt. Raises OSError where
@@ -73,8 +74,8 @@ def check_all(
         sections=sections,
         given=given._replace(names=tuple(overrides or ())),
     )
-    found = discover(target for target in targets if isinstance(target, str))
-    on_skipped(found.skipped)
+    found = discover((target for target in targets if isinstance(target, str)), exclude)
+    on_skipped(found.skipped, found.left_out)
     entries = [*found.entries, *(target for target in targets if isinstance(target, MaskFile))]
     made = [_task(entry) for entry in entries]
     if overrides:
@@ -83,10 +84,11 @@ def check_all(
         made = made[shard[0] - 1 :: shard[1]]
     on_total(len(made))
     for done in _run(made, settings, jobs, cluster, on_done):
+        result = replace(done.result, seconds=done.seconds)
         if directory is None or done.certificate is None:
-            yield done.result
+            yield result
         else:
-            yield _with_certificate(done.result, done.certificate, directory, on_unwritten)
+            yield _with_certificate(result, done.certificate, directory, on_unwritten)
 
 
 def _with_certificate(

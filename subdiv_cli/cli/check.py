@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from typing import Any
 
 import click
@@ -10,11 +11,11 @@ import click
 from subdiv_cli.cli import masks
 from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.options import Asked, SectionedCommand, check_options
-from subdiv_cli.cli.outputs import put_report, put_reports
+from subdiv_cli.cli.outputs import put_report, put_reports, put_statistics
 from subdiv_cli.cli.running import Run, tell_missing
 from subdiv_cli.cli.settings import SettingsError, with_settings
 from subdiv_cli.cli.streams import complain, emit, look_of
-from subdiv_cli.report import renderer
+from subdiv_cli.report import streamer
 from subdiv_cli.report.look import Look
 
 _EPILOG = """\b
@@ -26,6 +27,8 @@ Examples:
   subdiv check masks/ --jobs 2 --format github -o junit.xml -o json:report.json
   subdiv check masks/ --require C1 --require "holder>=1.5"
   subdiv check masks/ --baseline report.json
+  subdiv check masks/ --exclude drafts --exclude "masks/**/*_old.toml"
+  subdiv check masks/ --statistics
   subdiv check masks/ --shard 1/4 --format json > part-1.json
   git diff --name-only main -- "*.toml" | subdiv check --files-from -
   subdiv check masks/ --certificate proofs/ && subdiv verify proofs/
@@ -41,7 +44,7 @@ Exit codes:
   3    nothing refuted, something undecided, or left out of a --certificate (0 with
        --allow-undecided)
   130  interrupted; the masks checked so far are reported
-  Of several, 2 beats 1 beats 3, and 130 beats all.
+  Of several, 2 beats 1 beats 3, and 130 beats all. --exit-zero makes 1 and 3 a 0.
 
 \b
 The report is on stdout. Progress is on stderr, and so are the errors of invalid
@@ -50,8 +53,8 @@ masks in the text format; the other formats have them in the report.
 \b
 Options have defaults in [tool.subdiv] of the nearest pyproject.toml: format,
 select, ignore, require, baseline, allow-undecided, effort, budget, jobs, cache,
-cache-dir, dask. Environment variables stand above those, the command line above
-all. NO_COLOR and COLUMNS are honoured.
+cache-dir, dask, exclude. Environment variables stand above those, the command line above
+all. Where no FILE is named, paths has those to be checked. NO_COLOR and COLUMNS are honoured.
 """
 
 _MOST_REASONS = 10
@@ -64,8 +67,8 @@ _MOST_REASONS = 10
 def command(ctx: click.Context, /, **given: Any) -> ExitCode:
     """Check subdivision masks: convergence, order of smoothness, exponents, and what each file expects.
 
-    A FILE is a TOML mask file; a DIR is searched for them; a pattern such as "masks/**/*.toml" names those that match;
-    - reads one mask from stdin.
+    A FILE is a TOML mask file; a DIR is searched for them, but for what git ignores or --exclude has a pattern for; a
+    pattern such as "masks/**/*.toml" names those that match; - reads one mask from stdin.
     """
     try:
         asked = Asked(**with_settings(ctx, given))
@@ -91,7 +94,12 @@ def _settings(asked: Asked) -> dict[str, Any]:
         "jobs": asked.jobs,
         "cache": None if asked.no_cache else directory(asked.cache_dir),
     }
-    optional: dict[str, Any] = {"certificates": asked.certificates, "shard": asked.shard, "cluster": asked.dask}
+    optional: dict[str, Any] = {
+        "certificates": asked.certificates,
+        "shard": asked.shard,
+        "cluster": asked.dask,
+        "exclude": asked.exclude or None,
+    }
     if asked.mask is None and (asked.start is not None or asked.arity is not None):
         from subdiv_cli.maskfile.option import Given
 
@@ -117,15 +125,19 @@ def _close(run: Run, look: Look) -> ExitCode:
     """The exit code, after the report is written."""
     asked = run.asked
     missing = run.missing()
-    look = look._replace(missing=missing, interrupted=run.interrupted)
+    look = look._replace(missing=missing, interrupted=run.interrupted or run.ended)
 
-    def render(form: str, look: Look) -> str:
-        return renderer(form)(run.results, look)
+    def render(form: str, look: Look) -> Iterator[str]:
+        return streamer(form)(run.results, look)
 
-    if asked.form == "text":  # the errors on stderr, and first
-        complain(problem for result in run.results for problem in result.problems)
-    streamed = asked.form == "jsonl"
-    printed = run.printed if streamed else put_report(render, asked.form, look._replace(problems=False))
+    if asked.form == "text" and not asked.statistics:  # the errors on stderr, and first
+        complain(run.problems)
+    if asked.statistics:
+        printed = put_statistics(run.results, asked.form, look)
+    elif asked.form == "jsonl":
+        printed = run.printed
+    else:
+        printed = put_report(render, asked.form, look._replace(problems=False))
     written = put_reports(render, asked.form, look, asked.outputs)
     tell_missing(missing)
     for file, reason in list(run.unwritten.items())[:_MOST_REASONS]:
@@ -139,5 +151,7 @@ def _close(run: Run, look: Look) -> ExitCode:
     code = exit_code(statuses, allow_undecided=asked.allow_undecided, interrupted=run.interrupted)
     if run.unproved and code is ExitCode.PASSED and not asked.allow_undecided:
         code = ExitCode.UNDECIDED
+    if asked.exit_zero and code in (ExitCode.FAILED, ExitCode.UNDECIDED):
+        code = ExitCode.PASSED
     done = printed and written and not run.unwritten
     return code if done or run.interrupted else ExitCode.ERROR

@@ -8,6 +8,7 @@ import click
 
 from subdiv_cli.cli.completers import complete_page
 from subdiv_cli.cli.streams import columns, emit, has_colour, speaks_mathematics
+from subdiv_cli.report.look import UNWRAPPED
 
 _EPILOG = """\b
 Examples:
@@ -72,13 +73,18 @@ def _lines(pages: dict[str, str]) -> str:
         lead = f"{shown}{' ' * (longest - width(shown))}  "
         _, _, text = page(name).partition("\n\n")
         summary = letters(" ".join(text.partition("\n\n")[0].split()), unicode)
-        room = columns(sys.stdout) - width(lead)
+        room = _room() - width(lead)
         if room < _LEAST:
             summary = ""
         elif width(summary) > room:
             summary = wrap(summary, room - len(dots))[0].rstrip(" ,;:") + dots
         lines.append(f"{lead}{summary}".rstrip() + "\n")
     return "".join(lines)
+
+
+def _room() -> int:
+    """The columns of stdout; in a pipe and in a file nothing is cut or wrapped."""
+    return columns(sys.stdout, elsewhere=UNWRAPPED)
 
 
 def _print(text: str) -> None:
@@ -93,7 +99,7 @@ def _fitting(text: str) -> str:
     from subdiv_cli.report.letters import letters, width
     from subdiv_cli.report.page import wrap
 
-    room, unicode, blocks, example = columns(sys.stdout), speaks_mathematics(sys.stdout), [], False
+    room, unicode, blocks, example = _room(), speaks_mathematics(sys.stdout), [], False
     for block in text.split("\n\n"):
         lines = [letters(line, unicode) for line in block.split("\n")]
         if not example and not block.startswith("```") and any(width(line) > room for line in lines):

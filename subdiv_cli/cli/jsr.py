@@ -10,6 +10,7 @@ import click
 
 from subdiv_cli.cli import options
 from subdiv_cli.cli.exits import ExitCode
+from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import complain, emit, look_of, put_file
 from subdiv_cli.cli.values import SECONDS
 from subdiv_cli.model import Effort
@@ -69,7 +70,8 @@ def command(
         return complain(error.problems)
     from subdiv_cli.pipeline import joint_spectral_radius
 
-    found = joint_spectral_radius(matrices, Effort(effort, budget))
+    with Progress().watching():
+        found = joint_spectral_radius(matrices, Effort(effort, budget))
     text = found.certificate_text()
     if certificate is not None and text is not None and not put_file(certificate, text):
         return ExitCode.ERROR

@@ -23,12 +23,15 @@ MOST_BYTES = 64 << 20
 def usage(asked: Asked) -> None:
     """Raise a usage error for options that do not go together."""
     if asked.mask is None and not asked.targets and asked.files_from is None:
-        raise click.UsageError("nothing to check: name a file, as in `subdiv check four-point.toml`")
+        help = "name a file, as in `subdiv check four-point.toml`, or set paths in [tool.subdiv] of pyproject.toml"
+        raise click.UsageError(f"nothing to check: {help}")
     if asked.mask is not None and (asked.targets or asked.files_from is not None):
         raise click.UsageError("--mask checks one mask from the command line: leave out the files, or --mask")
     belongs_to_mask(asked.mask, asked.start, asked.arity, asked.targets)
     if asked.quiet and asked.verbose:
         raise click.UsageError("-q and -v contradict each other")
+    if asked.statistics and asked.form not in ("text", "json"):
+        raise click.UsageError(f"--statistics is text or json, not {asked.form}: other formats go to files, with -o")
     if asked.files_from == "-" and "-" in asked.targets:
         raise click.UsageError("standard input is either a list of files or a mask, not both")
 

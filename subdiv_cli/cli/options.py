@@ -22,6 +22,7 @@ class Asked(NamedTuple):
     targets: tuple[str, ...]
     parameters: tuple[str, ...]
     files_from: str | None
+    exclude: tuple[str, ...]
     mask: str | None
     start: tuple[int, ...] | None
     arity: int | None
@@ -31,10 +32,13 @@ class Asked(NamedTuple):
     quiet: bool
     select: tuple[str, ...]
     ignore: tuple[str, ...]
+    statistics: bool
     certificates: str | None
     require: tuple[str, ...]
     baseline: str | None
     allow_undecided: bool
+    exit_zero: bool
+    maxfail: int | None
     effort: int
     budget: float | None
     jobs: int
@@ -157,6 +161,11 @@ check_options = all_of(
         "Masks", "--files-from", metavar="FILE", type=click.Path(dir_okay=False, allow_dash=True),
         help="Read names of files and directories from FILE, one a line (or NUL between); - is stdin.",
     ),
+    option(
+        "Masks", "--exclude", multiple=True, metavar="PATTERN", variable="EXCLUDE",
+        help='Leave out files and directories of a DIR: by name, "*_old.toml", or by path, "masks/drafts/**". '
+        "Repeatable.",
+    ),
     named,
     option(
         "Report", "--format", "form", type=click.Choice(list(FORMATS)), default="text", show_default=True,
@@ -174,6 +183,10 @@ check_options = all_of(
         help="Do not show findings with this code. Neither changes the exit code. Repeatable.",
     ),
     option(
+        "Report", "--statistics", is_flag=True,
+        help="On stdout, instead of the report, how many masks did not pass for which reason; as text or JSON.",
+    ),
+    option(
         "Report", "--certificate", "certificates", metavar="DIR", type=click.Path(file_okay=False),
         help="Write the proof of each mask's verdicts into DIR, for `subdiv verify`.",
     ),
@@ -189,6 +202,8 @@ check_options = all_of(
         "Gate", "--allow-undecided", is_flag=True, variable="ALLOW_UNDECIDED",
         help="Undecided is not a failure: exit 0 for it.",
     ),
+    option("Gate", "--exit-zero", is_flag=True, help="Exit 0 also where something is refuted or undecided."),
+    option("Gate", "--maxfail", type=WHOLE, metavar="N", help="Stop after N masks that did not pass."),
     effort("Work one question may cost. What is found depends on it alone.", variable="EFFORT"),
     option(
         "Run", "--budget", type=SECONDS, metavar="SECONDS", variable="BUDGET",

@@ -20,7 +20,7 @@ from subdiv_cli.jsr.body import Image, Polytope
 from subdiv_cli.jsr.dominance import Dominations
 from subdiv_cli.jsr.gauge import PRECISION, Gauges
 from subdiv_cli.jsr.measure import Balanced, Monotone, measure_of
-from subdiv_cli.model import Effort
+from subdiv_cli.model import Effort, watch
 
 ROUGHLY = 1.02
 """Gauges up to which images may stay outside of bodies that only suggest something: they end sooner."""
@@ -90,6 +90,7 @@ def _grow(body: Polytope, pending: list[tuple[int, int]], effort: Effort, within
             for start in range(0, len(pending), _CHUNK):
                 chunk = pending[start : start + _CHUNK]
                 spent += len(chunk) * (1 + body.columns.size * max(body.order, _SMALL_ORDER) // (2000 * _SMALL_ORDER))
+                watch.count(body.size, "vertices")
                 if not effort.allows(spent) or not np.isfinite(body.columns).all():
                     return Grown(body, False, pending[start:] + body.pending(fresh), spent)
                 fresh += _absorb(body, memory, chunk, within)

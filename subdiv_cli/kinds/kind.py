@@ -13,7 +13,7 @@ from fractions import Fraction
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
-from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict
+from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict, watch
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.findings import Form, answering
 
@@ -85,6 +85,7 @@ def run_stages(numbers: Any, stages: Iterable[Stage]) -> tuple[Finding, ...]:
     """The findings of all stages on one scheme, in their order: each speaks of what earlier ones introduced."""
     facts = Facts()
     for stage in stages:
+        watch.begin(stage.__module__.rpartition(".")[2].replace("_", " "))
         facts.add(stage(numbers, facts))
     return facts.findings()
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
+from subdiv_cli.model import watch
 from subdiv_cli.model.closed import ClosedForm as ClosedForm
 from subdiv_cli.model.closed import Log as Log
 from subdiv_cli.model.closed import LogForm as LogForm
@@ -122,6 +123,8 @@ class Result:
     """The regressions from the baseline, which then decide the status; None where the baseline has no such mask."""
     sections: tuple[Section, ...] = ()
     """The stencils and pictures, made only for a format that shows them."""
+    seconds: float | None = field(default=None, compare=False)
+    """The seconds that it took here and now, from the cache too; None where that is not known."""
 
 
 DEFAULT_EFFORT = 20_000
@@ -150,6 +153,7 @@ class Effort:
         """Whether a question that has cost `work` so far, its next step included, may take that step."""
         if self._whole is not None:
             return work <= self.work and self._whole.allows(work)
+        watch.look()
         if self._deadline is not None and time.monotonic() > self._deadline:
             self.struck = True
         return not self.struck and work <= self.work

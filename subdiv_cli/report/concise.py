@@ -15,17 +15,19 @@ from subdiv_cli.report.letters import letters
 from subdiv_cli.report.look import Look
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The lines of all results; nothing is wrapped. Below verbosity 0 only what did not pass, and no findings."""
-    lines: list[str] = []
     for result in results:
         allowed = look.allow_undecided and result.status == "undecided"
         if look.verbosity >= 0:
-            lines += _lines(result, look)
+            yield _text(_lines(result, look), look)
         elif result.status != "passed" and not allowed:
-            lines += _missed(result)
+            yield _text(_missed(result), look)
     if look.verbosity >= 0 and len(results) != 1:
-        lines.append(words.footer(results, allow_undecided=look.allow_undecided))
+        yield _text([words.footer(results, allow_undecided=look.allow_undecided)], look)
+
+
+def _text(lines: Iterable[str], look: Look) -> str:
     return "".join(letters(line, look.unicode) + "\n" for line in lines)
 
 

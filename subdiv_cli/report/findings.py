@@ -95,7 +95,7 @@ def _finding(page: Page, found: Finding) -> None:
     if page.look.width >= NARROW:
         page.lines.append([(" " * INDENT, ""), (verdict, role), (title, "code")])
     else:
-        page.lines += stacked([[Cell(verdict, role), Cell(title, "code")]], page.look.width - INDENT, INDENT)
+        page.lines += stacked(("", ""), [[Cell(verdict, role), Cell(title, "code")]], page.look.width - INDENT, INDENT)
     page.put(found.statement, indent=indent, hanging=2)
     if (shown := _unsaid(found)) is not None:
         page.put(f"value: {shown}", indent=indent, hanging=2)

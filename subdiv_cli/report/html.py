@@ -18,10 +18,10 @@ _ALONE = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inli
 _TITLES = ("status", "mask", "convergence", "smoothness", "Hölder exponent", "sum rules", "file")
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The HTML page."""
-    page = "".join(_page(results, look))
-    return page if page.isascii() else page.encode("utf-8", "backslashreplace").decode("utf-8")
+    for piece in _page(results, look):
+        yield piece if piece.isascii() else piece.encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def _page(results: Sequence[Result], look: Look) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from hashlib import sha256
 from typing import Any
 from urllib.parse import quote
@@ -15,31 +15,44 @@ from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.notices import Notice, is_file, notices
 
+_PLACE = "results of subdiv"
+"""What stands for the results while the rest of the log is spelled."""
 _LEVELS = {"error": "error", "warning": "warning", "note": "note"}
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The JSON of a log with one run."""
-    told = [(result, notice) for result in results for notice in notices(result, look)]
-    rules = _rules(results, (notice for _, notice in told))
+    rules = _rules(results, look)
     index = {rule["id"]: number for number, rule in enumerate(rules)}
     run = {
         "tool": {"driver": {"name": "subdiv", "semanticVersion": subdiv_cli.__version__, "rules": rules}},
         "columnKind": "unicodeCodePoints",
         "invocations": [{"executionSuccessful": not look.interrupted}],
-        "results": [_result(result, notice, index) for result, notice in told],
+        "results": [_PLACE] if rules else [],
         "properties": {"summary": words.summary(results)},
     }
-    log = {"version": "2.1.0", "runs": [run]}
-    return json.dumps(log, ensure_ascii=False, indent=2) + "\n"
+    head, _, tail = _spelled({"version": "2.1.0", "runs": [run]}).partition(_spelled(_PLACE))
+    yield head
+    told = (_result(result, notice, index) for result in results for notice in notices(result, look))
+    for number, shown in enumerate(told):
+        yield (",\n        " if number else "") + _spelled(shown).replace("\n", "\n        ")
+    yield tail + "\n"
 
 
-def _rules(results: Iterable[Result], told: Iterable[Notice]) -> list[dict[str, Any]]:
+def _spelled(data: Any) -> str:
+    return json.dumps(data, ensure_ascii=False, indent=2)
+
+
+def _rules(results: Sequence[Result], look: Look) -> list[dict[str, Any]]:
     """The rules of the log, one for each code of a notice, in their order."""
-    names = {found.code: found.name for result in results for found in result.findings}
-    names |= {worse.code: "baseline" for result in results for worse in result.regressions or ()}
+    names: dict[str, str] = {}
+    codes: set[str] = set()
+    for result in results:
+        names |= {found.code: found.name for found in result.findings}
+        names |= {worse.code: "baseline" for worse in result.regressions or ()}
+        codes |= {notice.code for notice in notices(result, look)}
     rules = []
-    for code in sorted({notice.code for notice in told}):
+    for code in sorted(codes):
         name = names.get(code, code)
         more = f"`subdiv explain {code}` says what it means." if code.startswith("SD") else "An expectation of a mask."
         rules.append({"id": code, "name": name, "shortDescription": {"text": name}, "help": {"text": more}})

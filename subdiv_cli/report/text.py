@@ -30,17 +30,17 @@ class PropertyRow(NamedTuple):
 TITLES = ("property", "verdict", "value", "proof")
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The text of the report on these masks, in this order."""
     page = _TextReport(look)
     if look.verbosity < 0:
-        page.failures(results)
+        yield from page.failures(results)
     elif len(results) == 1:
         page.full(results[0])
         page.closing(results[0])
     else:
-        page.overview(results)
-    return paint(page.lines, colour=look.colour)
+        yield from page.overview(results)
+    yield paint(page.lines, colour=look.colour)
 
 
 class _TextReport(Page):
@@ -48,11 +48,14 @@ class _TextReport(Page):
 
     # several masks
 
-    def failures(self, results: Sequence[Result]) -> None:
-        """Put nothing but what did not pass."""
-        failing = [result for result in results if result.status != "passed"]
-        failing = [r for r in failing if not (self.look.allow_undecided and r.status == "undecided")]
-        for result in failing:
+    def failures(self, results: Sequence[Result]) -> Iterator[str]:
+        """Put nothing but what did not pass; the text of each mask."""
+        failing = False
+        for result in results:
+            if result.status == "passed" or (self.look.allow_undecided and result.status == "undecided"):
+                continue
+            failing = True
+            yield self.take()
             self.headline(result)
             self.notes(result)
             self.problems(result)
@@ -69,8 +72,11 @@ class _TextReport(Page):
         text = words.judged(result, judged, words.mark(judged.verdict))
         self.put(text, words.ROLES[judged.verdict], indent=INDENT, hanging=INDENT)
 
-    def overview(self, results: Sequence[Result]) -> None:
-        """Put a line for each mask, then in full those that did not pass (or all, with -v), then the counts."""
+    def overview(self, results: Sequence[Result]) -> Iterator[str]:
+        """Put a line for each mask, then in full those that did not pass (or all, with -v), then the counts.
+
+        The text of each mask as soon as it is put.
+        """
         if results:
             self.table(("status", "mask", "convergence", "smoothness", "Hölder exponent"), list(map(self.row, results)))
         for result in results:
@@ -80,6 +86,7 @@ class _TextReport(Page):
                 self.blank()
                 self.full(result)
                 self.closing(result, indent=INDENT)
+                yield self.take()
         self.blank()
         self.put(words.footer(results, allow_undecided=self.look.allow_undecided), "head")
 

@@ -5,8 +5,10 @@ from dataclasses import replace
 import report_samples as samples
 
 from subdiv_cli.model import Result, Verdict
-from subdiv_cli.report.concise import render
+from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
+
+render = renderer("concise")
 
 
 def test_lines():

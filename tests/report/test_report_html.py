@@ -13,8 +13,10 @@ from support import four_point
 
 from subdiv_cli.kinds.scalar.portrait.sections import sections
 from subdiv_cli.model.blocks import Curve, Formula, Grid, Section, Text
-from subdiv_cli.report.html import render
+from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
+
+render = renderer("html")
 
 DRAWN = replace(samples.FOUR_POINT, sections=sections(four_point("1/16"), samples.FOUR_POINT))
 HAT = Curve(2, 0, -1, (0, 1, 0), (-1, 1), 1)

@@ -11,8 +11,11 @@ import report_samples as samples
 
 import subdiv_cli
 from subdiv_cli.model import Exponent, Interval, Log, Result
-from subdiv_cli.report.json import plain, render
+from subdiv_cli.report import renderer
+from subdiv_cli.report.json import plain
 from subdiv_cli.report.look import Look
+
+render = renderer("json")
 
 KEYS = {
     "": ["format", "version", "tool", "summary", "results"],

@@ -18,10 +18,10 @@ from hypothesis import strategies as st
 from subdiv_cli.kinds.scalar.rules import rules
 from subdiv_cli.model import UNKNOWN, Exponent, Finding, Log, Problem, Result, Verdict
 from subdiv_cli.report import FOR_PEOPLE, FORMATS, renderer
-from subdiv_cli.report.json import render as render_json
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.text import render
+
+render, render_json = renderer("text"), renderer("json")
 
 GOLDEN = Path(__file__).with_name("golden")
 PAGES = {
