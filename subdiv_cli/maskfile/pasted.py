@@ -78,9 +78,11 @@ def _unwrapped(text: str) -> str:
             pairs[stack.pop()] = i
     characters = list(text)
     for call in _CALL.finditer(text):
-        if call.end() in pairs:
-            characters[call.start() : call.end() + 1] = " " * (call.end() + 1 - call.start())
-            characters[pairs[call.end()]] = " "
+        first, last = call.end(), pairs.get(call.end(), 0)
+        if last:
+            characters[call.start() : first] = " " * (first - call.start())
+            if text[first + 1 : last].lstrip().startswith("["):
+                characters[first] = characters[last] = " "
     return "".join(characters)
 
 
@@ -139,7 +141,7 @@ class _Separators:
     def _close(self, level: _Level, at: int) -> None:
         """Put the commas of a list that ends at `at`; a tuple gets brackets."""
         if level.opening == "(":
-            if level.places(",") and not level.called:
+            if level.places(",") and not level.called and self.text[at] == ")":
                 self.characters[level.at], self.characters[at] = "[", "]"
             return
         rows, inner = level.places(";"), level.places(",") or level.places(" ")

@@ -89,7 +89,9 @@ def test_a_baseline_knows_the_values(family):
     old = json.loads(written)
     old["results"] = old["results"][:1]
     (family / "base.json").write_text(json.dumps(old))
-    code, ((only),) = report("masks/w.toml", "-p", "w=1", "--baseline", "base.json", cwd=family)
+    code, results = report("masks/w.toml", "-p", "w=1/16", "-p", "w=1", "--baseline", "base.json", cwd=family)
+    assert [r["regressions"] for r in results] == [[], None], "several values are not held to another one"
+    code, (only,) = report("masks/w.toml", "-p", "w=1", "--baseline", "base.json", cwd=family)
     assert code == 1
     assert "convergence was proved and is refuted" in only["regressions"], "another value of the only one is compared"
 

@@ -13,6 +13,7 @@ from support import b_spline, four_point, scheme, seeded
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.kinds.option import from_option
 from subdiv_cli.kinds.reading import read_path
+from subdiv_cli.kinds.scalar.numbers import nearby as numbers
 from subdiv_cli.kinds.scalar.numbers.facts import hints
 from subdiv_cli.kinds.scalar.numbers.nearby import nearby
 from subdiv_cli.model import Effort
@@ -132,6 +133,16 @@ def test_coif5():
     assert shorter.rules == 10
     first, second = exponents(there), exponents(other)
     assert first == (10, pytest.approx(second[1], abs=1e-8), pytest.approx(second[2], abs=1e-8))
+
+
+def test_one_coefficient_further_off(monkeypatch):
+    """A slip of one unit is mended; nine units are not the rounding of the digits."""
+    whole = [round(Fraction(c) * 10**12) for c in COIF5]
+    one, nine = ([c + slip * (i == 12) for i, c in enumerate(whole)] for slip in (1, 9))
+    assert offered(scheme(one, over=10**12))[0].distance < Fraction(2, 10**12)
+    assert nearby(scheme(nine, over=10**12)) is None
+    monkeypatch.setattr(numbers, "_UNITS", Fraction(1, 10))
+    assert nearby(scheme(one, over=10**12)) is None, "what is offered is held to the digits once more"
 
 
 def test_a_ternary_filter():
