@@ -127,7 +127,7 @@ class Finding:
     reason: str | None = None
     """The reason why it is undecided or skipped."""
     why: str | None = None
-    """Where the statement is `what: why`, the second half: for those who have said what."""
+    """The part of the statement that says why, for those who have said what; None where it says only what."""
     value: Interval | None = None
     witness: Mapping[str, Data] = field(default_factory=dict)
     """Data from which the verdict can be rechecked without a search; the stage's docstring explains the keys."""
@@ -153,6 +153,7 @@ def uncertified(finding: Finding, reason: str) -> Finding:
         statement=f"not certified: {finding.statement}",
         answers=tuple((question, _told(question, Verdict.UNDECIDED, None, None)) for question, _ in finding.answers),
         reason=reason,
+        why=None,
         value=None,
         witness={},
         proof={},
@@ -192,16 +193,16 @@ class Rule(NamedTuple):
         closed: ClosedForm | None = None,
         proof: Witness | None = None,
         answers: Answers | None = None,
+        why: str | None = None,
     ) -> Finding:
         """A finding that is proved; `answers` are those that follow neither from the verdict nor from the value."""
-        return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
+        return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers, why)
 
     def refuted(
         self, statement: str, witness: Witness, answers: Answers | None = None, why: str | None = None
     ) -> Finding:
-        """A finding that is refuted; `why` is put behind the statement."""
-        statement = f"{statement}: {why}" if why else statement
-        return replace(self._finding(Verdict.REFUTED, statement, None, witness, answers=answers), why=why)
+        """A finding that is refuted."""
+        return self._finding(Verdict.REFUTED, statement, None, witness, answers=answers, why=why)
 
     def undecided(self, asked: str, reason: str, witness: Witness | None = None) -> Finding:
         """A finding that could not be decided: the question, and why."""
@@ -221,12 +222,13 @@ class Rule(NamedTuple):
         closed: ClosedForm | None = None,
         proof: Witness | None = None,
         answers: Answers | None = None,
+        why: str | None = None,
     ) -> Finding:
         told = {question: _told(question, verdict, value, closed) for question in self.answers} | dict(answers or {})
         return Finding(
             code=self.code, name=self.name, verdict=verdict, statement=statement, source=self.source,
-            answers=tuple(told.items()), reason=reason, value=value, witness=witness or {}, proof=proof or {},
-            closed=closed,
+            answers=tuple(told.items()), reason=reason, why=why, value=value, witness=witness or {},
+            proof=proof or {}, closed=closed,
         )  # fmt: skip
 
 

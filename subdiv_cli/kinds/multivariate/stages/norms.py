@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from subdiv_cli.exact.text import number
+from subdiv_cli.exact.text import sized, valued
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, PairContraction
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
@@ -41,7 +41,7 @@ def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, 
     if found is None:
         return ()
     parts = [
-        f"‖S_({', '.join(map(str, c.direction))})" + (f"^{c.level}" if c.level > 1 else "") + f"‖∞ = {number(c.norm)}"
+        f"‖S_({', '.join(map(str, c.direction))})" + (f"^{c.level}" if c.level > 1 else "") + f"‖∞ = {valued(c.norm)}"
         for c in found
     ]
     statement = f"the difference schemes in {len(found)} directions contract: {', '.join(parts)}"
@@ -91,7 +91,7 @@ def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Find
     parts = [
         f"‖S_({', '.join(map(str, first))})({', '.join(map(str, second))})"
         + (f"^{c.level}" if c.level > 1 else "")
-        + f"‖∞ = {number(c.norm)}"
+        + f"‖∞ = {valued(c.norm)}"
         for c in found
         for first, second in [c.directions]
     ]
@@ -166,7 +166,7 @@ def _finding(numbers: MultivariateNumbers, n: int, found: MatrixNorm) -> Finding
     scheme = "S_Δ" if k == 1 else f"S_(Δ^{k})"
     power = f"^{found.level}" if found.level > 1 else ""
     bound = threshold(numbers, n * found.level)
-    statement = f"a matrix scheme of differences contracts: ‖{scheme}{power}‖∞ = {number(found.norm)} < {bound}"
+    statement = f"a matrix scheme of differences contracts: ‖{scheme}{power}‖∞ = {valued(found.norm)} < {bound}"
     return MATRIX_NORMS.proved(f"{statement}; {_how(found)}", witness, proof=proof)
 
 
@@ -176,6 +176,6 @@ def _how(found: MatrixNorm) -> str:
     names = {"lemma": "Lemma 6.6", "least": "least norm"}
     norms = {"lemma": found.lemma, "least": found.least}
     other = {"lemma": "least", "least": "lemma"}[found.by]
-    taken = f"the reduction{of} by {names[found.by]}, {number(norms[found.by] or found.lemma)}"
+    taken = f"the reduction{of} by {names[found.by]}, {sized(norms[found.by] or found.lemma)}"
     second = norms[other]
-    return taken if second is None else f"{taken} (by {names[other]}: {number(second)})"
+    return taken if second is None else f"{taken} (by {names[other]}: {sized(second)})"
