@@ -78,7 +78,7 @@ def _table(results: Sequence[Result], directory: str, look: Look) -> str:
             page.cell(words.convergence(result), marks.of_verdict(result.convergent).role),
             page.cell(words.smoothness_or_that_of_phi(result)),
             page.cell(words.holder(result)),
-            page.cell(*marks.of_verdict(result.stable)[:2]),
+            page.cell(marks.of_verdict(result.stable).text, marks.of_verdict(result.stable).role),
             page.cell(result.file.removeprefix(directory).lstrip("/\\"), "quiet"),
         ]
         for result in results

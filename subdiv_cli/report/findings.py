@@ -80,8 +80,8 @@ def _skipped(page: Page, findings: Sequence[Finding]) -> None:
     """Put several findings skipped for the same reason on the page: their codes and the reason."""
     indent = _indent(page)
     codes = dict.fromkeys(found.code for found in findings)
-    text, role, _ = marks.of_verdict(Verdict.SKIPPED)
-    lead = [(" " * INDENT, ""), (page.say(text).ljust(indent - INDENT - 1), role), (" ", "")]
+    mark = marks.of_verdict(Verdict.SKIPPED)
+    lead = [(" " * INDENT, ""), (page.say(mark.text).ljust(indent - INDENT - 1), mark.role), (" ", "")]
     page.lines += led(lead, page.say(f"{', '.join(codes)}: {findings[0].reason}"), page.look.width, hanging=indent)
 
 

@@ -34,32 +34,42 @@ _SHARPENED = {NEXT_SMOOTHNESS: "smoothness", HOLDER_ATTAINED: "holder"}
 
 
 class Shown(NamedTuple):
-    """A verdict or a status for a reader: `text` is sign and word."""
+    """A verdict or a status for a reader."""
 
-    text: str
-    role: str
     name: str
     """The key of its mark."""
+    word: str
+
+    @property
+    def sign(self) -> str:
+        """The sign alone: `✓`."""
+        return MARKS[self.name].sign
+
+    @property
+    def role(self) -> str:
+        """The role of its colour."""
+        return MARKS[self.name].role
+
+    @property
+    def text(self) -> str:
+        """The sign and the word: `✓ proved`."""
+        return f"{self.sign} {self.word}"
 
 
 def of_verdict(verdict: Verdict) -> Shown:
     """A verdict by itself: `✓ proved`."""
-    return _shown(verdict.value)
+    return Shown(verdict.value, verdict.value)
 
 
 def of_status(status: str) -> Shown:
     """The status of a mask: `✓ passed`."""
-    return _shown(status)
+    return Shown(status, status)
 
 
 def of_finding(result: Result, found: Finding) -> Shown:
     """The verdict of a finding on a mask: `✗ refuted`, or `○ refuted` where that is its sharpness."""
-    return _shown("sharp", "refuted") if is_sharpness(result, found) else _shown(found.verdict.value)
-
-
-def _shown(name: str, word: str | None = None) -> Shown:
-    mark = MARKS[name]
-    return Shown(f"{mark.sign} {word or name}", mark.role, name)
+    word = found.verdict.value
+    return Shown("sharp" if is_sharpness(result, found) else word, word)
 
 
 def is_sharpness(result: Result, found: Finding) -> bool:

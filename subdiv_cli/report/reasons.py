@@ -16,7 +16,8 @@ class Reason(NamedTuple):
     """A row: a property, or one thing that makes it sharp."""
 
     title: str
-    mark: marks.Shown
+    mark: marks.Shown | None
+    """The verdict; None where only a number is known."""
     value: str
     why: str
     """The reason why it has the value or the verdict, or why that is not decided."""
@@ -30,7 +31,7 @@ class Reason(NamedTuple):
     @property
     def sentence(self) -> str:
         """Why, with the verdict unless that is proved: `C^2 refuted: φ is stable, and C^2 needs … (SD303)`."""
-        verdict = "" if self.mark.name == Verdict.PROVED.value else f" {self.mark.text.partition(' ')[2]}"
+        verdict = "" if self.mark is None or self.mark.name == Verdict.PROVED.value else f" {self.mark.word}"
         return f"{self.title}{verdict}: {self.why} ({self.codes})"
 
 
@@ -100,7 +101,7 @@ def _reason(
         verdict = found[0].verdict
     if not found and value is None and verdict in (None, Verdict.SKIPPED):
         return
-    mark = marks.Shown("", "text", "") if verdict is None else marks.of_verdict(verdict)
+    mark = None if verdict is None else marks.of_verdict(verdict)
     if found and verdict is Verdict.REFUTED:
         mark = marks.of_finding(result, found[0])
     why = "; ".join(dict.fromkeys(why for each in found if (why := _why(each, value)) is not None))
@@ -117,6 +118,6 @@ def _why(found: Finding, value: str | None) -> str | None:
 def _once(rows: Iterable[Reason]) -> Iterator[Reason]:
     told: set[str] = set()
     for row in rows:
-        skipped = row.mark.name == Verdict.SKIPPED.value
+        skipped = row.mark is not None and row.mark.name == Verdict.SKIPPED.value
         yield row._replace(why="") if skipped and row.why in told else row
         told |= {row.why} if skipped else set()

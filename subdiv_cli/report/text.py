@@ -79,8 +79,7 @@ class _TextReport(Page):
     def failure(self, result: Result) -> list[str]:
         """Put why a mask did not pass; returns the lines with symbols in them."""
         self.headline(result)
-        if result.status != "invalid":
-            self.place(result)
+        self.items([*([result.file] if result.name else []), *_parameters(result)])
         self.notes(result)
         self.problems(result)
         for worse in result.regressions or ():
@@ -95,10 +94,6 @@ class _TextReport(Page):
                     said.append(reason.sentence)
         return said
 
-    def place(self, result: Result) -> None:
-        """Put the file, the kind and the parameters of a mask."""
-        self.items(_place(result))
-
     def missed(self, result: Result, judged: Judgement) -> None:
         """Put an expectation that was not proved, in a line."""
         mark = marks.of_verdict(judged.verdict)
@@ -112,7 +107,8 @@ class _TextReport(Page):
         self.put(words.footer(results, allow_undecided=self.look.allow_undecided), "head")
 
     def row(self, result: Result) -> list[Cell]:
-        status = self.cell(*marks.of_status(result.status)[:2])
+        mark = marks.of_status(result.status)
+        status = self.cell(mark.text, mark.role)
         label = self.cell(words.name(result))
         if result.status == "invalid":
             return [status, label, self.cell(words.errors(result)), self.cell(None), self.cell(None)]
@@ -145,16 +141,17 @@ class _TextReport(Page):
             findings.show(self, result, self.look.shown(result.findings))
 
     def reason(self, row: reasons.Reason) -> list[Cell]:
-        return [self.cell(row.title), self.cell(*row.mark[:2]), self.cell(row.text), self.cell(row.codes, "quiet")]
+        verdict = self.cell(None) if row.mark is None else self.cell(row.mark.text, row.mark.role)
+        return [self.cell(row.title), verdict, self.cell(row.text), self.cell(row.codes, "quiet")]
 
     def headline(self, result: Result) -> None:
         mark = marks.of_status(result.status)
-        sign = marks.MARKS[mark.name].sign
-        self.put(f"{sign} {words.name(result)}: {words.headline(result)}", mark.role, hanging=2)
+        self.put(f"{mark.sign} {words.name(result)}: {words.headline(result)}", mark.role, hanging=2)
 
     def about(self, result: Result) -> None:
         """Put file, kind, parameters, reference, then the facts."""
-        self.items([*_place(result), *([result.reference] if result.reference else [])])
+        about = [result.file if result.name else "", result.kind or "", *_parameters(result), result.reference or ""]
+        self.items(filter(None, about))
         self.items(words.facts(result))
         self.notes(result)
 
@@ -219,13 +216,10 @@ class _TextReport(Page):
         self.blank()
         if result.status == "undecided" and not self.look.allow_undecided:
             self.put(_EFFORT, "quiet", indent=indent + INDENT)
-        self.put(f"{marks.MARKS[mark.name].sign} {sentence}", mark.role, indent=indent, hanging=2)
+        self.put(f"{mark.sign} {sentence}", mark.role, indent=indent, hanging=2)
         if result.certificate is not None:
             self.unbroken(f"proof: {result.certificate}", indent=indent)
 
 
-def _place(result: Result) -> list[str]:
-    """The file, the kind and the parameters of a mask."""
-    items = [result.file] if result.name and result.file else []
-    items += [result.kind] if result.kind else []
-    return items + [f"{name} = {rational(value)}" for name, value in result.parameters.items()]
+def _parameters(result: Result) -> list[str]:
+    return [f"{name} = {rational(value)}" for name, value in result.parameters.items()]

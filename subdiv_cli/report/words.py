@@ -13,14 +13,15 @@ from subdiv_cli.model.order import enclosure
 from subdiv_cli.model.properties import BY_KEY, Property
 from subdiv_cli.report.numbers import LONGEST, data, digits, interval
 
-_SYMBOLS = (
-    (r"φ", "φ: the refinable function"),
-    (r"S0?_\d", "S_ν: the scheme of divided differences of order ν"),
-    (r"S0?_\(Δ", "S_(Δ^k): that of differences of order k"),
-    (r"T_\d", "T_ε: the transition matrices"),
-    (r"ρ_\d", "ρ_k: the joint spectral radius of S on differences of order k"),
-    (r"ρ\(", "ρ: the joint spectral radius"),
-)
+_RADIUS = r"ρ_\d"
+_SYMBOLS = {
+    r"φ": "φ: the refinable function",
+    r"S0?_\d": "S_ν: the scheme of divided differences of order ν",
+    r"S0?_\(Δ": "S_(Δ^k): that of differences of order k",
+    r"T_\d": "T_ε: the transition matrices",
+    _RADIUS: "ρ_k: the joint spectral radius of S on differences of order k",
+    r"ρ\(": "ρ: the joint spectral radius",
+}
 """The symbols that findings use, and what they mean."""
 _NO_WORSE = "nothing is worse than in the baseline"
 
@@ -28,8 +29,13 @@ _NO_WORSE = "nothing is worse than in the baseline"
 def legend(texts: Iterable[str]) -> str | None:
     """The meaning of the symbols in these texts, in a line; None where there is none of them."""
     text = "\n".join(texts)
-    meanings = [meaning for symbol, meaning in _SYMBOLS if re.search(symbol, text)]
+    meanings = [meaning for symbol, meaning in _SYMBOLS.items() if re.search(symbol, text)]
     return "; ".join(meanings) if meanings else None
+
+
+def explained(text: str) -> str:
+    """The text with the meaning of a radius ρ_k in it, for those who see this line alone."""
+    return f"{text} ({_SYMBOLS[_RADIUS]})" if re.search(_RADIUS, text) else text
 
 
 def name(result: Result) -> str:
@@ -224,8 +230,12 @@ def _exponent(given: Exponent | None, row: Property, *, brief: bool = False) -> 
     shown = None if given is None else interval(given, brief=brief)
     if shown is None or given is None or row.key != "holder":
         return shown
-    attained = "" if given.attained is None else ", attained" if given.attained else ", not attained"
-    return labelled(shown + attained, given)
+    attained = _attained(given)
+    return labelled(f"{shown}, {attained}" if attained else shown, given)
+
+
+def _attained(exponent: Exponent) -> str | None:
+    return {True: "attained", False: "not attained", None: None}[exponent.attained]
 
 
 def _decided(result: Result) -> str | None:
@@ -261,9 +271,9 @@ def _answers(result: Result) -> Iterator[str]:
         yield {Verdict.REFUTED: "does not converge"}.get(result.convergent, "convergence undecided")
         if result.refinable.order is not None:
             yield f"φ is {_order(result.refinable)}"
-    if result.holder is not None and (shown := holder(result)) is not None:
-        number, _, attained = shown.partition(", ")
-        yield f"Hölder {number}" + (f" ({attained})" if attained else "")
+    if result.holder is not None and (number := interval(result.holder, brief=True)) is not None:
+        attained = _attained(result.holder)
+        yield f"Hölder {labelled(number, result.holder)}" + (f" ({attained})" if attained else "")
 
 
 def _gate(result: Result) -> str:

@@ -80,12 +80,13 @@ def reproduction(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
         return (REPRODUCTION.skipped("which polynomials are reproduced?", "no sum rule holds"),)
     degree, shift, defect = numbers.reproduction
     witness: dict[str, Data] = {"degree": degree, "shift": shift, **({} if defect is None else {"defect": defect})}
-    why = None if defect is None else f"Σ a_α α^μ is not m τ^μ for μ = ({', '.join(map(str, defect))})"
-    tau = ", ".join(map(number, shift))
-    statement = f"S reproduces the polynomials of total degree {degree} with parameter shift τ = ({tau})"
-    answers = {questions.REPRODUCTION: degree}
-    statement += f", not {degree + 1}: {why or f'it generates degree {degree} only'}"
-    return (REPRODUCTION.proved(statement, witness, answers=answers, why=why),)
+    if defect is None:
+        limit = f"it generates degree {degree} only"
+    else:
+        limit = f"Σ a_α α^μ is not m τ^μ for μ = ({', '.join(map(str, defect))})"
+    why = f"with parameter shift τ = ({', '.join(map(number, shift))}), not {degree + 1}: {limit}"
+    statement = f"S reproduces the polynomials of total degree {degree} {why}"
+    return (REPRODUCTION.proved(statement, witness, answers={questions.REPRODUCTION: degree}, why=why),)
 
 
 _QUASI_INTERPOLATION_QUESTION = "which data have a given polynomial as limit?"

@@ -99,11 +99,17 @@ def reproduction(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if degree < 0:
         return (REPRODUCTION.refuted("S does not even reproduce constants", witness),)
     witness = {"degree": degree, **witness}
-    why = None if degree == generation else f"a^({degree + 1})(1) is off by {valued(defects[degree + 1])}"
-    statement = f"S reproduces the polynomials of degree {degree} with parameter shift τ = {number(tau)}"
+    if degree == generation:
+        limit = f"it generates degree {generation} only"
+    else:
+        limit = f"a^({degree + 1})(1) is off by {valued(defects[degree + 1])}"
+    why = f"with parameter shift τ = {number(tau)}, not {degree + 1}: {limit}"
     answers = {questions.REPRODUCTION: degree}
-    statement += f", not {degree + 1}: {why or f'it generates degree {generation} only'}"
-    return (REPRODUCTION.proved(statement, witness, answers=answers, why=why),)
+    return (
+        REPRODUCTION.proved(
+            f"S reproduces the polynomials of degree {degree} {why}", witness, answers=answers, why=why
+        ),
+    )
 
 
 _LONGEST_MASK = 6
