@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from subdiv_cli.model import Data, Expectation, Exponent, Judgement, Log, Result, RootLog, Smoothness, Verdict
-from subdiv_cli.model.closed import is_brief, rational
+from subdiv_cli.model.closed import is_brief, rational, spelled
 from subdiv_cli.model.findings import CONVERGENCE, SUMS, answering
 from subdiv_cli.model.order import enclosure
 from subdiv_cli.model.properties import BY_KEY, Property
@@ -271,9 +271,12 @@ def _answers(result: Result) -> Iterator[str]:
         yield {Verdict.REFUTED: "does not converge"}.get(result.convergent, "convergence undecided")
         if result.refinable.order is not None:
             yield f"φ is {_order(result.refinable)}"
-    if result.holder is not None and (number := interval(result.holder, brief=True)) is not None:
-        attained = _attained(result.holder)
-        yield f"Hölder {labelled(number, result.holder)}" + (f" ({attained})" if attained else "")
+    exponent = result.holder or Exponent()
+    exact = None if exponent.exact is None else spelled(exponent.exact)
+    number = exact if exact is not None and is_brief(exact) else interval(exponent, brief=True)
+    if number is not None:
+        attained = _attained(exponent)
+        yield f"Hölder {labelled(number, exponent)}" + (f" ({attained})" if attained else "")
 
 
 def _gate(result: Result) -> str:

@@ -250,7 +250,7 @@ def test_of_several_the_failing_ones_say_why_in_a_few_lines():
     text = render([*passed, *[missed] * 72], Look())
     assert text.splitlines()[403:408] == [
         "✗ four-point scheme: C^1, not C^2 — convergence proved; Hölder exponent 1.899 .. 2",
-        "  masks/scalar/four-point.toml · scalar · w = 1/16",
+        "  masks/scalar/four-point.toml · w = 1/16",
         "  expected smoothness = 2: ✗ refuted, found C^1, not C^2 (line 14)",
         "    C^2 refuted: C^2 would need an eigenvalue below 1/4 where T_0 has 1/4 (SD303)",
         "",
