@@ -12,7 +12,7 @@ from subdiv_cli.report import marks, words
 from subdiv_cli.report.numbers import at_least, at_most, finite, interval, worth
 
 
-class Reason(NamedTuple):
+class PropertyRow(NamedTuple):
     """A row: a property, or one thing that makes it sharp."""
 
     title: str
@@ -35,12 +35,12 @@ class Reason(NamedTuple):
         return f"{self.title}{verdict}: {self.why} ({self.codes})"
 
 
-def of_result(result: Result) -> list[Reason]:
+def of_result(result: Result) -> list[PropertyRow]:
     """The rows of all properties; a reason why several are skipped stands in the first of theirs only."""
     return list(_once(reason for row in PROPERTIES for reason in of_property(result, row)))
 
 
-def of_missed(result: Result, judged: Judgement) -> Iterator[Reason]:
+def of_missed(result: Result, judged: Judgement) -> Iterator[PropertyRow]:
     """The rows that say why an expectation is not proved: of an order that is too low, those on the next one."""
     row, wanted = BY_KEY[judged.expectation.key], judged.expectation.lower
     rows = list(_of_holder(result, row) if row.key == "holder" else of_property(result, row))
@@ -51,7 +51,7 @@ def of_missed(result: Result, judged: Judgement) -> Iterator[Reason]:
     yield from (each for each in rows if each.why)
 
 
-def of_property(result: Result, row: Property) -> Iterator[Reason]:
+def of_property(result: Result, row: Property) -> Iterator[PropertyRow]:
     """The rows of a property: what is proved of it and why, then by what it is sharp."""
     if row.key == "holder":
         yield from _of_holder(result, row)
@@ -70,7 +70,7 @@ def of_property(result: Result, row: Property) -> Iterator[Reason]:
     yield from _reason(result, row.title, words.value(result, row), found, verdict=verdict)
 
 
-def _of_holder(result: Result, row: Property) -> Iterator[Reason]:
+def _of_holder(result: Result, row: Property) -> Iterator[PropertyRow]:
     """The row of an exact exponent, or one for each bound."""
     exponent = result.holder or Exponent()
     below, above = (answering(result.findings, question) for question in (row.question, *row.more))
@@ -86,7 +86,7 @@ def _of_holder(result: Result, row: Property) -> Iterator[Reason]:
         yield from _reason(result, "Hölder, upper", most, above)
 
 
-def _attained(result: Result) -> Iterator[Reason]:
+def _attained(result: Result) -> Iterator[PropertyRow]:
     attained = answering(result.findings, HOLDER_ATTAINED)
     if attained is not None and attained.verdict is not Verdict.SKIPPED:
         yield from _reason(result, "attained", None, attained)
@@ -94,7 +94,7 @@ def _attained(result: Result) -> Iterator[Reason]:
 
 def _reason(
     result: Result, title: str, value: str | None, *findings: Finding | None, verdict: Verdict | None = None
-) -> Iterator[Reason]:
+) -> Iterator[PropertyRow]:
     """The row of what findings say, the first of which decides; none where there is nothing to say."""
     found = [each for each in findings if each is not None]
     if verdict is None and found:
@@ -105,7 +105,7 @@ def _reason(
     if found and verdict is Verdict.REFUTED:
         mark = marks.of_finding(result, found[0])
     why = "; ".join(dict.fromkeys(why for each in found if (why := _why(each, value)) is not None))
-    yield Reason(title, mark, value or "", why, ", ".join(each.code for each in found))
+    yield PropertyRow(title, mark, value or "", why, ", ".join(each.code for each in found))
 
 
 def _why(found: Finding, value: str | None) -> str | None:
@@ -115,7 +115,7 @@ def _why(found: Finding, value: str | None) -> str | None:
     return found.why if found.why is not None or value is not None else found.statement
 
 
-def _once(rows: Iterable[Reason]) -> Iterator[Reason]:
+def _once(rows: Iterable[PropertyRow]) -> Iterator[PropertyRow]:
     told: set[str] = set()
     for row in rows:
         skipped = row.mark is not None and row.mark.name == Verdict.SKIPPED.value

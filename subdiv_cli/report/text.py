@@ -82,8 +82,7 @@ class _TextReport(Page):
         self.items([*([result.file] if result.name else []), *_parameters(result)])
         self.notes(result)
         self.problems(result)
-        for worse in result.regressions or ():
-            self.put(f"worse than the baseline: {worse.message}", "bad", indent=INDENT, hanging=INDENT)
+        self.regressions(result)
         missed = [judged for judged in result.expectations if judged.verdict is not Verdict.PROVED]
         said = [words.headline(result)]
         for judged in missed if result.regressions is None else ():
@@ -93,6 +92,11 @@ class _TextReport(Page):
                     self.put(reason.sentence, indent=2 * INDENT, hanging=INDENT)
                     said.append(reason.sentence)
         return said
+
+    def regressions(self, result: Result) -> None:
+        """Put what is worse than in the baseline, in a line each."""
+        for worse in result.regressions or ():
+            self.put(f"worse than the baseline: {worse.message}", "bad", indent=INDENT, hanging=INDENT)
 
     def missed(self, result: Result, judged: Judgement) -> None:
         """Put an expectation that was not proved, in a line."""
@@ -140,7 +144,7 @@ class _TextReport(Page):
         if self.look.verbosity > 0 or self.look.select:
             findings.show(self, result, self.look.shown(result.findings))
 
-    def reason(self, row: reasons.Reason) -> list[Cell]:
+    def reason(self, row: reasons.PropertyRow) -> list[Cell]:
         verdict = self.cell(None) if row.mark is None else self.cell(row.mark.text, row.mark.role)
         return [self.cell(row.title), verdict, self.cell(row.text), self.cell(row.codes, "quiet")]
 
@@ -182,8 +186,11 @@ class _TextReport(Page):
             self.put(f"({meanings})", "quiet", indent=INDENT, hanging=1)
 
     def expectations(self, result: Result) -> None:
-        """Put the expectations: those proved in a row, each other one in a line, with what holds instead."""
-        if not result.expectations:
+        """Put the expectations: those proved in a row, each other one in a line, with what holds instead.
+
+        Where there is a baseline also what is worse.
+        """
+        if not result.expectations and not result.regressions:
             return
         self.blank()
         proved = [judged for judged in result.expectations if judged.verdict is Verdict.PROVED]
@@ -195,6 +202,7 @@ class _TextReport(Page):
         for judged in result.expectations:
             if judged.verdict is not Verdict.PROVED:
                 self.missed(result, judged)
+        self.regressions(result)
 
     def stencils(self, result: Result) -> None:
         """Put the sections that have grids of numbers, with -v."""

@@ -17,7 +17,7 @@ _RADIUS = r"ρ_\d"
 _SYMBOLS = {
     r"φ": "φ: the refinable function",
     r"S0?_\d": "S_ν: the scheme of divided differences of order ν",
-    r"S0?_\(Δ": "S_(Δ^k): that of differences of order k",
+    r"S0?_\(Δ": "S_(Δ^k): the scheme of differences of order k",
     r"T_\d": "T_ε: the transition matrices",
     _RADIUS: "ρ_k: the joint spectral radius of S on differences of order k",
     r"ρ\(": "ρ: the joint spectral radius",
@@ -282,8 +282,7 @@ def _answers(result: Result) -> Iterator[str]:
 def _gate(result: Result) -> str:
     """What the exit code follows: the baseline, else the expectations, else convergence."""
     if result.regressions is not None:
-        worse = "; ".join(regression.message for regression in result.regressions)
-        return f"worse than in the baseline: {worse}" if worse else _NO_WORSE
+        return "worse than in the baseline" if result.regressions else _NO_WORSE
     if not result.expectations:
         return "no expectation stated"
     verdicts = [judged.verdict for judged in result.expectations]

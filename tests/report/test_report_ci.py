@@ -193,10 +193,12 @@ def test_select_and_ignore_filter_what_is_shown_and_nothing_else():
 
 
 def test_a_baseline_is_said_in_words():
-    last = " ".join(render("text", [WORSE]).split("\n\n")[-1].split())
-    assert last == (
-        "✗ failed: C^1, not C^2; Hölder 1.899 .. 2; worse than in the baseline: C^1 was proved; α no longer meets 2"
-    )
+    lines = render("text", [WORSE]).splitlines()
+    assert lines[-1] == "✗ failed: C^1, not C^2; Hölder 1.899 .. 2; worse than in the baseline"
+    assert lines[-4:-2] == [
+        "  worse than the baseline: C^1 was proved",
+        "  worse than the baseline: α no longer meets 2",
+    ]
     calm = replace(samples.DIVERGENT, status="passed", regressions=())
     assert "✓ passed: does not converge; nothing is worse than in the baseline" in render("text", [calm])
     assert Verdict.REFUTED in {judged.verdict for judged in calm.expectations}
