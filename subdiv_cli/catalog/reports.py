@@ -230,11 +230,9 @@ def _judgement(data: Mapping[str, Any]) -> Judgement:
 def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule[Any]]) -> Finding:
     """A finding; its rule has the questions that it answers, and the answers stand in the result."""
     value, rule = data.get("value"), rules.get(data["code"])
-    refuted = data["verdict"] == Verdict.REFUTED.value
     return Finding(
         code=data["code"], name=data["name"], verdict=Verdict(data["verdict"]), statement=data["statement"],
-        source=data["source"], reason=data.get("reason"),
-        why=data["statement"].partition(": ")[2] if refuted else None,  # a report has the sentence in one piece
+        source=data["source"], reason=data.get("reason"), why=data.get("why"),
         answers=tuple((asked, None) for asked in (rule.answers if rule is not None else ())),
         value=None if value is None else Interval(value["lower"], value["upper"], value["exact"]),
         witness=_data(data.get("witness", {})), claims=tuple(data.get("claims", ())),

@@ -12,7 +12,7 @@ from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import columns, look_of, put, put_pieces
 from subdiv_cli.model import Result
-from subdiv_cli.report import words
+from subdiv_cli.report import marks, words
 from subdiv_cli.report.look import UNWRAPPED, Look
 from subdiv_cli.report.page import Page, paint
 
@@ -75,10 +75,10 @@ def _table(results: Sequence[Result], directory: str, look: Look) -> str:
     rows = [
         [
             page.cell(words.name(result)),
-            page.cell(words.convergence(result), words.ROLES[result.convergent]),
+            page.cell(words.convergence(result), marks.of_verdict(result.convergent).role),
             page.cell(words.smoothness_or_that_of_phi(result)),
             page.cell(words.holder(result)),
-            page.cell(words.mark(result.stable), words.ROLES[result.stable]),
+            page.cell(marks.of_verdict(result.stable).text, marks.of_verdict(result.stable).role),
             page.cell(result.file.removeprefix(directory).lstrip("/\\"), "quiet"),
         ]
         for result in results

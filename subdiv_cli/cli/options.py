@@ -172,7 +172,7 @@ check_options = all_of(
         variable="FORMAT", help="Format of the report on stdout.",
     ),
     outputs,
-    option("Report", "-v", "--verbose", count=True, help="Every report in full; -vv with the witnesses."),
+    option("Report", "-v", "--verbose", count=True, help="Every finding with its theorem; -vv with the witnesses."),
     option("Report", "-q", "--quiet", is_flag=True, help="Show only what did not pass."),
     option(
         "Report", "--select", multiple=True, metavar="CODE", shell_complete=complete_code,

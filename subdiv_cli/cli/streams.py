@@ -17,7 +17,7 @@ from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.model import Problem
 from subdiv_cli.report.look import UNWRAPPED, Look
 
-_NEEDED = "φαρνεΣ½‖∞≥≤−²·—…ö✓✗─"
+_NEEDED = "φαρνεΣ½‖∞≥≤−²·—…ö✓✗○─"
 WIDEST = 120
 """The most columns of a report on a terminal, however wide that is."""
 

@@ -11,7 +11,7 @@ from subdiv_cli.exact.algebraic import isolated, isolating_interval, number_of, 
 from subdiv_cli.exact.enclosures import ball, decide, interval
 from subdiv_cli.exact.text import certain, decimal, polynomial
 from subdiv_cli.model import ClosedForm, Interval, Root, RootLog, logarithm, unpowered
-from subdiv_cli.model.closed import root_log_text, spelled
+from subdiv_cli.model.closed import is_brief, root_log_text, spelled
 
 _LONGEST = 160
 """The most characters of a closed form that is still read with profit."""
@@ -70,10 +70,16 @@ def closed_interval(x: ClosedForm) -> Interval:
         return interval(closed_ball(x), spelled(x))
 
 
-def readable(x: ClosedForm) -> str | None:
-    """The text of a closed form where it is short enough for a sentence, else None."""
+def worded(x: ClosedForm) -> str:
+    """A closed form in a sentence: `log2(64/9)`; one that is not brief behind its digits, `1.4407654450… = -log2(…)`.
+
+    One that is too long to be read with profit is its digits alone.
+    """
     text = spelled(x)
-    return text if text is not None and len(text) <= _LONGEST else None
+    if text is not None and is_brief(text):
+        return text
+    figures = certain(lambda: closed_ball(x))
+    return figures if text is None or len(text) > _LONGEST else f"{figures} = {text}"
 
 
 def compare(x: ClosedForm, y: ClosedForm) -> int | None:

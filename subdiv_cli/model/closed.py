@@ -57,6 +57,8 @@ MAX_LOG_BITS = 1024
 MAX_ROOT_BITS = 3322
 """The most bits of the coefficients of a root's polynomial: a thousand digits."""
 MAX_ROOT_DEGREE = 64
+_LONGEST_BRIEF = 24
+"""The most characters of a closed form that is read at a glance."""
 
 
 def spelled(x: ClosedForm) -> str | None:
@@ -69,6 +71,11 @@ def spelled(x: ClosedForm) -> str | None:
         bits = max(abs(part).bit_length() for part in parts)
         long = bits > MAX_LOG_BITS or (isinstance(x, Log) and x.divisor > MAX_LOG_DIVISOR)
     return None if long else str(x)
+
+
+def is_brief(text: str) -> bool:
+    """Whether a closed form is read at a glance, and stands before its digits: `log2(64/9)`, but no `root(…)`."""
+    return "root(" not in text and len(text) <= _LONGEST_BRIEF
 
 
 def root_log_text(base: int, polynomial: str, low: str, high: str, divisor: int) -> str:

@@ -127,7 +127,7 @@ class Finding:
     reason: str | None = None
     """The reason why it is undecided or skipped."""
     why: str | None = None
-    """Where the statement is `what: why`, the second half: for those who have said what."""
+    """The part of the statement that says why, for those who have said what; None where it says only what."""
     value: Interval | None = None
     witness: Mapping[str, Data] = field(default_factory=dict)
     """Data from which the verdict can be rechecked without a search; the stage's docstring explains the keys."""
@@ -169,6 +169,7 @@ def uncertified(finding: Finding, reason: str) -> Finding:
         statement=f"not certified: {finding.statement}",
         answers=tuple((each, _following(each, Verdict.UNDECIDED, None, None)) for each, _ in finding.answers),
         reason=reason,
+        why=None,
         value=None,
         witness={},
         proof={},
@@ -211,9 +212,10 @@ class Rule(NamedTuple, Generic[Form]):
         closed: ClosedForm | None = None,
         proof: Further | None = None,
         answers: Answers | None = None,
+        why: str | None = None,
     ) -> Finding:
         """A finding that is proved; `answers` are those that follow neither from the verdict nor from the value."""
-        return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
+        return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers, why)
 
     def refuted(
         self,
@@ -223,9 +225,8 @@ class Rule(NamedTuple, Generic[Form]):
         why: str | None = None,
         proof: Further | None = None,
     ) -> Finding:
-        """A finding that is refuted; `why` is put behind the statement."""
-        statement = f"{statement}: {why}" if why else statement
-        return replace(self._finding(Verdict.REFUTED, statement, None, witness, proof=proof, answers=answers), why=why)
+        """A finding that is refuted."""
+        return self._finding(Verdict.REFUTED, statement, None, witness, proof=proof, answers=answers, why=why)
 
     def undecided(self, question: str, reason: str, witness: Form | None = None) -> Finding:
         """A finding that could not be decided: the question, and why."""
@@ -253,12 +254,13 @@ class Rule(NamedTuple, Generic[Form]):
         closed: ClosedForm | None = None,
         proof: Further | None = None,
         answers: Answers | None = None,
+        why: str | None = None,
     ) -> Finding:
         following = {question: _following(question, verdict, value, closed) for question in self.answers}
         data, further = (cast(Mapping[str, Data], each or {}) for each in (witness, proof))
         return Finding(
             code=self.code, name=self.name, verdict=verdict, statement=statement, source=self.source,
-            answers=tuple((following | dict(answers or {})).items()), reason=reason, value=value, witness=data,
+            answers=tuple((following | dict(answers or {})).items()), reason=reason, why=why, value=value, witness=data,
             proof=further, closed=closed,
         )  # fmt: skip
 

@@ -2,11 +2,11 @@
 
 `json` is a contract (schema.json), `jsonl` its lines; `junit`, `sarif`, `github` and `markdown` are for CI servers and
 show what `notices` lists; `html` is a page of `cards` with curves by `svg`. `concise` is for grep; `text` is for
-people: `words` says it, `numbers` prints only certain digits, `letters` finds ASCII for the mathematics where it must,
-`layout` puts it into columns, `page` gathers the lines and `findings` leaves out what says the same again. `blocks`
-and `grids` set what kinds hand over (stencils, formulas, matrices), of which the pages of `show` consist. `problems`
-shows what is wrong with a file. `look` is all that a format knows beside the results. A format's module is imported
-when it is asked for.
+people: `words` says it, `marks` has the signs of verdicts, `reasons` the rows of the table, `numbers` prints only
+certain digits, `letters` finds ASCII for the mathematics where it must, `page` gathers the lines in columns and
+`findings` leaves out what says the same again. `blocks` and `grids` set what kinds hand over (stencils, formulas,
+matrices), of which the pages of `show` consist. `problems` shows what is wrong with a file. `look` is all that a format
+knows beside the results. A format's module is imported when it is asked for.
 """
 
 from __future__ import annotations

@@ -144,6 +144,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "value": _value(finding.value),
         "source": finding.source,
         "reason": finding.reason,
+        "why": finding.why,
         "witness": plain(finding.witness),
         "claims": list(finding.claims),
     }

@@ -99,7 +99,8 @@ def _cases(result: Result, look: Look) -> Iterator[Case]:
             yield _missed(name, judged.verdict, words.judged(result, judged, judged.verdict.value), look)
     if not result.expectations:
         passed = result.convergent is Verdict.PROVED
-        yield Case("convergent") if passed else _missed("convergent", result.convergent, words.headline(result), look)
+        why = words.explained(words.headline(result))
+        yield Case("convergent") if passed else _missed("convergent", result.convergent, why, look)
 
 
 def _missed(name: str, verdict: Verdict, message: str, look: Look) -> Case:

@@ -12,9 +12,9 @@ from subdiv_cli.model import Result
 from subdiv_cli.report import words
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
+from subdiv_cli.report.marks import MARKS
 from subdiv_cli.report.notices import Notice, notices
 
-_SIGNS = {"passed": "✅", "failed": "❌", "undecided": "❔", "invalid": "🚫"}
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$@])")
 _TITLES = ("", "mask", "convergence", "smoothness", "Hölder exponent")
 MOST = 50_000
@@ -25,7 +25,7 @@ def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The Markdown of the comment."""
     missed = (r for r in results if r.status != "passed" and not (look.allow_undecided and r.status == "undecided"))
     shown = _within((_failure(result, look) for result in missed), MOST)
-    sign = _SIGNS["failed"] if shown else _SIGNS["passed"]
+    sign = MARKS["failed" if shown else "passed"].picture
     yield f"### {sign} subdiv: {words.footer(results, allow_undecided=look.allow_undecided)}\n\n"
     if look.interrupted:
         yield "The run was interrupted: not all masks were checked.\n\n"
@@ -40,7 +40,7 @@ def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
 
 def _failure(result: Result, look: Look) -> str:
     """The Markdown of a mask that did not pass, and why."""
-    head = f"- {_SIGNS[result.status]} **{_text(words.name(result))}** ({_code(result.file)})\n"
+    head = f"- {MARKS[result.status].picture} **{_text(words.name(result))}** ({_code(result.file)})\n"
     return head + "".join(f"  - {_notice(notice)}\n" for notice in notices(result, look))
 
 
@@ -55,7 +55,7 @@ def _row(result: Result) -> str:
     else:
         told = (words.convergence(result), words.smoothness_or_that_of_phi(result), words.holder(result))
         cells = [_text(words.name(result)), *(_text(text or "") for text in told)]
-    return f"| {_SIGNS[result.status]} {result.status} | " + " | ".join(cells) + " |\n"
+    return f"| {MARKS[result.status].picture} {result.status} | " + " | ".join(cells) + " |\n"
 
 
 def _within(pieces: Iterable[str], room: int) -> str:

@@ -75,7 +75,7 @@ def _result(result: Result, notice: Notice, index: dict[str, int]) -> dict[str, 
 
 
 def _location(result: Result, notice: Notice) -> dict[str, Any]:
-    uri = quote(result.file.replace("\\", "/").encode("utf-8", "surrogateescape"), safe="/")
+    uri = quote(_bytes(result.file.replace("\\", "/")), safe="/")
     location: dict[str, Any] = {"artifactLocation": {"uri": f"file://{uri}" if uri.startswith("/") else uri}}
     if notice.line is not None:
         column = {} if notice.column is None else {"startColumn": notice.column}
@@ -86,4 +86,12 @@ def _location(result: Result, notice: Notice) -> dict[str, Any]:
 def _fingerprint(result: Result, notice: Notice) -> str:
     """A key that is the same while the mask fails in the same way, wherever in its file that stands."""
     parts = (result.file, notice.code, notice.title)
-    return sha256("\0".join(parts).encode("utf-8", "surrogateescape")).hexdigest()[:32]
+    return sha256(_bytes("\0".join(parts))).hexdigest()[:32]
+
+
+def _bytes(text: str) -> bytes:
+    """The bytes of a file name as the system has them; of a text that is no file name its escapes."""
+    try:
+        return text.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        return text.encode("utf-8", "backslashreplace")

@@ -224,13 +224,18 @@ def test_select_and_ignore_filter_what_is_shown_and_nothing_else():
     assert codes(ignore=("SD1", "SD402")) == [c for c in every if not c.startswith(("SD1", "SD402"))]
     assert codes(select=("SD1", "SD201"), ignore=("SD101",)) == ["SD102", "SD201"]
     for form in ("text", "concise", "html"):
-        assert "every residue class" in render(form, [samples.FOUR_POINT])
+        assert "every residue class" in render(form, [samples.FOUR_POINT], verbosity=1)
         assert "every residue class" not in render(form, [samples.FOUR_POINT], ignore=("SD101",))
 
 
 def test_a_baseline_is_said_in_words():
-    assert "failed: worse than in the baseline: C^1 was proved; α no longer" in render("text", [WORSE])
+    lines = render("text", [WORSE]).splitlines()
+    assert lines[-1] == "✗ failed: C^1, not C^2; Hölder 1.899 .. 2; worse than in the baseline"
+    assert lines[-4:-2] == [
+        "  worse than the baseline: C^1 was proved",
+        "  worse than the baseline: α no longer meets 2",
+    ]
     calm = replace(samples.DIVERGENT, status="passed", regressions=())
-    assert "passed: nothing is worse than in the baseline" in render("text", [calm])
+    assert "✓ passed: does not converge; nothing is worse than in the baseline" in render("text", [calm])
     assert Verdict.REFUTED in {judged.verdict for judged in calm.expectations}
     assert render("github", [calm]) == "1 mask: 1 passed\n"

@@ -36,7 +36,7 @@ KEYS = {
     "stable": ["verdict"],
     "linearly_independent": ["verdict"],
     "expectations": ["key", "expected", "verdict", "found", "line"],
-    "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "witness", "claims"],
+    "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "why", "witness", "claims"],
     "value": ["exact", "lower", "upper"],
 }
 FREE = {"parameters", "facts", "witness"}

@@ -6,9 +6,9 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from subdiv_cli.exact.closed import closed_ball, closed_interval, readable
+from subdiv_cli.exact.closed import closed_interval, worded
 from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, number, rounded_down, rounded_up
+from subdiv_cli.exact.text import certain, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.products import radius_bound
 from subdiv_cli.kinds.kind import Facts, Part
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
@@ -84,10 +84,14 @@ def _holder_of_box_spline(depth: int) -> tuple[Finding, ...]:
         reason = "φ is a box spline that is not continuous"
         return (HOLDER_LOWER.skipped(_BELOW, reason), HOLDER_UPPER.skipped(_ABOVE, reason))
     alpha = Fraction(depth - 1)
-    below, above = f"α ≥ {alpha}: {spanning(depth - 1)}", f"α ≤ {alpha}: {not_spanning(depth)}"
+    below, above = spanning(depth - 1), not_spanning(depth)
     return (
-        HOLDER_LOWER.proved(below, {"by": BOX_SPLINE.code, "value": alpha}, interval(alpha), alpha),
-        HOLDER_UPPER.proved(above, {"by": BOX_SPLINE.code, "value": alpha}, interval(alpha), alpha),
+        HOLDER_LOWER.proved(
+            f"α ≥ {alpha}: {below}", {"by": BOX_SPLINE.code, "value": alpha}, interval(alpha), alpha, why=below
+        ),
+        HOLDER_UPPER.proved(
+            f"α ≤ {alpha}: {above}", {"by": BOX_SPLINE.code, "value": alpha}, interval(alpha), alpha, why=above
+        ),
     )
 
 
@@ -98,10 +102,16 @@ def _least_holder(parts: tuple[Part, ...]) -> Finding:
     finding, exact = least.part.finding(questions.HOLDER_LOWER), least.is_exact
     value = finding.value or Interval()
     text = _shown(finding) if exact else rounded_down(value.lower or 0.0)
-    statement = f"α {'=' if exact else '≥'} {text}, the least exponent of a factor: {least.part.name}"
+    why = f"the least exponent of a factor: {least.part.name}"
     witness: MultivariateHolderLowerWitness = {"by": TENSOR_PRODUCT.code}
     products.put_least(witness, least)
-    return HOLDER_LOWER.proved(statement, witness, value if exact else Interval(lower=value.lower), finding.closed)
+    return HOLDER_LOWER.proved(
+        f"α {'=' if exact else '≥'} {text}, {why}",
+        witness,
+        value if exact else Interval(lower=value.lower),
+        finding.closed,
+        why=why,
+    )
 
 
 def _least_above(parts: tuple[Part, ...]) -> Finding:
@@ -112,16 +122,18 @@ def _least_above(parts: tuple[Part, ...]) -> Finding:
     assert above is not None
     exact = part.finding(questions.HOLDER_LOWER)
     text = _shown(exact) if exact.closed is not None else rounded_up(above.upper or 0.0)
+    why = f"an exponent of a factor: {part.name}"
     return HOLDER_UPPER.proved(
-        f"α ≤ {text}, an exponent of a factor: {part.name}",
+        f"α ≤ {text}, {why}",
         {"by": TENSOR_PRODUCT.code, "variables": part.variables},
         Interval(upper=above.upper),
+        why=why,
     )
 
 
 def _shown(finding: Finding) -> str:
     assert finding.closed is not None
-    return readable(finding.closed) or f"{rounded_down((finding.value or Interval()).lower or 0.0)}…"
+    return worded(finding.closed)
 
 
 def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
@@ -130,15 +142,17 @@ def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
     witness: MultivariateHolderLowerWitness = {"by": DIFFERENCE_RADIUS.code, "length": radius.upper[0]}
     if radius.exact is not None and (exact := multivariate_exponent(m, s, *radius.exact)) is not None:
         value = closed_interval(exact)
-        text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
         witness["root"] = root_data(radius.exact[1])
+        why = f"ρ_{k} = {shown(radius)}"
         if stable:
-            return HOLDER_LOWER.proved(f"α = {text}, as φ is stable and ρ_{k} = {shown(radius)}", witness, value, exact)
-        return HOLDER_LOWER.proved(f"α ≥ {text}, as ρ_{k} = {shown(radius)}", witness, Interval(lower=value.lower))
+            why = f"φ is stable and {why}"
+            return HOLDER_LOWER.proved(f"α = {worded(exact)}, as {why}", witness, value, exact, why=why)
+        return HOLDER_LOWER.proved(f"α ≥ {worded(exact)}, as {why}", witness, Interval(lower=value.lower), why=why)
     length, bound = radius.upper
     lower = _exponent(numbers, length, bound)
-    statement = f"α ≥ {rounded_down(lower)}, from the bound of ρ_{k}"
-    return HOLDER_LOWER.proved(statement, {**witness, "bound": bound}, Interval(lower=lower))
+    why = f"from the bound of ρ_{k}"
+    statement = f"α ≥ {rounded_down(lower)}, {why}"
+    return HOLDER_LOWER.proved(statement, {**witness, "bound": bound}, Interval(lower=lower), why=why)
 
 
 def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
@@ -148,8 +162,9 @@ def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
         return None
     lower = _exponent(numbers, 2, bound)
     witness: MultivariateHolderLowerWitness = {"by": SOBOLEV.code, "length": 2, "bound": bound}
-    statement = f"α ≥ {rounded_down(lower)}, from the mean squares of differences of order {numbers.order}"
-    return HOLDER_LOWER.proved(statement, witness, Interval(lower=lower), proof=growth_proof(numbers))
+    why = f"from the mean squares of differences of order {numbers.order}"
+    statement = f"α ≥ {rounded_down(lower)}, {why}"
+    return HOLDER_LOWER.proved(statement, witness, Interval(lower=lower), proof=growth_proof(numbers), why=why)
 
 
 def _exponent(numbers: MultivariateNumbers, length: int, bound: Fraction) -> float:
@@ -177,9 +192,9 @@ def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
     }
     exact = numbers.radius.exact if numbers.radius is not None else None
     closed = multivariate_exponent(m, s, *exact) if exact is not None else None
-    text = (readable(closed) if closed is not None else None) or rounded_up(upper or 0.0)
-    statement = f"α ≤ {text}: φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
-    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper))
+    text = rounded_up(upper or 0.0) if closed is None else worded(closed)
+    why = f"φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
+    return HOLDER_UPPER.proved(f"α ≤ {text}: {why}", witness, Interval(upper=upper), why=why)
 
 
 _SOBOLEV_QUESTION = "how regular is φ in L2?"
@@ -220,8 +235,8 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 def _sobolev_of_box_spline(depth: int) -> Finding:
     s = depth - Fraction(1, 2)
-    statement = f"s = {s}: {depth} directions must go until the others do not span"
-    return SOBOLEV.proved(statement, {"by": BOX_SPLINE.code, "value": s}, interval(s), s)
+    why = f"{depth} directions must go until the others do not span"
+    return SOBOLEV.proved(f"s = {s}: {why}", {"by": BOX_SPLINE.code, "value": s}, interval(s), s, why=why)
 
 
 def _least_sobolev(parts: tuple[Part, ...]) -> Finding:
@@ -229,15 +244,13 @@ def _least_sobolev(parts: tuple[Part, ...]) -> Finding:
     if least is None:
         return SOBOLEV.undecided(_SOBOLEV_QUESTION, products.NOT_LEAST)
     finding = least.part.finding(questions.SOBOLEV)
-    value, closed = finding.value or Interval(), finding.closed
+    value, why = finding.value or Interval(), f"the least exponent of a factor: {least.part.name}"
     witness: MultivariateSobolevWitness = {"by": TENSOR_PRODUCT.code}
     products.put_least(witness, least)
     if not least.is_exact:
-        statement = f"s ≥ {rounded_down(value.lower or 0.0)}, the least exponent of a factor: {least.part.name}"
-        return SOBOLEV.proved(statement, witness, Interval(lower=value.lower))
-    assert closed is not None
-    text = readable(closed) or certain(lambda: closed_ball(closed))
-    return SOBOLEV.proved(f"s = {text}, the least exponent of a factor: {least.part.name}", witness, value, closed)
+        statement = f"s ≥ {rounded_down(value.lower or 0.0)}, {why}"
+        return SOBOLEV.proved(statement, witness, Interval(lower=value.lower), why=why)
+    return SOBOLEV.proved(f"s = {_shown(finding)}, {why}", witness, value, finding.closed, why=why)
 
 
 def _of_mean_squares(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Finding:
@@ -256,8 +269,8 @@ def _of_mean_squares(numbers: MultivariateNumbers, growth: Growth, stable: bool)
 
     closed = multivariate_exponent(m, dimension, 2, root)
     rational = growth.radius.rational
-    shown = (readable(closed) if closed is not None and rational is not None else None) or certain(exponent)
-    size = certain(growth.ball) if rational is None else number(rational)
+    shown = certain(exponent) if closed is None or rational is None else worded(closed)
+    size = certain(growth.ball) if rational is None else valued(rational)
     if closed is not None:
         value = closed_interval(closed)
     else:
@@ -265,5 +278,7 @@ def _of_mean_squares(numbers: MultivariateNumbers, growth: Growth, stable: bool)
             value = interval(exponent())
     why = f"the mean squares of differences of order {k} grow like Λ^L, Λ = {size}"
     if stable:
-        return SOBOLEV.proved(f"s = {shown}: φ is stable, and {why}", witness, value, closed, growth_proof(numbers))
-    return SOBOLEV.proved(f"s ≥ {shown}: {why}", witness, Interval(lower=value.lower), proof=growth_proof(numbers))
+        why = f"φ is stable, and {why}"
+        return SOBOLEV.proved(f"s = {shown}: {why}", witness, value, closed, growth_proof(numbers), why=why)
+    below = Interval(lower=value.lower)
+    return SOBOLEV.proved(f"s ≥ {shown}: {why}", witness, below, proof=growth_proof(numbers), why=why)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from subdiv_cli.exact.text import number
+from subdiv_cli.exact.text import sized, valued
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, PairContraction
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
@@ -44,7 +44,7 @@ def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, 
     if contractions is None:
         return ()
     parts = [
-        f"‖S_({', '.join(map(str, c.direction))})" + (f"^{c.level}" if c.level > 1 else "") + f"‖∞ = {number(c.norm)}"
+        f"‖S_({', '.join(map(str, c.direction))})" + (f"^{c.level}" if c.level > 1 else "") + f"‖∞ = {valued(c.norm)}"
         for c in contractions
     ]
     statement = f"the difference schemes in {len(contractions)} directions contract: {', '.join(parts)}"
@@ -98,7 +98,7 @@ def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Find
     parts = [
         f"‖S_({', '.join(map(str, first))})({', '.join(map(str, second))})"
         + (f"^{c.level}" if c.level > 1 else "")
-        + f"‖∞ = {number(c.norm)}"
+        + f"‖∞ = {valued(c.norm)}"
         for c in contractions
         for first, second in [c.directions]
     ]
@@ -178,7 +178,7 @@ def _finding(numbers: MultivariateNumbers, n: int, norm: MatrixNorm) -> Finding:
     scheme = "S_Δ" if k == 1 else f"S_(Δ^{k})"
     power = f"^{norm.level}" if norm.level > 1 else ""
     bound = threshold(numbers, n * norm.level)
-    statement = f"a matrix scheme of differences contracts: ‖{scheme}{power}‖∞ = {number(norm.norm)} < {bound}"
+    statement = f"a matrix scheme of differences contracts: ‖{scheme}{power}‖∞ = {valued(norm.norm)} < {bound}"
     return MATRIX_NORMS.proved(f"{statement}; {_how(norm)}", witness, proof=proof)
 
 
@@ -188,6 +188,6 @@ def _how(norm: MatrixNorm) -> str:
     names = {"lemma": "Lemma 6.6", "least": "least norm"}
     norms = {"lemma": norm.lemma, "least": norm.least}
     other = {"lemma": "least", "least": "lemma"}[norm.by]
-    taken = f"the reduction{of} by {names[norm.by]}, {number(norms[norm.by] or norm.lemma)}"
+    taken = f"the reduction{of} by {names[norm.by]}, {sized(norms[norm.by] or norm.lemma)}"
     second = norms[other]
-    return taken if second is None else f"{taken} (by {names[other]}: {number(second)})"
+    return taken if second is None else f"{taken} (by {names[other]}: {sized(second)})"

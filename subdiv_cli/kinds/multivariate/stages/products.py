@@ -108,17 +108,19 @@ def follows(
     question: Question,
     yes: str,
     no: str,
-    why: str,
+    have: str,
+    lacks: str,
 ) -> Finding:
     """The finding of a property that φ has iff all factors have it.
 
-    `why` has the name of one that has it not.
+    `have` says why it has it; `lacks`, with a place for the name of a factor, why not.
     """
     verdict, part = of_all(parts, question)
     if verdict is Verdict.PROVED:
-        return rule.proved(yes, {"by": TENSOR_PRODUCT.code})
+        return rule.proved(f"{yes}: {have}", {"by": TENSOR_PRODUCT.code}, why=have)
     if verdict is Verdict.REFUTED:
-        return rule.refuted(no, {"by": TENSOR_PRODUCT.code}, why=why.format(part.name))
+        why = lacks.format(part.name)
+        return rule.refuted(f"{no}: {why}", {"by": TENSOR_PRODUCT.code}, why=why)
     return rule.undecided(open_question, f"it is not decided for the factor in {part.name}")
 
 

@@ -35,7 +35,9 @@ from subdiv_cli.kinds.multivariate.witnesses import (
     DifferenceRadiusWitness,
     GramProof,
     GrowthProof,
+    MultivariateConvergenceWitness,
     MultivariateSmoothnessWitness,
+    MultivariateStabilityWitness,
     SpaceProof,
 )
 from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, put_radius, shown
@@ -140,13 +142,11 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
     sums, decay = (facts.find(rule) for rule in (COSET_SUMS, DIFFERENCE_RADIUS))
     norms = next((code for code in _NORMS if code in facts), None)
     if sums is not None and sums.verdict is Verdict.REFUTED:
-        return (
-            CONVERGENCE.refuted(
-                "S does not converge uniformly to a non-zero limit", {"by": COSET_SUMS.code}, why=sums.statement
-            ),
-        )
+        statement = f"S does not converge uniformly to a non-zero limit: {sums.statement}"
+        return (CONVERGENCE.refuted(statement, {"by": COSET_SUMS.code}, why=sums.statement),)
     if numbers.parts:
-        words = "S converges uniformly: its factors do", "S does not converge uniformly", "its factor in {} does not"
+        yes, no = "S converges uniformly", "S does not converge uniformly"
+        words = yes, no, "its factors do", "its factor in {} does not"
         return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, *words),)
     radius, product = (numbers.radius, numbers.product) if decay and decay.verdict is Verdict.PROVED else (None, None)
     diverges = product is not None and product.compare(Fraction(1)) >= 0
@@ -155,26 +155,21 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
         if diverges:
             raise ContradictionError(f"S converges and ρ_{k} is at least 1")
         if norms is not None:
-            return (CONVERGENCE.proved(f"S converges uniformly: {_NORMS[norms]}", {"by": norms}),)
-        return (
-            CONVERGENCE.proved(
-                f"S converges uniformly: the coset sums are 1 and ρ_{k} < 1", {"by": DIFFERENCE_RADIUS.code}
-            ),
-        )
+            return (_converges(_NORMS[norms], norms),)
+        return (_converges(f"the coset sums are 1 and ρ_{k} < 1", DIFFERENCE_RADIUS.code),)
     if (mean := numbers.mean_decay) is not None and mean < 1:
-        statement = (
-            f"S converges uniformly: the mean squares of differences of order {k} decay fast enough for ρ_{k} < 1"
-        )
-        return (CONVERGENCE.proved(statement, {"by": SOBOLEV.code}, proof=growth_proof(numbers)),)
+        why = f"the mean squares of differences of order {k} decay fast enough for ρ_{k} < 1"
+        return (_converges(why, SOBOLEV.code, growth_proof(numbers)),)
     if diverges and product is not None:
         why = f"{product_name(product.word)} keeps ρ_{k} ≥ 1"
-        return (
-            CONVERGENCE.refuted(
-                "S does not converge uniformly", {"by": DIFFERENCE_RADIUS.code, "word": product.word}, why=why
-            ),
-        )
+        witness: MultivariateConvergenceWitness = {"by": DIFFERENCE_RADIUS.code, "word": product.word}
+        return (CONVERGENCE.refuted(f"S does not converge uniformly: {why}", witness, why=why),)
     reason = "no bound of ρ_k below 1 is proved, and no product is known that keeps it above"
     return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, (decay.reason if decay is not None else None) or reason),)
+
+
+def _converges(why: str, by: str, proof: GrowthProof | None = None) -> Finding:
+    return CONVERGENCE.proved(f"S converges uniformly: {why}", {"by": by}, proof=proof, why=why)
 
 
 _STABILITY_QUESTION = "are the integer translates of φ stable?"
@@ -197,11 +192,10 @@ def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]
         return (STABILITY.skipped(_STABILITY_QUESTION, "the coefficients do not add up to |det M|, so there is no φ"),)
     if (box := numbers.box) is not None:
         if box.is_unimodular:
-            statement = "φ is stable: the directions of the box spline are unimodular"
-            return (STABILITY.proved(statement, {"by": BOX_SPLINE.code}),)
-        return (
-            STABILITY.refuted("φ is not stable: some directions have a determinant beyond ±1", {"by": BOX_SPLINE.code}),
-        )
+            why = "the directions of the box spline are unimodular"
+            return (STABILITY.proved(f"φ is stable: {why}", {"by": BOX_SPLINE.code}, why=why),)
+        why = "some directions have a determinant beyond ±1"
+        return (STABILITY.refuted(f"φ is not stable: {why}", {"by": BOX_SPLINE.code}, why=why),)
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
         return (
             STABILITY.undecided(
@@ -209,10 +203,11 @@ def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]
             ),
         )
     if numbers.parts:
-        words = "φ is stable: its factors are", "φ is not stable", "its factor in {} is not"
+        words = "φ is stable", "φ is not stable", "its factors are", "its factor in {} is not"
         return (products.follows(STABILITY, _STABILITY_QUESTION, numbers.parts, questions.STABILITY, *words),)
     if numbers.is_interpolatory:
-        return (STABILITY.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": CONVERGENCE.code}),)
+        why = "φ(0) = 1 and φ(α) = 0 at all other integers"
+        return (STABILITY.proved(f"φ is stable: {why}", {"by": CONVERGENCE.code}, why=why),)
     return (_of_gram_sequence(numbers.gram),)
 
 
@@ -223,16 +218,17 @@ def _of_gram_sequence(gram: Gram | None) -> Finding:
     if gram.zero is not None:
         k, n = gram.zero
         at = f"2π({', '.join(str(Fraction(x, n)) for x in k)})"
-        statement = f"φ is not stable: Σ ∫φφ(·−α) e^(iα·ω) is zero at ω = {at}"
-        return STABILITY.refuted(statement, {"by": CONVERGENCE.code, "zero": k, "order": n}, proof=proof)
+        why = f"Σ ∫φφ(·−α) e^(iα·ω) is zero at ω = {at}"
+        witness: MultivariateStabilityWitness = {"by": CONVERGENCE.code, "zero": k, "order": n}
+        return STABILITY.refuted(f"φ is not stable: {why}", witness, proof=proof, why=why)
     if gram.tree is None:
         return STABILITY.undecided(
             _STABILITY_QUESTION, "the symbol of the Gram sequence is not seen to be positive or to have a zero"
         )
     boxes = gram.tree.count(LEAF)
-    statement = f"φ is stable: Σ ∫φφ(·−α) e^(iα·ω) is positive for all ω, on each of {boxes} boxes"
+    why = f"Σ ∫φφ(·−α) e^(iα·ω) is positive for all ω, on each of {boxes} boxes"
     proof["tree"] = gram.tree
-    return STABILITY.proved(statement, {"by": CONVERGENCE.code, "boxes": boxes}, proof=proof)
+    return STABILITY.proved(f"φ is stable: {why}", {"by": CONVERGENCE.code, "boxes": boxes}, proof=proof, why=why)
 
 
 _SMOOTHNESS_QUESTION = "how smooth is φ?"
@@ -273,7 +269,7 @@ def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...
     stably = facts.verdict(STABILITY) is Verdict.PROVED
     if not proved:
         if stably and (obstacle := _obstacle(numbers, 0)) is not None:
-            return (SMOOTHNESS.refuted(f"φ is not continuous: φ is stable, and {obstacle}", _witness(numbers, 0)),)
+            return (_not_continuous(f"φ is stable, and {obstacle}", _witness(numbers, 0)),)
         return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, "it is not proved that φ is continuous"),)
     n, by = proved[-1]
     proof = growth_proof(numbers) if by == SOBOLEV.code else None
@@ -282,26 +278,23 @@ def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...
     if obstacle is None or not stably:
         why = "it is not proved that φ is stable" if obstacle else "no product is known that excludes it"
         return (first, NEXT_SMOOTHNESS.undecided(f"is φ C^{n + 1}?", why))
-    statement = f"φ is not C^{n + 1}: φ is stable, and {obstacle}"
-    return (first, NEXT_SMOOTHNESS.refuted(statement, _witness(numbers, n + 1)))
+    return (first, _not_smoother(n + 1, f"φ is stable, and {obstacle}", _witness(numbers, n + 1)))
 
 
 def _of_box_spline(depth: int) -> tuple[Finding, ...]:
     enough, few = spanning(depth - 1), not_spanning(depth)
     if depth < 2:
-        return (SMOOTHNESS.refuted(f"φ is not continuous: {few}", _by(0, BOX_SPLINE.code)),)
+        return (_not_continuous(few, _by(0, BOX_SPLINE.code)),)
     return (
         _proved(depth - 2, enough, BOX_SPLINE.code),
-        NEXT_SMOOTHNESS.refuted(f"φ is not C^{depth - 1}: {few}", _by(depth - 1, BOX_SPLINE.code)),
+        _not_smoother(depth - 1, few, _by(depth - 1, BOX_SPLINE.code)),
     )
 
 
 def _of_parts(parts: tuple[Part, ...]) -> tuple[Finding, ...]:
     verdict, part = products.of_all(parts, questions.SMOOTHNESS)
     if verdict is Verdict.REFUTED:
-        return (
-            SMOOTHNESS.refuted(f"φ is not continuous: its factor in {part.name} is not", _by(0, TENSOR_PRODUCT.code)),
-        )
+        return (_not_continuous(f"its factor in {part.name} is not", _by(0, TENSOR_PRODUCT.code)),)
     if verdict is Verdict.UNDECIDED:
         return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, f"it is not decided for the factor in {part.name}"),)
     orders = [(_order(part.finding(questions.SMOOTHNESS)), part) for part in parts]
@@ -310,14 +303,21 @@ def _of_parts(parts: tuple[Part, ...]) -> tuple[Finding, ...]:
     for order, part in orders:
         following = part.find(questions.NEXT_SMOOTHNESS)
         if order == n and following is not None and following.verdict is Verdict.REFUTED:
-            statement = f"φ is not C^{n + 1}: its factor in {part.name} is not"
-            return (first, NEXT_SMOOTHNESS.refuted(statement, _by(n + 1, TENSOR_PRODUCT.code)))
+            return (first, _not_smoother(n + 1, f"its factor in {part.name} is not", _by(n + 1, TENSOR_PRODUCT.code)))
     return (first, NEXT_SMOOTHNESS.undecided(f"is φ C^{n + 1}?", "it is not excluded for any factor"))
 
 
 def _proved(n: int, why: str, by: str, proof: GrowthProof | None = None) -> Finding:
     answers = {questions.SMOOTHNESS: Smoothness(n)}
-    return SMOOTHNESS.proved(f"φ is C^{n}: {why}", _by(n, by), proof=proof, answers=answers)
+    return SMOOTHNESS.proved(f"φ is C^{n}: {why}", _by(n, by), proof=proof, answers=answers, why=why)
+
+
+def _not_continuous(why: str, witness: MultivariateSmoothnessWitness) -> Finding:
+    return SMOOTHNESS.refuted(f"φ is not continuous: {why}", witness, why=why)
+
+
+def _not_smoother(n: int, why: str, witness: MultivariateSmoothnessWitness) -> Finding:
+    return NEXT_SMOOTHNESS.refuted(f"φ is not C^{n}: {why}", witness, why=why)
 
 
 def _order(finding: Finding) -> int:

@@ -18,10 +18,9 @@ from subdiv_cli.kinds.multivariate.witnesses import (
     MultivariateReproductionWitness,
     PlacedNumbers,
 )
-from subdiv_cli.kinds.scalar.stages.wording import series
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model import findings as questions
-from subdiv_cli.model.formulas import partial_operator
+from subdiv_cli.model.formulas import near_one, partial_operator
 
 
 def coset_sums(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -37,7 +36,14 @@ def coset_sums(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     witness: CosetSumsWitness = {"cosets": numbers.lattice.representatives, "sums": sums}
     if set(sums) == {Fraction(1)}:
         return (COSET_SUMS.proved(f"all {count} coset sums are 1", witness),)
-    return (COSET_SUMS.refuted(f"the coset sums are {series(sums, number)}, must be 1", witness),)
+    off = [(gamma, x) for gamma, x in zip(numbers.lattice.representatives, sums, strict=True) if x != 1]
+    shown = ", ".join(f"that of {_tuple(gamma)} is {near_one(x)}" for gamma, x in off[:_MOST_COSETS])
+    more = f", and {len(off) - _MOST_COSETS} more are not 1" if len(off) > _MOST_COSETS else ""
+    return (COSET_SUMS.refuted(f"the {count} coset sums must be 1 each, but {shown}{more}", witness),)
+
+
+_MOST_COSETS = 4
+"""The most cosets that are named with a sum that is not 1."""
 
 
 def sum_rules(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -53,7 +59,10 @@ def sum_rules(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     if not k:
         return (
             SUM_RULES.refuted(
-                "no sum rules: the coset sums are not all 1", {"order": 0}, answers={questions.SUM_RULES: 0}
+                "no sum rules: the coset sums are not all 1",
+                {"order": 0},
+                answers={questions.SUM_RULES: 0},
+                why="the coset sums are not all 1",
             ),
         )
     generated = {1: "constants", 2: "polynomials of total degree 1"}.get(k, f"polynomials of total degree {k - 1}")
@@ -78,14 +87,13 @@ def reproduction(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     degree, shift, defect = numbers.reproduction
     witness: MultivariateReproductionWitness = {"degree": degree, "shift": shift}
     if defect is None:
-        why = f"it generates degree {degree} only"
+        limit = f"it generates degree {degree} only"
     else:
         witness["defect"] = defect
-        why = f"Σ a_α α^μ is not m τ^μ for μ = ({', '.join(map(str, defect))})"
-    tau = ", ".join(map(number, shift))
-    statement = f"S reproduces the polynomials of total degree {degree} with parameter shift τ = ({tau})"
-    answers = {questions.REPRODUCTION: degree}
-    return (REPRODUCTION.proved(f"{statement}, not {degree + 1}: {why}", witness, answers=answers),)
+        limit = f"Σ a_α α^μ is not m τ^μ for μ = ({', '.join(map(str, defect))})"
+    why = f"with parameter shift τ = ({', '.join(map(number, shift))}), not {degree + 1}: {limit}"
+    statement = f"S reproduces the polynomials of total degree {degree} {why}"
+    return (REPRODUCTION.proved(statement, witness, answers={questions.REPRODUCTION: degree}, why=why),)
 
 
 _QUASI_INTERPOLATION_QUESTION = "which data have a given polynomial as limit?"

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from subdiv_cli.exact.text import number
+from subdiv_cli.exact.text import number, valued
 from subdiv_cli.kinds.kind import Facts, Stage
-from subdiv_cli.kinds.scalar.numbers.error_bounds import best_bound
+from subdiv_cli.kinds.scalar.numbers.error_bounds import ErrorBound, best_bound
 from subdiv_cli.kinds.scalar.numbers.error_bounds import hermite_bound as best_hermite_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import CONVERGENCE, ERROR_BOUND, HERMITE_BOUND, SMOOTHNESS
 from subdiv_cli.kinds.scalar.witnesses import ErrorBoundWitness, HermiteBoundWitness
 from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model.formulas import is_plain
 
 _ERROR_BOUND_QUESTION = "how close to the limit is the control polygon?"
 
@@ -51,14 +52,28 @@ def error_bound(tolerance: Fraction) -> Stage:
             "tolerance": tolerance,
             "levels": levels,
         }
-        exponent = "k" if bound.level == 1 else f"⌊k/{bound.level}⌋"
         statement = (
-            f"‖S^∞ f - f^k‖∞ ≤ {number(bound.constant)} ({number(bound.norm)})^{exponent} ‖Δf‖∞; "
+            f"‖S^∞ f - f^k‖∞ ≤ {_geometric(bound)} ‖Δf‖∞; "
             f"{levels} level{'' if levels == 1 else 's'} bring it below {number(tolerance)} ‖Δf‖∞"
         )
         return (ERROR_BOUND.proved(statement, witness),)
 
     return run
+
+
+_LARGEST = 10**300
+"""The largest constant whose size is told: larger ones are no doubles."""
+
+
+def _geometric(bound: ErrorBound) -> str:
+    """The bound as text: `2 (3/4)^k`; a long one with its size, `5/3 (16295/16384)^⌊k/5⌋ (≈ 1.67 · 0.999^k)`."""
+    exponent = "k" if bound.level == 1 else f"⌊k/{bound.level}⌋"
+    text = f"{number(bound.constant)} ({number(bound.norm)})^{exponent}"
+    plain = bound.level == 1 and is_plain(bound.constant) and is_plain(bound.norm)
+    if plain or bound.constant > _LARGEST:
+        return text
+    rate = float(bound.norm) ** (1 / bound.level)
+    return f"{text} (≈ {float(bound.constant):.3g} · {rate:.3g}^k)"
 
 
 _HERMITE_BOUND_QUESTION = "how close to the limit is its Hermite interpolant?"
@@ -93,6 +108,6 @@ def hermite_bound(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         "norm": best.norm,
         "constant": best.constant,
     }
-    bound = f"{number(best.constant)} · {numbers.p}^(-{nu}k) ‖Δ^{nu} f‖∞"
+    bound = f"{valued(best.constant)} · {numbers.p}^(-{nu}k) ‖Δ^{nu} f‖∞"
     statement = f"‖S^∞ f - Q^k‖∞ ≤ {bound} for the Hermite interpolant Q^k of degree {nu - 1} at i/{numbers.p}^k"
     return (HERMITE_BOUND.proved(statement, witness),)

@@ -8,11 +8,11 @@ from itertools import islice
 
 from flint import ctx, fmpq_mat
 
-from subdiv_cli.exact.closed import closed_interval, exponent, readable
+from subdiv_cli.exact.closed import closed_interval, exponent, worded
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.linalg import identity, nullspace
 from subdiv_cli.exact.rationals import to_fmpq
-from subdiv_cli.exact.text import modulus, number, rounded_down, rounded_up
+from subdiv_cli.exact.text import modulus, number, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.products import lyndon_words, radius_bound
 from subdiv_cli.jsr.result import Radius
@@ -63,16 +63,17 @@ def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if radius.exact is not None:
         exact = exponent(p, *radius.exact)
         value = closed_interval(exact)
-        text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
-        statement = f"α = {text}, as {name} = {shown(radius)}"
-        return (HOLDER_LOWER.proved(statement, {**witness, "root": root_data(radius.exact[1])}, value, exact),)
+        why = f"{name} = {shown(radius)}"
+        statement = f"α = {worded(exact)}, as {why}"
+        return (HOLDER_LOWER.proved(statement, {**witness, "root": root_data(radius.exact[1])}, value, exact, why=why),)
     length, bound = radius.upper
     with ctx.workprec(128):
         lower = interval(-ball(bound).log() / ball(p).log() / length).lower
     if lower is None:
         raise ArithmeticError("a logarithm beyond the doubles")
-    statement = f"α ≥ {rounded_down(lower)}, from the bound of {name}"
-    return (HOLDER_LOWER.proved(statement, {**witness, "bound": bound}, Interval(lower=lower)),)
+    why = f"from the bound of {name}"
+    statement = f"α ≥ {rounded_down(lower)}, {why}"
+    return (HOLDER_LOWER.proved(statement, {**witness, "bound": bound}, Interval(lower=lower), why=why),)
 
 
 _HOLDER_UPPER_QUESTION = "how regular is φ at most?"
@@ -97,33 +98,32 @@ def holder_upper(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     witness: HolderUpperWitness = {"difference_order": k}
     bound = None if product is None else exponent_bound(product, numbers.p)
     if product is None or bound is None or bound.upper is None or bound.upper > k:
-        statement = f"α ≤ {k}, the sum-rule order"
-        return (_proved(numbers, facts, statement, witness, interval(Fraction(k)).upper),)
+        why = "the sum-rule order"
+        return (_proved(numbers, facts, f"α ≤ {k}, {why}", why, witness, interval(Fraction(k)).upper),)
     shown = bound.exact or _exact(numbers) or rounded_up(bound.upper)
     size = modulus(product.eigenvalue)
-    statement = (
-        f"α ≤ {shown}: {product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
-    )
+    why = f"{product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
     put_product(witness, product)
     witness["radius"] = radius_bound(product)
-    return (_proved(numbers, facts, statement, witness, bound.upper),)
+    return (_proved(numbers, facts, f"α ≤ {shown}: {why}", why, witness, bound.upper),)
 
 
 def _proved(
-    numbers: ScalarNumbers, facts: Facts, statement: str, witness: HolderUpperWitness, upper: float | None
+    numbers: ScalarNumbers, facts: Facts, statement: str, why: str, witness: HolderUpperWitness, upper: float | None
 ) -> Finding:
     """The finding with an estimate beside it, where the exponent is only enclosed."""
     below = facts[HOLDER_LOWER]
     lower = below.value.lower if below.value is not None and below.closed is None else None
     estimate = estimated_exponent(numbers, lower, upper)
     answer = Exponent(upper=upper, estimate=estimate)
-    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper), answers={questions.HOLDER_UPPER: answer})
+    answers = {questions.HOLDER_UPPER: answer}
+    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper), answers=answers, why=why)
 
 
 def _exact(numbers: ScalarNumbers) -> str | None:
-    """The bound as a text in closed form, where a product attains a radius that is known; None where it is long."""
+    """The bound as a text in closed form, where a product attains a radius that is known; else None."""
     radius = numbers.radius
-    return None if radius is None or radius.exact is None else readable(exponent(numbers.p, *radius.exact))
+    return None if radius is None or radius.exact is None else worded(exponent(numbers.p, *radius.exact))
 
 
 _HOLDER_ATTAINED_QUESTION = "is the Hölder exponent attained?"
@@ -171,15 +171,19 @@ def _integer(numbers: ScalarNumbers, m: int) -> Finding:
     if (contraction := _contractive_level(numbers, m)) is not None:
         level, norm = contraction
         shown = power(f"{numbers.name}_{m}", level)
-        statement = f"α = {m} is attained: {what} is Lipschitz, as {shown} = {number(norm * numbers.p**level)} ≤ 1"
-        return HOLDER_ATTAINED.proved(statement, {"nu": m, "by": "norm", "level": level, "norm": norm})
+        why = f"{what} is Lipschitz, as {shown} = {valued(norm * numbers.p**level)} ≤ 1"
+        return HOLDER_ATTAINED.proved(
+            f"α = {m} is attained: {why}", {"nu": m, "by": "norm", "level": level, "norm": norm}, why=why
+        )
     if (defect := _defect(numbers, m, Fraction(1, numbers.p**m))) is not None:
-        return _refuted(f"α = {m} is not attained: {what} is not Lipschitz", numbers, m, defect)
+        return _refuted(f"α = {m} is not attained: ", f"{what} is not Lipschitz: ", numbers, m, defect)
     operator = f"{numbers.name}_(Δ^{m})"
     if (radius := _closed(numbers, m)) is not None:
         body = f"an invariant polytope of {radius.vertices} vertices"
-        statement = f"α = {m} is attained: {what} is Lipschitz, as {body} bounds the products of {operator}"
-        return HOLDER_ATTAINED.proved(statement, {"nu": m, "by": "radius"}, proof=radius.proof)
+        why = f"{what} is Lipschitz, as {body} bounds the products of {operator}"
+        return HOLDER_ATTAINED.proved(
+            f"α = {m} is attained: {why}", {"nu": m, "by": "radius"}, proof=radius.proof, why=why
+        )
     reason = f"no norm of {numbers.name}_{m} is at most 1, and no short product of {operator} has a Jordan block"
     return HOLDER_ATTAINED.undecided(_HOLDER_ATTAINED_QUESTION, reason)
 
@@ -190,15 +194,16 @@ def _fractional(numbers: ScalarNumbers) -> Finding:
     assert radius.exact is not None
     operator = f"{numbers.name}_(Δ^{k})"
     if radius.bounded:
-        statement = f"α is attained: all products of L transition matrices of {operator} are bounded by C p^(-αL)"
+        why = f"all products of L transition matrices of {operator} are bounded by C p^(-αL)"
+        statement = f"α is attained: {why}"
         if radius.proof["rule"] == "norm":
             level, norm = radius.upper
             scaled = norm * numbers.p ** ((k - 1) * level)
-            return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "norm", "level": level, "norm": scaled})
-        return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "radius"})
+            return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "norm", "level": level, "norm": scaled}, why=why)
+        return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "radius"}, why=why)
     length, root = radius.exact
     if root.low == root.high and length == 1 and (defect := _defect(numbers, k, root.low)) is not None:
-        return _refuted("α is not attained", numbers, k, defect)
+        return _refuted("α is not attained: ", "", numbers, k, defect)
     return HOLDER_ATTAINED.undecided(
         _HOLDER_ATTAINED_QUESTION, f"boundedness of the products of {operator} at the radius is not decided"
     )
@@ -263,11 +268,11 @@ def _generalised(product: fmpq_mat, eigenvalue: Fraction) -> tuple[Fraction, ...
     return None
 
 
-def _refuted(statement: str, numbers: ScalarNumbers, nu: int, defect: _Defect) -> Finding:
+def _refuted(what: str, why: str, numbers: ScalarNumbers, nu: int, defect: _Defect) -> Finding:
     word, sign, value, vector = defect
     matrix = product_name(word)
     shown = f"{'-' if sign < 0 else ''}{number(value)}"
-    reason = f"{matrix} of {numbers.name}_(Δ^{nu}) has a Jordan block at the eigenvalue {shown}"
+    why += f"{matrix} of {numbers.name}_(Δ^{nu}) has a Jordan block at the eigenvalue {shown}"
     return HOLDER_ATTAINED.refuted(
-        f"{statement}: {reason}", {"nu": nu, "word": word, "sign": sign, "value": value, "vector": vector}
+        what + why, {"nu": nu, "word": word, "sign": sign, "value": value, "vector": vector}, why=why
     )

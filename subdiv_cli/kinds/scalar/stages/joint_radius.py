@@ -9,7 +9,7 @@ from flint import ctx
 
 from subdiv_cli.exact.algebraic import number_of
 from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, is_short, modulus, number, rounded_up
+from subdiv_cli.exact.text import certain, is_short, modulus, number, rounded_up, valued
 from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts
@@ -155,12 +155,14 @@ def enclosed(radius: Radius) -> Interval:
 
 
 def shown(radius: Radius) -> str:
-    """The radius as text: exactly where it is a short rational, else its digits."""
+    """The radius as text: exactly where it is a short rational, else its digits, and behind them a short power."""
     assert radius.exact is not None
     length, root = radius.exact
-    if root.low == root.high and is_short(root.low):
-        return number(root.low) + (f"^(1/{length})" if length > 1 else "")
-    return certain(lambda: number_of(root).enclosure().real ** (ball(1) / length))
+    exact = number(root.low) if root.low == root.high and is_short(root.low) else None
+    if exact is not None and length == 1:
+        return valued(root.low)
+    figures = certain(lambda: number_of(root).enclosure().real ** (ball(1) / length))
+    return figures if exact is None or "…" in exact else f"{figures} = ({exact})^(1/{length})"
 
 
 def _how(numbers: ScalarNumbers, radius: Radius) -> str:
@@ -171,7 +173,7 @@ def _how(numbers: ScalarNumbers, radius: Radius) -> str:
     rule = radius.method
     operator = last_difference(numbers)
     if rule == "norm":
-        return f"{power(operator, radius.upper[0])} = {number(radius.upper[1])}{attains}"
+        return f"{power(operator, radius.upper[0])} = {valued(radius.upper[1])}{attains}"
     if rule == "positive-symbol":
         return f"the symbol of {operator} is not negative on |z| = 1{attains}"
     if rule == "blocks":

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, number, rounded_up
+from subdiv_cli.exact.text import certain, rounded_up, sized, valued
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import ContradictionError, Facts
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
@@ -70,7 +70,7 @@ def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
         return _by_norm(numbers, nu, norms)
     if numbers.radius is not None and numbers.radius.is_below(Fraction(1, numbers.p ** (nu - 1))):
         return _by_radius(numbers, nu)
-    lowest = f"the lowest is {number(min(norms))}" if norms else "not one was computed"
+    lowest = f"the lowest is {valued(min(norms))}" if norms else "not one was computed"
     more = "the time budget ended" if numbers.effort.struck else "a higher effort computes more"
     reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); {more}"
     return CONTRACTIVITY.undecided(f"does {operator} contract?", reason, {"nu": nu, "norms": norms})
@@ -78,11 +78,11 @@ def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
 
 def _by_norm(numbers: ScalarNumbers, nu: int, norms: tuple[Fraction, ...]) -> Finding:
     level, norm = len(norms), norms[-1]
-    condition = f"{power(scaled(numbers, nu), level)} = {number(norm)} < 1"
+    condition = f"{power(scaled(numbers, nu), level)} = {valued(norm)} < 1"
     statement = f"{condition}, so φ is C^{nu - 1}"
     if level > 1:
         rate = certain(lambda: ball(norm) ** (ball(1) / level), 4)
-        statement += f" (norms from L = 1: {series(norms, number)}; rate {rate})"
+        statement += f" (norms from L = 1: {series(norms, sized)}; rate {rate})"
     witness: ContractivityWitness = {
         "nu": nu,
         "level": level,
@@ -131,11 +131,12 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if against is not None and proof is not None:
         raise ContradictionError(f"S converges by {proof.code} and does not by {against.code}")
     if proof is not None:
-        condition = CONTRACTIVITY.witness_of(proof)["condition"]
-        return (CONVERGENCE.proved(f"S converges uniformly: the residue sums are 1 and {condition}", _witness(proof)),)
+        why = f"the residue sums are 1 and {CONTRACTIVITY.witness_of(proof)['condition']}"
+        return (CONVERGENCE.proved(f"S converges uniformly: {why}", _witness(proof), why=why),)
     if against is not None:
         limit = " to a non-zero limit" if against.code == RESIDUE_SUMS.code else ""
-        return (CONVERGENCE.refuted(f"S does not converge uniformly{limit}", _witness(against), why=against.statement),)
+        statement = f"S does not converge uniformly{limit}: {against.statement}"
+        return (CONVERGENCE.refuted(statement, _witness(against), why=against.statement),)
     return (CONVERGENCE.undecided("does S converge uniformly?", first[0].reason or ""),)
 
 
@@ -167,29 +168,29 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     proved = [finding for finding in facts.all(CONTRACTIVITY) if finding.verdict is Verdict.PROVED]
     converges = facts.verdict(CONVERGENCE)
     if not proved and converges is Verdict.PROVED:
-        statement = "φ and every limit function are continuous, because S converges"
-        return (_proved(statement, 0, CONVERGENCE.code),)
+        return (_proved("φ and every limit function are continuous, because ", "S converges", 0, CONVERGENCE.code),)
     if proved:
         contracts = CONTRACTIVITY.witness_of(proved[-1])
         order = contracts["nu"] - 1
         scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
         mask = " for the reduced scheme" if reduced is not numbers else ""
-        statement = f"{scope} C^{order}: {contracts['condition']}{mask}"
+        why = f"{contracts['condition']}{mask}"
         if converges is Verdict.REFUTED:
-            statement += ", but S does not converge"
+            why += ", but S does not converge"
             if reduced is numbers:
                 raise ContradictionError("a stable φ is continuous and S does not converge")
-        return (_proved(statement, order, CONTRACTIVITY.code),)
+        return (_proved(f"{scope} C^{order}: ", why, order, CONTRACTIVITY.code),)
     if (obstacle := obstacle_to(reduced, 0)) is not None:
         witness: SmoothnessWitness = {}
         obstacle.put_into(witness)
-        return (SMOOTHNESS.refuted(f"φ is not continuous: {who_is_stable(numbers)}, and {obstacle.text}", witness),)
+        why = f"{who_is_stable(numbers)}, and {obstacle.text}"
+        return (SMOOTHNESS.refuted(f"φ is not continuous: {why}", witness, why=why),)
     return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, "the norms do not prove that φ is continuous"),)
 
 
-def _proved(statement: str, order: int, by: str) -> Finding:
+def _proved(what: str, why: str, order: int, by: str) -> Finding:
     answers = {questions.SMOOTHNESS: Smoothness(order)}
-    return SMOOTHNESS.proved(statement, {"order": order, "by": by}, answers=answers)
+    return SMOOTHNESS.proved(what + why, {"order": order, "by": by}, answers=answers, why=why)
 
 
 def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -214,7 +215,7 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
     if obstacle is None:
         reason = "no norm proves it and no short product of transition matrices excludes it; a higher effort may decide"
         return (NEXT_SMOOTHNESS.undecided(f"is φ C^{proved + 1}?", reason),)
-    statement = f"φ is not C^{proved + 1}: {who_is_stable(numbers)}, and {obstacle.text}"
+    why = f"{who_is_stable(numbers)}, and {obstacle.text}"
     witness: NextSmoothnessWitness = {"order": proved + 1}
     obstacle.put_into(witness)
-    return (NEXT_SMOOTHNESS.refuted(statement, witness),)
+    return (NEXT_SMOOTHNESS.refuted(f"φ is not C^{proved + 1}: {why}", witness, why=why),)

@@ -24,9 +24,9 @@ from fractions import Fraction
 
 from flint import arb, ctx
 
-from subdiv_cli.exact.closed import exponent, readable
+from subdiv_cli.exact.closed import exponent, worded
 from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, number
+from subdiv_cli.exact.text import certain, valued
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth, mean_square_growth, transfer_order
@@ -61,10 +61,10 @@ def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         "cofactor": growth.cofactor_coefficients(),
     }
     rational = growth.radius.rational
-    shown = (readable(exact) if rational is not None else None) or certain(lambda: _exponent(growth, p))
-    size = certain(growth.ball) if rational is None else number(rational)
-    statement = f"s = {shown}: the transfer matrix of {last_difference(numbers)} has the spectral radius {size}"
-    return (RULE.proved(statement, witness, _value(growth, p, exact), exact),)
+    shown = certain(lambda: _exponent(growth, p)) if rational is None else worded(exact)
+    size = certain(growth.ball) if rational is None else valued(rational)
+    why = f"the transfer matrix of {last_difference(numbers)} has the spectral radius {size}"
+    return (RULE.proved(f"s = {shown}: {why}", witness, _value(growth, p, exact), exact, why=why),)
 
 
 def _exponent(growth: Growth, p: int) -> arb:

@@ -38,14 +38,14 @@ def _independence(numbers: ScalarNumbers) -> Finding:
     g = numbers.polyphase_gcd
     dependent = "the translates of φ are linearly dependent"
     if g.degree > 0:
-        statement = f"{dependent}: {laurent(g)} divides all polyphase components"
-        return INDEPENDENCE.refuted(statement, {"gcd": g.coefficients()})
+        why = f"{laurent(g)} divides all polyphase components"
+        return INDEPENDENCE.refuted(f"{dependent}: {why}", {"gcd": g.coefficients()}, why=why)
     if (n := numbers.cycle) is not None:
-        statement = f"{dependent}: Φ_{n}(z^{p})/Φ_{n}(z) divides a(z), a cycle of roots of unity of order {n}"
-        return INDEPENDENCE.refuted(statement, {"cycle": n})
+        why = f"Φ_{n}(z^{p})/Φ_{n}(z) divides a(z), a cycle of roots of unity of order {n}"
+        return INDEPENDENCE.refuted(f"{dependent}: {why}", {"cycle": n}, why=why)
     largest = 10 * (numbers.scheme.degree // (p - 1))
-    statement = "the translates of φ are linearly independent: the polyphase components are coprime and a(z) has no "
-    return INDEPENDENCE.proved(statement + "cycle of roots of unity", {"largest_n": largest})
+    why = "the polyphase components are coprime and a(z) has no cycle of roots of unity"
+    return INDEPENDENCE.proved(f"the translates of φ are linearly independent: {why}", {"largest_n": largest}, why=why)
 
 
 def stability(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -70,19 +70,20 @@ def _stability(numbers: ScalarNumbers, facts: Facts) -> Finding:
     if independent is Verdict.SKIPPED:
         return STABILITY.skipped("are the integer translates of φ stable?", facts[INDEPENDENCE].reason or "")
     if independent is Verdict.PROVED:
-        return STABILITY.proved(
-            "φ is stable: its integer translates are linearly independent", stability_witness(numbers)
-        )
+        why = "its integer translates are linearly independent"
+        return STABILITY.proved(f"φ is stable: {why}", stability_witness(numbers), why=why)
     g = numbers.polyphase_gcd
     if numbers.circle_factors:
         factor = numbers.circle_factors[0]
         shown = laurent(Laurent(0, fmpq_poly(factor)))
-        statement = f"φ is not stable: the polyphase components share zeros of {shown} on |z| = 1"
-        return STABILITY.refuted(statement, {"circle_factor": tuple(int(c) for c in factor)})
+        why = f"the polyphase components share zeros of {shown} on |z| = 1"
+        witness: StabilityWitness = {"circle_factor": tuple(int(c) for c in factor)}
+        return STABILITY.refuted(f"φ is not stable: {why}", witness, why=why)
     if (n := numbers.cycle) is not None:
-        return STABILITY.refuted(f"φ is not stable: a(z) has a cycle of roots of unity of order {n}", {"cycle": n})
-    statement = f"φ is stable: the common factor {laurent(g)} of the polyphase components has no zero on |z| = 1"
-    return STABILITY.proved(f"{statement}, and a(z) has no cycle", stability_witness(numbers))
+        why = f"a(z) has a cycle of roots of unity of order {n}"
+        return STABILITY.refuted(f"φ is not stable: {why}", {"cycle": n}, why=why)
+    why = f"the common factor {laurent(g)} of the polyphase components has no zero on |z| = 1, and a(z) has no cycle"
+    return STABILITY.proved(f"φ is stable: {why}", stability_witness(numbers), why=why)
 
 
 def stability_witness(numbers: ScalarNumbers) -> StabilityWitness:

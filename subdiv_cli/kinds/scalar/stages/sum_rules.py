@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from subdiv_cli.exact.text import laurent, number
+from subdiv_cli.exact.text import laurent, number, valued
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.polynomials import parameter_shift, reproduction_defects
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
@@ -55,12 +55,13 @@ def sum_rules(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     answers = {questions.SUM_RULES: k}
     factor = "1+z" if p == 2 else "1+z+z^2" if p == 3 else f"1+…+z^{p - 1}"
     if k == 0:
-        return (SUM_RULES.refuted(f"no sum rule holds: {factor} does not divide a(z)", witness, answers=answers),)
+        why = f"{factor} does not divide a(z)"
+        return (SUM_RULES.refuted(f"no sum rule holds: {why}", witness, answers=answers, why=why),)
     short = len(cofactor.coefficients()) <= _LONGEST_COFACTOR
     quotient = laurent(cofactor) if short else f"a polynomial of degree {cofactor.degree}"
     power = f"^{k}" if k > 1 else ""
-    statement = f"sum rules of order {k}, not {k + 1}: a(z) = ({factor}){power} q(z), q(z) = {quotient}"
-    return (SUM_RULES.proved(statement, witness, answers=answers),)
+    why = f"a(z) = ({factor}){power} q(z), q(z) = {quotient}"
+    return (SUM_RULES.proved(f"sum rules of order {k}, not {k + 1}: {why}", witness, answers=answers, why=why),)
 
 
 def generation(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -100,12 +101,16 @@ def reproduction(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         return (REPRODUCTION.refuted("S does not even reproduce constants", witness),)
     witness = {"degree": degree, **witness}
     if degree == generation:
-        why = f"it generates degree {generation} only"
+        limit = f"it generates degree {generation} only"
     else:
-        why = f"a^({degree + 1})(1) is off by {number(defects[degree + 1])}"
-    statement = f"S reproduces the polynomials of degree {degree} with parameter shift τ = {number(tau)}"
+        limit = f"a^({degree + 1})(1) is off by {valued(defects[degree + 1])}"
+    why = f"with parameter shift τ = {number(tau)}, not {degree + 1}: {limit}"
     answers = {questions.REPRODUCTION: degree}
-    return (REPRODUCTION.proved(f"{statement}, not {degree + 1}: {why}", witness, answers=answers),)
+    return (
+        REPRODUCTION.proved(
+            f"S reproduces the polynomials of degree {degree} {why}", witness, answers=answers, why=why
+        ),
+    )
 
 
 _LONGEST_MASK = 6
