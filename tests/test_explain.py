@@ -95,6 +95,11 @@ def test_examples_of_a_kind_pass_and_are_of_it(name, tmp_path):
         assert (result_of(body, tmp_path).status, read_text(body, file="mask.toml").kind) == ("passed", name)
 
 
+def test_the_symbol_on_the_page_of_scalar_masks_is_the_mask_there():
+    coefficients, symbol = (read_text(body, file="mask.toml").scheme({}) for body in fences(page("scalar"), "passes"))
+    assert coefficients == symbol
+
+
 def test_the_page_of_a_kind_names_the_keys_of_expectations():
     from subdiv_cli.maskfile.properties import KEYS
 
