@@ -45,9 +45,13 @@ def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
             told[notice.level].append(Annotation(result.file, words.name(result), notice, _place(result, notice)))
     for level, several in told.items():
         for group in _groups(several):
-            title, message = _joined(group)
+            title, lines = _joined(group)
+            rest = [f"and {len(lines) - MOST_LINES} more"] if len(lines) > MOST_LINES else []
+            message = "\n".join(lines[:MOST_LINES] + rest)
             shown = ",".join(f"{key}={_property(text)}" for key, text in {"title": title, **group[0].place}.items())
             yield f"::{_COMMANDS[level]} {shown}::{_escaped(message)}\n"
+            if rest:  # in the log they can be unfolded
+                yield f"::group::{rest[0]}\n{''.join(map(_plain, lines[MOST_LINES:]))}::endgroup::\n"
     yield from (
         f"::warning title=missing::{_escaped(clean(file))} of the baseline was not checked\n" for file in look.missing
     )
@@ -71,8 +75,8 @@ def _by(several: Sequence[Annotation], key: Callable[[Annotation], str]) -> list
     return list(groups.values())
 
 
-def _joined(group: Sequence[Annotation]) -> tuple[str, str]:
-    """The title and the message of a group."""
+def _joined(group: Sequence[Annotation]) -> tuple[str, list[str]]:
+    """The title and the lines of a group."""
     first, count = group[0], len({annotation.file for annotation in group})
     if len(group) == 1:
         title, lines = f"{first.name}: {first.notice.title}", [first.message]
@@ -80,8 +84,7 @@ def _joined(group: Sequence[Annotation]) -> tuple[str, str]:
         title, lines = f"{first.name}: {len(group)} reasons", [annotation.message for annotation in group]
     else:
         title, lines = f"{count} masks: {first.notice.code}", [f"{each.file}: {each.message}" for each in group]
-    more = [f"and {len(lines) - MOST_LINES} more"] if len(lines) > MOST_LINES else []
-    return title, "\n".join(map(clean, lines[:MOST_LINES] + more))
+    return title, list(map(clean, lines))
 
 
 def _place(result: Result, notice: Notice) -> dict[str, str]:
@@ -90,6 +93,11 @@ def _place(result: Result, notice: Notice) -> dict[str, str]:
         return {}
     place = {"file": result.file, "line": str(notice.line or 1)}
     return place if notice.column is None else {**place, "col": str(notice.column)}
+
+
+def _plain(line: str) -> str:
+    """A line of the log in which no command begins."""
+    return f"- {line.replace('##[', '## [')}\n"
 
 
 def _escaped(text: str) -> str:

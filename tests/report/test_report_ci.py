@@ -122,7 +122,7 @@ def test_github_joins_annotations_where_it_would_show_ten_of_many():
     assert three[0].count("%0A") == 3
     broken = [replace(samples.INVALID, file=f"bad{n}.toml") for n in range(2)]
     many = render("github", broken + [replace(result, file=f"{n}.toml") for n in range(300)]).splitlines()
-    titles = [line.split("title=")[1].split(",")[0] for line in many[:-1]]
+    titles = [line.split("title=")[1].split(",")[0] for line in many if "title=" in line]
     assert titles == [
         "300 masks%3A expect-convergent",
         "2 masks%3A SD003",
@@ -130,6 +130,13 @@ def test_github_joins_annotations_where_it_would_show_ten_of_many():
         "300 masks%3A expect-holder",
     ]
     assert many[0].endswith("%0Aand 280 more")
+    assert many[1] == "::group::and 280 more"
+    assert many[282] == "::endgroup::"
+    assert many[281] == "- 299.toml: expected convergent = true: refuted, found not convergent [expect-convergent]"
+    nasty = [replace(result, file=f"::error::##[error]{n}") for n in range(40)]
+    inner = render("github", nasty).partition("::group::")[2].partition("::endgroup::")[0].splitlines()[1:]
+    assert len(inner) == 20
+    assert all(line.startswith("- ::error::## [error]") for line in inner)
     assert "%0A5.toml: expected convergent = true: refuted, found not convergent [expect-convergent]%0A" in many[0]
 
 
