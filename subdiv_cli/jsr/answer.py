@@ -28,7 +28,9 @@ _LONGEST_POLYNOMIAL, _LONGEST_RATIONAL = 256, 4096
 def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> FamilyRadius:
     """The joint spectral radius of p >= 1 square matrices of one order, as far as the effort goes."""
     family = Family([matrix(rows) for rows in matrices])
-    radius = joint_spectral_radius(family, effort) or rough_radius(family, effort)
+    radius = joint_spectral_radius(family, effort)
+    if radius is None or (radius.exact is None and radius.upper[1]):
+        radius = _best(radius, rough_radius(family, Effort(effort.work)))
     stopped: Literal["budget"] | None = "budget" if effort.struck else None
     if radius is None:
         return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)
@@ -52,6 +54,13 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
         proof=radius.proof,
         below=lower,
     )
+
+
+def _best(found: Radius | None, rough: Radius | None) -> Radius | None:
+    """The radius with the smaller bound, and the product of the first where it has one."""
+    if found is None or rough is None:
+        return found or rough
+    return found if found.ceiling <= rough.ceiling else rough._replace(word=found.word or rough.word)
 
 
 def _primitive(word: tuple[int, ...]) -> tuple[int, ...]:

@@ -9,7 +9,6 @@ images of one of the two are looked at.
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -20,7 +19,7 @@ from subdiv_cli.jsr.body import Image, Polytope
 from subdiv_cli.jsr.dominance import Dominations
 from subdiv_cli.jsr.gauge import PRECISION, Gauges
 from subdiv_cli.jsr.measure import Balanced, Monotone, measure_of
-from subdiv_cli.model import Effort
+from subdiv_cli.model import ClockStruckError, Effort, Look, no_clock
 
 ROUGHLY = 1.02
 """Gauges up to which images may stay outside of bodies that only suggest something: they end sooner."""
@@ -37,6 +36,7 @@ _INDEPENDENT = 1e-3
 A body that is thin has proofs of no use.
 """
 _SMALL_ORDER = 20
+_FIRST_STATE = 1250
 
 
 class Grown(NamedTuple):
@@ -49,6 +49,11 @@ class Grown(NamedTuple):
     """The images that are not decided, because the effort ended."""
     spent: int
     """The work that growth took, counted in gauges."""
+    states: tuple[Grown, ...] = ()
+    """The body at the beginning, and after 1250, 2500, 5000, … of work, as often as more work was to be done.
+
+    Where growth ends without closing, they are what bounds are taken from: more effort has the same ones, and more.
+    """
 
     @property
     def value(self) -> float:
@@ -59,7 +64,7 @@ class Grown(NamedTuple):
 def grow(body: Polytope, effort: Effort, within: float = 1.0) -> Grown:
     """The body after growth, closed or at the end of the effort; images of gauges up to `within` >= 1 may stay outside.
 
-    Work is counted in gauges, those in large bodies many times, as they take.
+    Work is counted in gauges, those in large bodies many times, as they take. Where the clock strikes, the last state.
     """
     (_cover if body.monotone else _span)(body)
     return _grow(body, body.pending(range(body.size)), effort, within)
@@ -76,25 +81,32 @@ def push_out(body: Polytope, images: Iterable[tuple[int, int]], by: float, effor
     It has a vertex a little beyond each of them. The images of such a vertex are those of an inner point nearly, so
     that growth ends soon where it ends.
     """
-    images, body = list(images), copy.deepcopy(body)
+    images, body = list(images), body.copy()
     extras = [body.add_extra(np.real(body.image(*pair)) * (1 + by)) for pair in images]
     return _grow(body, [*images, *body.pending(extras)], effort)
 
 
 def _grow(body: Polytope, pending: list[tuple[int, int]], effort: Effort, within: float = 1.0) -> Grown:
-    spent = 0
+    spent, due, states = 0, 0, list[Grown]()
     with np.errstate(all="ignore"):  # a gauge that overflows is a large one
-        memory = measure_of(body)
+        memory = measure_of(body, effort.look)
         while pending:
             fresh: list[int] = []
             for start in range(0, len(pending), _CHUNK):
                 chunk = pending[start : start + _CHUNK]
                 spent += len(chunk) * (1 + body.columns.size * max(body.order, _SMALL_ORDER) // (2000 * _SMALL_ORDER))
+                if spent > due and due <= effort.work:
+                    states.append(Grown(body.copy(), False, pending[start:] + body.pending(fresh), spent))
+                    while due < spent:
+                        due = 2 * due or _FIRST_STATE
                 if not effort.allows(spent) or not np.isfinite(body.columns).all():
-                    return Grown(body, False, pending[start:] + body.pending(fresh), spent)
-                fresh += _absorb(body, memory, chunk, within)
+                    return Grown(body, False, pending[start:] + body.pending(fresh), spent, tuple(states))
+                try:
+                    fresh += _absorb(body, memory, chunk, within)
+                except ClockStruckError:  # the body is half way from one state to the next
+                    return states[-1]._replace(spent=spent, states=tuple(states))
             pending = body.pending(fresh)
-    return Grown(body, True, [], spent)
+    return Grown(body, True, [], spent, tuple(states))
 
 
 def _span(body: Polytope) -> None:
@@ -191,11 +203,14 @@ def _record(body: Polytope, pair: tuple[int, int], found: Gauges | Dominations, 
     body.images[pair] = Image(*pair, columns, weights, float(found.value[k]))
 
 
-def measured(grown: Grown) -> Grown:
-    """The same polytope with gauges of the images left too, for the bound that it proves as it is."""
+def measured(grown: Grown, look: Look = no_clock) -> Grown:
+    """The same polytope with gauges of the images left too, for the bound that it proves as it is.
+
+    Raises what `look` raises.
+    """
     body = grown.body
     with np.errstate(all="ignore"):
-        memory = measure_of(body)
+        memory = measure_of(body, look)
         for start in range(0, len(grown.left), _CHUNK):
             chunk = grown.left[start : start + _CHUNK]
             targets = np.array([body.image(*pair) for pair in chunk])

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from subdiv_cli.exact.text import number
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, PairContraction
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
@@ -24,6 +24,7 @@ def _told(
     return witness, {"quotients": tuple(tuple(sorted(c.quotient.items())) for c in found)}
 
 
+@asking()
 def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD604: directional difference schemes that contract.
 
@@ -49,6 +50,7 @@ def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, 
     return (DIRECTIONAL_NORMS.proved(statement, witness, proof=proof),)
 
 
+@asking()
 def positive_mask(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD608: a positive mask on a box.
 
@@ -68,6 +70,7 @@ def positive_mask(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]
     return (POSITIVE_MASK.proved(statement, {"lowest": lowest, "highest": highest}),)
 
 
+@asking()
 def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD607: C^1 by directional factors.
 
@@ -106,6 +109,7 @@ _MORE_ORDERS = 2
 """The orders of differences above n + 1 that are tried for C^n."""
 
 
+@asking()
 def matrix_norms(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD606: a matrix scheme of differences that contracts.
 

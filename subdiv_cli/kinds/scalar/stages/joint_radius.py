@@ -11,7 +11,7 @@ from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, is_short, modulus, number, rounded_up
 from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
@@ -79,6 +79,7 @@ def product_witness(product: WordProduct) -> dict[str, Data]:
 _JOINT_RADIUS_QUESTION = "what is the joint spectral radius of the last difference scheme?"
 
 
+@asking((JOINT_RADIUS, _JOINT_RADIUS_QUESTION))
 def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD310: the joint spectral radius of D = S_(Δ^k), the last difference scheme.
 
@@ -108,9 +109,7 @@ def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 def _finding(numbers: ScalarNumbers) -> Finding:
     radius = numbers.radius
     if radius is None:
-        return JOINT_RADIUS.undecided(
-            _JOINT_RADIUS_QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before a bound"
-        )
+        return JOINT_RADIUS.undecided(_JOINT_RADIUS_QUESTION, "the effort ended before a bound")
     witness: dict[str, Data] = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
     if radius.word is not None:
         witness["word"] = radius.word

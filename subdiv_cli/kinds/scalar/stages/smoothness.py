@@ -7,7 +7,7 @@ from fractions import Fraction
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, number, rounded_up
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.kind import ContradictionError, Facts, asking
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import (
     CONTRACTIVITY,
@@ -31,6 +31,7 @@ from subdiv_cli.model import findings as questions
 from subdiv_cli.model.findings import Witness
 
 
+@asking()
 def contractivity(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD301: for ν = 1, …, k, whether (1/p)S_ν contracts.
 
@@ -64,8 +65,7 @@ def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
     if numbers.radius is not None and numbers.radius.is_below(Fraction(1, numbers.p ** (nu - 1))):
         return _by_radius(numbers, nu)
     lowest = f"the lowest is {number(min(norms))}" if norms else "not one was computed"
-    more = "the time budget ended" if numbers.effort.struck else "a higher effort computes more"
-    reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); {more}"
+    reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); a higher effort computes more"
     return CONTRACTIVITY.undecided(f"does {operator} contract?", reason, {"nu": nu, "norms": norms})
 
 
@@ -99,6 +99,10 @@ def _bound(radius: Radius) -> str:
     return rounded_up(enclosed(radius).upper or 0.0, 12)
 
 
+_CONVERGENCE_QUESTION = "does S converge uniformly?"
+
+
+@asking((CONVERGENCE, _CONVERGENCE_QUESTION))
 def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD201: whether S converges uniformly, to a limit that is not zero for some data (Dyn 1992, section 2).
 
@@ -129,7 +133,7 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     if against is not None:
         limit = " to a non-zero limit" if against.code == RESIDUE_SUMS.code else ""
         return (CONVERGENCE.refuted(f"S does not converge uniformly{limit}", _witness(against), why=against.statement),)
-    return (CONVERGENCE.undecided("does S converge uniformly?", first[0].reason or ""),)
+    return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, first[0].reason or ""),)
 
 
 def _witness(by: Finding) -> Witness:
@@ -139,6 +143,7 @@ def _witness(by: Finding) -> Witness:
 _SMOOTHNESS_QUESTION = "how smooth is φ?"
 
 
+@asking((SMOOTHNESS, _SMOOTHNESS_QUESTION))
 def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD302: the largest n for which φ, and with it every limit function, is proved C^n.
 
@@ -182,6 +187,10 @@ def _proved(statement: str, order: int, by: Rule) -> Finding:
     return SMOOTHNESS.proved(statement, {"order": order, "by": by.code}, answers=answers)
 
 
+_NEXT_SMOOTHNESS_QUESTION = "is φ smoother than proved?"
+
+
+@asking((NEXT_SMOOTHNESS, _NEXT_SMOOTHNESS_QUESTION))
 def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD303: whether C^(n+1) is refuted for a φ that is proved C^n.
 
@@ -196,7 +205,7 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
     Raises ContradictionError where C^(n+1) is proved and refuted.
     """
     if facts.verdict(SMOOTHNESS) is not Verdict.PROVED:
-        return (NEXT_SMOOTHNESS.skipped("is φ smoother than proved?", "no smoothness of φ is proved"),)
+        return (NEXT_SMOOTHNESS.skipped(_NEXT_SMOOTHNESS_QUESTION, "no smoothness of φ is proved"),)
     reduced, proved = numbers.reduced, integer(facts[SMOOTHNESS], "order")
     if obstacle_to(reduced, proved) is not None:
         raise ContradictionError(f"C^{proved} is proved and refuted")
