@@ -34,6 +34,8 @@ class FamilyRadius:
     stopped: Literal["budget"] | None = None
     proof: Mapping[str, Data] = field(default_factory=dict)
     """The proof of the upper bound, or of ρ itself."""
+    left_out: str | None = None
+    """The reason why a better bound is not here, where there is one that the checker has not verified."""
     below: Mapping[str, Data] = field(default_factory=dict)
     """The proof of the lower bound, where ρ itself is not proved: `word`, and `bound` below its spectral radius."""
 
