@@ -69,11 +69,11 @@ def _closed(family: Family, attempts: list[_Attempt], effort: Effort) -> Radius 
     Raises ClockStruckError.
     """
     found = _affordable(family, candidates(family, _QUICK, effort=effort)[1])
-    quick = effort.limited(_QUICK_WORK)
     shortest = [candidate for candidate in found if len(candidate.word) == len(found[0].word)]
     for some in (shortest, found) if len(shortest) < len(found) else (found,) if found else ():
+        quick = effort.limited(_QUICK_WORK, HALF)
         attempts.append(_Attempt(family, some, effort.look))
-        if (radius := attempts[-1].closed(quick)) is not None:
+        if (radius := quick.in_time(partial(attempts[-1].closed, quick))) is not None:
             return radius
     if not found:
         return None
@@ -81,7 +81,7 @@ def _closed(family: Family, attempts: list[_Attempt], effort: Effort) -> Radius 
     deep = _affordable(family, candidates(family, _DEEP, effort=effort)[1])
     if deep != found or (last.leaders is not None and last.leaders.has_both_signs):
         attempts.append(_Attempt(family, deep, effort.look, squared=True))
-    elif effort.work < _QUICK_WORK or last.has_closed:  # more of the same effort would find the same
+    elif last.has_closed:  # more of the same effort would find the same
         return None
     return attempts[-1].closed(effort.limited(max(_QUICK_WORK, effort.work // 2)))
 
@@ -107,14 +107,23 @@ def _enclosed(family: Family, attempts: Sequence[_Attempt], effort: Effort) -> R
 
 
 def _best_bound(family: Family, states: Sequence[tuple[Fraction, Grown]], effort: Effort) -> RadiusBound | None:
-    """The best bound of polytopes, each with the number that its matrices are divided by; those are measured first."""
+    """The best bound of polytopes, each with the number that its matrices are divided by; those are measured first.
+
+    Where the clock strikes at one of them, it is the turn of those with at most half as many vertices.
+    """
     measuring, found = effort.limited(effort.work, HALF), list[tuple[Fraction, Grown]]()
     for sigma, state in sorted(states, key=lambda pair: len(pair[1].left)):
         if (known := measuring.in_time(partial(measured, state, measuring.look))) is not None:
             found.append((sigma, known))
     found.sort(key=lambda pair: float(pair[0]) * max(1.0, pair[1].value))
-    bounds = (effort.in_time(partial(enclose, family, state, sigma, effort.look)) for sigma, state in found)
-    return next((bound for bound in bounds if bound is not None), None)
+    largest = max((state.body.size for _, state in found), default=0)
+    for sigma, state in found:
+        if state.body.size <= largest:
+            part = effort.limited(effort.work, HALF)
+            if (bound := part.in_time(partial(enclose, family, state, sigma, part.look))) is not None:
+                return bound
+            largest = state.body.size // 2 if part.struck else largest
+    return None
 
 
 def _of_distinct(family: Family, effort: Effort) -> Radius | None:
@@ -257,7 +266,7 @@ class _Attempt:
         slack, left = _SLACK, 2 * effort.work
         while left > 0 and _SLACK**3 <= slack <= 1:
             scaled = self.sigma * (1 + slack)
-            grown = grow(self._body(real, scaled), effort.limited(left))
+            grown = grow(self._body(real, scaled), effort.limited(left, HALF))
             found += [(scaled, state) for state in ((grown,) if grown.closed else grown.states)]
             left -= grown.spent
             closes = grown.closed if closes is None else closes

@@ -9,6 +9,7 @@ images of one of the two are looked at.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -36,7 +37,7 @@ _INDEPENDENT = 1e-3
 A body that is thin has proofs of no use.
 """
 _SMALL_ORDER = 20
-_FIRST_STATE = 1250
+_HALVINGS = 6
 
 
 class Grown(NamedTuple):
@@ -50,9 +51,9 @@ class Grown(NamedTuple):
     spent: int
     """The work that growth took, counted in gauges."""
     states: tuple[Grown, ...] = ()
-    """The body at the beginning, and after 1250, 2500, 5000, … of work, as often as more work was to be done.
+    """The body at the beginning, and after a 64th, …, a quarter, a half and all of the work.
 
-    Where growth ends without closing, they are what bounds are taken from: more effort has the same ones, and more.
+    Where growth ends without closing, bounds are taken from them: twice the effort has the same ones, and more.
     """
 
     @property
@@ -64,7 +65,7 @@ class Grown(NamedTuple):
 def grow(body: Polytope, effort: Effort, within: float = 1.0) -> Grown:
     """The body after growth, closed or at the end of the effort; images of gauges up to `within` >= 1 may stay outside.
 
-    Work is counted in gauges, those in large bodies many times, as they take. Where the clock strikes, the last state.
+    Work is counted in gauges, those in large bodies many times, as they take.
     """
     (_cover if body.monotone else _span)(body)
     return _grow(body, body.pending(range(body.size)), effort, within)
@@ -87,7 +88,8 @@ def push_out(body: Polytope, images: Iterable[tuple[int, int]], by: float, effor
 
 
 def _grow(body: Polytope, pending: list[tuple[int, int]], effort: Effort, within: float = 1.0) -> Grown:
-    spent, due, states = 0, 0, list[Grown]()
+    spent, states = 0, list[Grown]()
+    due = deque([0, *(effort.work >> i for i in range(_HALVINGS, -1, -1))])
     with np.errstate(all="ignore"):  # a gauge that overflows is a large one
         memory = measure_of(body, effort.look)
         while pending:
@@ -95,18 +97,26 @@ def _grow(body: Polytope, pending: list[tuple[int, int]], effort: Effort, within
             for start in range(0, len(pending), _CHUNK):
                 chunk = pending[start : start + _CHUNK]
                 spent += len(chunk) * (1 + body.columns.size * max(body.order, _SMALL_ORDER) // (2000 * _SMALL_ORDER))
-                if spent > due and due <= effort.work:
+                if due and due[0] < spent:
                     states.append(Grown(body.copy(), False, pending[start:] + body.pending(fresh), spent))
-                    while due < spent:
-                        due = 2 * due or _FIRST_STATE
+                    while due and due[0] < spent:
+                        due.popleft()
                 if not effort.allows(spent) or not np.isfinite(body.columns).all():
-                    return Grown(body, False, pending[start:] + body.pending(fresh), spent, tuple(states))
+                    return _stopped(body, pending[start:] + body.pending(fresh), spent, states, effort)
                 try:
                     fresh += _absorb(body, memory, chunk, within)
-                except ClockStruckError:  # the body is half way from one state to the next
-                    return states[-1]._replace(spent=spent, states=tuple(states))
+                except ClockStruckError:
+                    left = [pair for pair in body.pending(range(body.size)) if pair not in body.images]
+                    return _stopped(body, left, spent, states, effort)
             pending = body.pending(fresh)
     return Grown(body, True, [], spent, tuple(states))
+
+
+def _stopped(body: Polytope, left: list[tuple[int, int]], spent: int, states: list[Grown], effort: Effort) -> Grown:
+    """The body where growth stops: one more of the states, if it is the clock that stops it."""
+    if spent <= effort.work:
+        states = [*states, Grown(body, False, left, spent)]
+    return Grown(body, False, left, spent, tuple(states))
 
 
 def _span(body: Polytope) -> None:

@@ -85,13 +85,15 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
 def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
     """The radius of every part, as far as it is known, or a bound that does not exceed the largest one.
 
-    Each part has its share of the time; where it gives no bound, the columns may have one that is small enough.
+    Each part has a share of the time, by its order; where it gives no bound, its columns may have one that is small.
     """
     seems = [_logarithm(candidates(part, _SHORT)[0]) + _logarithm(part.unit) for part in parts]
     found: dict[int, Radius] = {}
     top: Radius | None = None
-    for number, k in enumerate(sorted(range(len(parts)), key=lambda k: (-seems[k], k))):
-        radius, part = None, effort.limited(effort.work, 1 / (len(parts) - number))
+    cost = sum(part.order**3 for part in parts)
+    for k in sorted(range(len(parts)), key=lambda k: (-seems[k], k)):
+        radius, part = None, effort.limited(effort.work, parts[k].order ** 3 / cost)
+        cost -= parts[k].order ** 3
         if top is not None and seems[k] < _CLEARLY + _logarithm(top.upper[1]) / top.upper[0]:
             radius = bounded(parts[k], _floor(top), part)
         if radius is None and (radius := irreducible_radius(parts[k], part)) is None:
