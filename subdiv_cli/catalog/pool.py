@@ -25,10 +25,10 @@ from subdiv_cli.model.watch import At
 
 MOST_TASKS = 1000
 """The tasks after which a process is replaced, so that what leaks does not add up."""
-PATIENCE = (4.0, 10.0)
+PATIENCE = (2.0, 5.0)
 """A factor and seconds: a process that is not done after the budget times the one plus the other is ended.
 
-A mask over its budget ends by itself, at the next step; such a one is in a step that nothing interrupts.
+A mask over its budget ends by itself, with what is decided by then; such a one is in a step that nothing interrupts.
 """
 
 

@@ -18,6 +18,8 @@ from subdiv_cli.model.properties import PROPERTIES
 Json = dict[str, Any]
 MOST_WORK = 250_000_000
 """What the checker does for one certificate."""
+WORK_A_SECOND = 8_000_000
+"""What the checker does in a second, at least nearly: a claim that asks more than the time allows is not begun."""
 
 
 class UnwrittenError(Exception):
@@ -120,6 +122,14 @@ class Certificate(NamedTuple):
     made: Sequence[int]
     """The claims of the document, as they are numbered where none is left out."""
 
+    def first(self, count: int) -> Certificate | None:
+        """The certificate of the first claims, which rest on each other only; None where no finding is among them."""
+        claims = tuple(several if max(several, default=0) < count else () for several in self.claims)
+        goal = [self.document["claims"][number]["statement"] for several in claims for number in several]
+        unique = {json.dumps(statement): statement for statement in goal}
+        document = {**self.document, "goal": list(unique.values()), "claims": self.document["claims"][:count]}
+        return Certificate(document, claims, self.made[:count]) if goal else None
+
 
 class Proofs(NamedTuple):
     """The claims that were made of an analysis, and for each finding the numbers of those that say the same."""
@@ -130,34 +140,35 @@ class Proofs(NamedTuple):
     numbers: Sequence[Sequence[int]]
     """None for a finding that is not decided, or whose witness was too costly to compute."""
 
-    def certificate(self, without: Set[int] = frozenset()) -> Certificate | None:
+    def certificate(self, without: Set[int] = frozenset(), seconds: float | None = None) -> Certificate | None:
         """The certificate of the findings that the checker has work for and that need none of these claims.
 
-        None where there is none.
+        With so many seconds for the checker the claims stand in the order of the questions, and none takes longer. None
+        where there is no finding.
         """
-        kept, left = self._selected(without)
+        kept, left = self._selected(without, seconds)
         numbers = [() if place in left else several for place, several in enumerate(self.numbers)]
         goal = [number for several in numbers for number in several]
         if not goal:
             return None
-        made = sorted(kept)
+        made = sorted(kept) if seconds is None else list(kept)
         new = {old: number for number, old in enumerate(made)}
         renumbered = tuple(tuple(new[number] for number in several) for several in numbers)
         return Certificate(self.claims.document(self.mask, goal, made), renumbered, made)
 
-    def _selected(self, without: Set[int]) -> tuple[Collection[int], Set[int]]:
-        """The claims that are kept, and the places of the findings that are left out."""
-        room = MOST_WORK
-        if not without and sum(claim["work"] for claim in self.claims.made) <= room:
+    def _selected(self, without: Set[int], seconds: float | None) -> tuple[Collection[int], Set[int]]:
+        """The claims that are kept, in the order of the questions, and the places of the findings that are left out."""
+        room = MOST_WORK if seconds is None else min(MOST_WORK, int(seconds * WORK_A_SECOND))
+        if seconds is None and not without and sum(claim["work"] for claim in self.claims.made) <= room:
             return range(len(self.claims.made)), frozenset()
-        kept, left = set[int](), set[int]()
+        kept, left = dict[int, None](), set[int]()
         for place in sorted(range(len(self.findings)), key=lambda place: _importance(self.findings[place])):
             more = self.claims.closure(self.numbers[place], kept)
             work = sum(self.claims.made[number]["work"] for number in more)
             if work > room or more & without:
                 left.add(place)
             else:
-                kept |= more
+                kept |= dict.fromkeys(sorted(more))
                 room -= work
         return kept, left
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from subdiv_cli.certificate.claims import MOST_WORK, Claims, Json, polynomial
+from subdiv_cli.certificate.claims import MOST_WORK, WORK_A_SECOND, Claims, Json, polynomial
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.proofs import LeaderData, RadiusProof, RootData, TieData
 
@@ -154,8 +154,13 @@ def spelled(data: object) -> Any:
     return rational(data) if isinstance(data, Fraction) else data
 
 
-def family_certificate(matrices: Sequence[Sequence[Sequence[Fraction]]], radius: FamilyRadius) -> Json | None:
-    """The proof of the bounds of a joint spectral radius; None where there are none, or where it takes too long."""
+def family_certificate(
+    matrices: Sequence[Sequence[Sequence[Fraction]]], radius: FamilyRadius, seconds: float | None = None
+) -> Json | None:
+    """The proof of the bounds of a joint spectral radius; None where there are none, or where it takes too long.
+
+    That is the work that the checker does, or what it does in so many seconds.
+    """
     if not radius.proof:
         return None
     claims = Claims()
@@ -167,6 +172,7 @@ def family_certificate(matrices: Sequence[Sequence[Sequence[Fraction]]], radius:
         lower = {"property": "radius-lower", **statement}
         goal.append(claims.add("word", lower, {"word": list(word)}, [], work))
     rows = [[[rational(x) for x in row] for row in matrix] for matrix in matrices]
-    if sum(claim["work"] for claim in claims.made) > MOST_WORK:
+    room = MOST_WORK if seconds is None else min(MOST_WORK, int(seconds * WORK_A_SECOND))
+    if sum(claim["work"] for claim in claims.made) > room:
         return None
     return claims.document({"kind": "matrices", "matrices": rows}, goal, range(len(claims.made)))

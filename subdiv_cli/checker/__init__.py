@@ -12,7 +12,7 @@ kind `matrices`; `scalar` and `multivariate` those on masks. `python -m subdiv_c
 
 from __future__ import annotations
 
-from collections.abc import MutableMapping
+from collections.abc import Callable, MutableMapping
 from importlib import import_module
 from typing import Any
 
@@ -49,9 +49,12 @@ def check_text(text: str, work: int = MAX_WORK) -> Outcome:
     return core.check_text(text, KINDS, work)
 
 
-def check_document(document: object) -> Outcome:
-    """The outcome for a certificate that is already parsed, as `json.loads` gives it."""
-    return core.check_document(document, KINDS)
+def check_document(document: object, goes_on: Callable[[], bool] = lambda: True) -> Outcome:
+    """The outcome for a certificate that is already parsed, as `json.loads` gives it.
+
+    `goes_on` is asked before each claim whether there is time for it; where there is none, that claim fails.
+    """
+    return core.check_document(document, KINDS, goes_on=goes_on)
 
 
 def check_file(name: str, work: int = MAX_WORK) -> tuple[Outcome, str]:

@@ -44,7 +44,7 @@ _WIDE = 0.1
 @options.parameter("Set a parameter of FILE.")
 @options.text_or_json
 @options.effort("Work it may cost. What is found depends on it alone.")
-@click.option("--budget", type=SECONDS, metavar="SECONDS", help="Stop growing polytopes after so long.")
+@click.option("--budget", type=SECONDS, metavar="SECONDS", help="Stop after so long, with the bounds found by then.")
 @click.option(
     "--certificate", metavar="FILE", type=click.Path(dir_okay=False), help="Write the proof, for `subdiv verify`."
 )
@@ -80,8 +80,10 @@ def command(
     emit(render(read, found.radius, proof), sys.stdout, encoding="utf-8" if form == "json" else None)
     unwritten = certificate is not None and text is None
     if unwritten:
-        why = "nothing is proved" if found.radius.upper is None else "the proof asks more than the checker does"
-        emit(f"warning: {certificate} is not written: {why}\n", sys.stderr)
+        emit(f"warning: {certificate} is not written: nothing is proved\n", sys.stderr)
+    if found.radius.left_out:
+        emit(f"warning: a better bound is left out: {found.radius.left_out}\n", sys.stderr)
+    unwritten = unwritten or (certificate is not None and found.radius.left_out is not None)
     wide = not found.radius.lower or found.radius.width > _WIDE
     known = found.radius.exact is not None or found.radius.upper == 0
     return ExitCode.UNDECIDED if unwritten or (wide and not known) else ExitCode.PASSED

@@ -207,7 +207,8 @@ check_options = all_of(
     effort("Work one question may cost. What is found depends on it alone.", variable="EFFORT"),
     option(
         "Run", "--budget", type=SECONDS, metavar="SECONDS", variable="BUDGET",
-        help="Give up on a mask after so long. Results then depend on the machine.",
+        help="Stop a mask after so long, with what is decided and checked by then; results then depend on the machine. "
+        "Where a step does not end, its process is killed after twice as long and 5 s more, and nothing is decided.",
     ),
     jobs,
     option(

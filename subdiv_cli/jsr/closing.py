@@ -26,7 +26,7 @@ from subdiv_cli.jsr.leaders import Ball, Balls, Leaders, vector
 from subdiv_cli.jsr.measure import independent_columns
 from subdiv_cli.jsr.polytope import Grown, push_out
 from subdiv_cli.jsr.ties import Tie, Ties, Weight, coefficients
-from subdiv_cli.model import Effort
+from subdiv_cli.model import Effort, Look
 from subdiv_cli.model.proofs import LeaderData, RadiusProof
 
 _WEIGHT_BITS = (14, 26, 39)
@@ -49,14 +49,14 @@ def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> Rad
     """The proof that the polytope is closed, as plain data.
 
     None where some image is not proved to lie inside. Where images on the boundary are no ties, the body grows by
-    vertices beyond them.
+    vertices beyond them. Raises ClockStruckError.
     """
     if not leaders.is_real and not has_disc(leaders.each[0].eigenvalue):
         return None
     for by in (*_PUSHES, None):
         places = _places(family, leaders, grown)
         with ctx.workprec(places + 64):
-            proof = (_MonotoneClosing if grown.body.monotone else _Closing)(family, leaders, grown)
+            proof = (_MonotoneClosing if grown.body.monotone else _Closing)(family, leaders, grown, effort.look)
             if not proof.spans or proof.is_large:
                 return None
             for bits in _WEIGHT_BITS:
@@ -89,7 +89,8 @@ def _places(family: Family, leaders: Leaders, grown: Grown) -> int:
 class _Closing:
     """Vertices in balls at the current precision, and the images decided with them."""
 
-    def __init__(self, family: Family, leaders: Leaders, grown: Grown) -> None:
+    def __init__(self, family: Family, leaders: Leaders, grown: Grown, look: Look) -> None:
+        self._look = look
         self._family, self._leaders, self._body = family, leaders, grown.body
         self._ties = Ties(family, leaders, grown.body, self._smaller)
         self._found: dict[tuple[int, int], Tie | None] = {}
@@ -119,6 +120,7 @@ class _Closing:
     def _enclosed(self) -> list[Balls]:
         vertices: list[Balls] = []
         for u, parent in enumerate(self._body.parents):
+            self._look()
             if parent is None:
                 vertices.append(vector(self._family, self._leaders.each[u]))
             elif parent[0] < 0:
@@ -159,6 +161,7 @@ class _Closing:
         decided: list[tuple[int, ...] | Tie] = []
         left: list[tuple[int, int]] = []
         for pair in sorted(self._body.images):
+            self._look()
             answer = self._decide(self._body.images[pair], bits)
             if answer is None:
                 left.append(pair)

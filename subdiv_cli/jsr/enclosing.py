@@ -20,6 +20,7 @@ from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.measure import independent_columns
 from subdiv_cli.jsr.polytope import Grown
+from subdiv_cli.model import Look, no_clock
 from subdiv_cli.model.proofs import RadiusProof
 
 _PLACES = 60
@@ -39,10 +40,10 @@ class RadiusBound(NamedTuple):
     witness: RadiusProof
 
 
-def enclose(family: Family, grown: Grown, sigma: Fraction) -> RadiusBound | None:
+def enclose(family: Family, grown: Grown, sigma: Fraction, look: Look = no_clock) -> RadiusBound | None:
     """The bound σ·(largest gauge of an image), raised a little; σ is what the body's matrices were divided by.
 
-    None where roundings spoil it, or vertices are complex, or too large for a certificate.
+    None where roundings spoil it, or vertices are complex, or too large for a certificate. Raises what `look` raises.
     """
     if grown.body.complex or not math.isfinite(grown.value) or not (abs(grown.body.columns) < _LARGEST).all():
         return None
@@ -53,7 +54,7 @@ def enclose(family: Family, grown: Grown, sigma: Fraction) -> RadiusBound | None
             return None
         for slack in _SLACK:
             x = _short(sigma * max(Fraction(1), Fraction(grown.value)) * (1 + Fraction(1, 1 << slack)))
-            if (images := proof.images(float(sigma / x), x)) is not None:
+            if (images := proof.images(float(sigma / x), x, look)) is not None:
                 return RadiusBound(x, proof.witness(images))
     return None
 
@@ -113,13 +114,14 @@ class _Enclosing:
         entries = self._vertices[number % self._body.size].entries()
         return entries if number < self._body.size else entries[::-1]
 
-    def images(self, shrink: float, x: Fraction) -> list[tuple[int, ...]] | None:
+    def images(self, shrink: float, x: Fraction, look: Look) -> list[tuple[int, ...]] | None:
         """The weights of every image, for u = 0, 1, … and all letters; None where one is not proved to lie inside.
 
         Weights of images over σ are multiplied by `shrink` = σ/x.
         """
         found = []
         for u in range(self._body.size):
+            look()
             for letter in range(self._family.letters):
                 flat = tuple(self._flat(u, letter, shrink))
                 if not self._is_inside(u, letter, flat, x):

@@ -8,12 +8,26 @@ the verdicts of earlier stages, and answers with findings.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import wraps
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
-from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict, watch
+from subdiv_cli.model import (
+    Answer,
+    ClockStruckError,
+    Data,
+    Effort,
+    Exponent,
+    Finding,
+    Question,
+    Result,
+    Rule,
+    Smoothness,
+    Verdict,
+    watch,
+)
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.findings import Form, answering
 
@@ -79,6 +93,29 @@ class Facts:
 
 Stage = Callable[[Any, Facts], tuple[Finding, ...]]
 """A stage: from the numbers of its kind, and the findings before, to its findings."""
+TIME_ENDED = "the time budget ended"
+
+
+def asking(*asked: tuple[Rule[Any], str]) -> Callable[[Stage], Stage]:
+    """A decorator of a stage whose numbers have an `effort`: what the clock leaves undecided says so.
+
+    Where it strikes in the middle, the stage finds that each of the rules leaves its question undecided.
+    """
+
+    def decorate(stage: Stage) -> Stage:
+        @wraps(stage)
+        def run(numbers: Any, facts: Facts) -> tuple[Finding, ...]:
+            try:
+                findings = stage(numbers, facts)
+            except ClockStruckError:
+                return tuple(rule.undecided(question, TIME_ENDED) for rule, question in asked)
+            if not numbers.effort.struck:
+                return findings
+            return tuple(replace(f, reason=TIME_ENDED) if f.verdict is Verdict.UNDECIDED else f for f in findings)
+
+        return run
+
+    return decorate
 
 
 def run_stages(numbers: Any, stages: Iterable[Stage]) -> tuple[Finding, ...]:

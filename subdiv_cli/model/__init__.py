@@ -10,10 +10,10 @@ Small values are named tuples, which take a tenth of the time to define that a f
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
 
 from subdiv_cli.model import watch
 from subdiv_cli.model.closed import ClosedForm as ClosedForm
@@ -38,6 +38,7 @@ from subdiv_cli.model.findings import Verdict as Verdict
 if TYPE_CHECKING:
     from subdiv_cli.model.blocks import Section
 
+T = TypeVar("T")
 UNKNOWN = Smoothness()
 
 
@@ -130,6 +131,24 @@ class Result:
 DEFAULT_EFFORT = 20_000
 
 
+SEARCH = 0.6
+"""The share of the seconds that is for the search; the rest is for what the checker does."""
+HALF = 0.5
+"""The share of the time left that one long step may take: what is asked after it has the other half."""
+
+
+class ClockStruckError(Exception):
+    """Raised in the middle of a long step when the time of the search is over: what it asked is undecided."""
+
+
+Look = Callable[[], None]
+"""A look at a clock. Raises ClockStruckError when it strikes."""
+
+
+def no_clock() -> None:
+    """Nothing: what looks at this clock has all the time."""
+
+
 class Effort:
     """A bound of the work on one question: a deterministic count, and a clock as a safety net.
 
@@ -140,20 +159,58 @@ class Effort:
     def __init__(self, work: int = DEFAULT_EFFORT, seconds: float | None = None) -> None:
         self.work = work
         self.struck = False
-        self._deadline = None if seconds is None else time.monotonic() + seconds
+        """Whether the clock has cut something off."""
+        now = time.monotonic()
+        self._ends = None if seconds is None else now + SEARCH * seconds
+        self._last = None if seconds is None else now + seconds
+        self._over = False
         self._whole: Effort | None = None
 
-    def limited(self, work: int) -> Effort:
-        """An effort of at most so much work, for one part of a question; the clock is the same."""
+    def limited(self, work: int, share: float = 1) -> Effort:
+        """An effort of at most so much work, for one part of a question, in this share of the time that is left."""
         part = Effort(min(work, self.work))
         part._whole = self
+        if share < 1 and (left := self._left()) is not None:
+            part._ends = time.monotonic() + share * left
         return part
+
+    def _left(self) -> float | None:
+        """The seconds that are left for the search; None without a clock."""
+        ends = [self._ends - time.monotonic()] if self._ends is not None else []
+        ends += [left] if self._whole is not None and (left := self._whole._left()) is not None else []
+        return min(ends, default=None)
 
     def allows(self, work: int) -> bool:
         """Whether a question that has cost `work` so far, its next step included, may take that step."""
+        if self._whole is None:
+            watch.look()
+        if self._ends is not None and not self._over and time.monotonic() > self._ends:
+            self._over = True
+            self.strike()
+        return not self._over and work <= self.work and (self._whole is None or self._whole.allows(work))
+
+    def strike(self) -> None:
+        """Note that the clock has cut something off."""
+        self.struck = True
         if self._whole is not None:
-            return work <= self.work and self._whole.allows(work)
-        watch.look()
-        if self._deadline is not None and time.monotonic() > self._deadline:
-            self.struck = True
-        return not self.struck and work <= self.work
+            self._whole.strike()
+
+    def look(self) -> None:
+        """Look at the clock, in a long step whose work has another bound. Raises ClockStruckError when it strikes."""
+        if not self.allows(0):
+            raise ClockStruckError
+
+    def in_time(self, make: Callable[[], T]) -> T | None:
+        """What the function returns; None where the clock strikes in it."""
+        try:
+            return make()
+        except ClockStruckError:
+            return None
+
+    def seconds_left(self) -> float | None:
+        """The seconds that are left of all, for the checker; None without a clock."""
+        return None if self._last is None else max(0.0, self._last - time.monotonic())
+
+
+UNHURRIED = Effort()
+"""An effort without a clock."""

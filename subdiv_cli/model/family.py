@@ -33,6 +33,8 @@ class FamilyRadius:
     stopped: Literal["budget"] | None = None
     proof: RadiusProof | None = None
     """The proof of the upper bound, or of ρ itself."""
+    left_out: str | None = None
+    """The reason why a better bound is not here, where there is one that the checker has not verified."""
     below: WordBound | None = None
     """The proof of the lower bound, where ρ itself is not proved."""
 

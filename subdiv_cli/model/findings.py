@@ -141,7 +141,8 @@ class Finding:
 
 TOO_DEAR = "its proof asks more work of the checker than it does"
 UNWRITTEN = "its proof costs too much to write down; a higher --effort may do it"
-UNCERTIFIED = (TOO_DEAR, UNWRITTEN)
+OUT_OF_TIME = "the time budget ended before its proof was checked"
+UNCERTIFIED = (TOO_DEAR, UNWRITTEN, OUT_OF_TIME)
 """The reasons of a finding that would be decided, had it a place in the certificate."""
 
 

@@ -12,7 +12,7 @@ from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import box_spline, iterated
 from subdiv_cli.kinds.multivariate.numbers.difference_space import difference_space
-from subdiv_cli.model import Verdict
+from subdiv_cli.model import Effort, Verdict
 
 F = Fraction
 DE_RHAM = scheme([1, 4, 4, 1], start=-1, over=5)
@@ -151,7 +151,7 @@ def test_another_direction_raises_the_smoothness_as_the_rule_says():
         found = []
         for some in (directions, [*directions, another]):
             mask = box_mask(some, s, c)
-            box = box_spline(mask, Lattice(mask.dilation))
+            box = box_spline(mask, Lattice(mask.dilation), Effort())
             assert sorted(box.directions) == sorted(some)
             assert box.depth == depth(some, s)
             determinants = {abs(round(np.linalg.det(np.array(few)))) for few in combinations(some, s)}
@@ -206,7 +206,7 @@ def test_differences_with_long_entries_take_no_minutes():
     mask = multivariate_scheme(
         dict.fromkeys(near, Fraction(9, 32)) | dict.fromkeys(far, Fraction(-1, 32)), ((0, -2), (1, 0))
     )
-    space = difference_space(mask, Lattice(mask.dilation), 1)
+    space = difference_space(mask, Lattice(mask.dilation), 1, Effort())
     assert space is not None
     assert len(space.basis.tolist()) == 44
     assert max(abs(int(x.p)) for x in space.basis.entries()) < 10**4
@@ -222,4 +222,4 @@ def test_coefficients_of_fifty_digits_are_given_up_at_once():
         for ((i, j), x), ((k, l), y) in product(product_so_far.items(), factor.items()):
             terms[i + k, j + l] = terms.get((i + k, j + l), F(0)) + x * y
     mask = multivariate_scheme(terms, ((1, 1), (1, -1)))
-    assert difference_space(mask, Lattice(mask.dilation), 2) is None
+    assert difference_space(mask, Lattice(mask.dilation), 2, Effort()) is None

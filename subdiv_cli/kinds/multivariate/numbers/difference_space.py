@@ -26,6 +26,7 @@ from flint import fmpq_mat, fmpz_mat
 from subdiv_cli.exact.linalg import reduced
 from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
 from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.model import Effort
 
 LARGEST_WINDOW = 1000
 LARGEST_DIMENSION = 120
@@ -51,18 +52,21 @@ class DifferenceSpace:
     """The differences ∇^μ δ, |μ| = k in lexicographic order, as rows of N coordinates."""
 
 
-def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> DifferenceSpace | None:
-    """The space V_k; None where it, or its window, is larger than is looked at, or has no short basis."""
+def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int, effort: Effort) -> DifferenceSpace | None:
+    """The space V_k; None where it, or its window, is larger than is looked at, or has no short basis.
+
+    Raises ClockStruckError.
+    """
     starts = [difference(mu) for mu in indices_of_degree(lattice.dimension, k)]
     at = [min(max(0, low), high) for low, high in zip(*scheme.bounds(), strict=True)]
     cosets = tuple(tuple(map(sum, zip(epsilon, at, strict=True))) for epsilon in lattice.representatives)
-    window = _invariant_window(scheme, lattice, cosets, {alpha for v in starts for alpha in v})
+    window = _invariant_window(scheme, lattice, cosets, {alpha for v in starts for alpha in v}, effort)
     if window is None:
         return None
-    operators = [transition_matrix(scheme, lattice, epsilon, window) for epsilon in cosets]
+    operators = [transition_matrix(scheme, lattice, epsilon, window, effort) for epsilon in cosets]
     places = {alpha: j for j, alpha in enumerate(window)}
     first = fmpq_mat([_row(v, places) for v in starts])
-    span = _closure(first, operators)
+    span = _closure(first, operators, effort)
     if span is None:
         return None
     basis = reduced(span)
@@ -89,14 +93,15 @@ def difference(mu: Index) -> dict[Index, int]:
 
 
 def _invariant_window(
-    scheme: MultivariateScheme, lattice: Lattice, cosets: Sequence[Index], start: Iterable[Index]
+    scheme: MultivariateScheme, lattice: Lattice, cosets: Sequence[Index], start: Iterable[Index], effort: Effort
 ) -> list[Index] | None:
     """The smallest set that holds the start and the supports of all images of sequences on it."""
-    shifts = [tuple(g - e for g, e in zip(gamma, epsilon, strict=True)) for gamma in scheme.terms for epsilon in cosets]
+    shifts = {tuple(g - e for g, e in zip(gamma, epsilon, strict=True)) for gamma in scheme.terms for epsilon in cosets}
     window, queue = set(start), list(start)
     while queue:
+        effort.look()
         beta = queue.pop()
-        for shift in set(shifts):
+        for shift in shifts:
             alpha = lattice.preimage(tuple(b + g for b, g in zip(beta, shift, strict=True)))
             if alpha is not None and alpha not in window:
                 window.add(alpha)
@@ -107,13 +112,14 @@ def _invariant_window(
 
 
 def transition_matrix(
-    scheme: MultivariateScheme, lattice: Lattice, epsilon: Index, window: Sequence[Index]
+    scheme: MultivariateScheme, lattice: Lattice, epsilon: Index, window: Sequence[Index], effort: Effort
 ) -> fmpq_mat:
-    """The square matrix of T_ε on sequences over the window: entry (α, β) is a(ε+Mα-β)."""
+    """The square matrix of T_ε on sequences over the window: entry (α, β) is a(ε+Mα-β). Raises ClockStruckError."""
     common = lcm(*(x.denominator for x in scheme.terms.values()))
     numerators = {gamma: int(x * common) for gamma, x in scheme.terms.items()}
     rows = []
     for alpha in window:
+        effort.look()
         at = tuple(e + x for e, x in zip(epsilon, lattice.image(alpha), strict=True))
         rows.append([numerators.get(tuple(x - b for x, b in zip(at, beta, strict=True)), 0) for beta in window])
     return fmpq_mat(fmpz_mat(rows)) / common
@@ -126,11 +132,12 @@ def _row(v: Mapping[Index, int], places: Mapping[Index, int]) -> list[int]:
     return row
 
 
-def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat]) -> fmpq_mat | None:
+def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat], effort: Effort) -> fmpq_mat | None:
     """A basis of the smallest space that holds the given rows and is mapped into itself, as rows; None as above."""
     transposed = [t.transpose() for t in operators]
     span, rank = _echelon(rows), 0
     while rank < span.nrows():
+        effort.look()
         rank = span.nrows()
         if rank > LARGEST_DIMENSION or _longest(span) > _LONGEST:
             return None

@@ -32,15 +32,15 @@ from subdiv_cli.kinds.multivariate.numbers.polynomials import (
 )
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
 from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
-from subdiv_cli.model import Effort
+from subdiv_cli.model import HALF, Effort
 
 
 class MultivariateNumbers:
     """The numbers of one scheme, under one effort; what no theorem needs is not computed."""
 
-    def __init__(self, scheme: MultivariateScheme, effort: Effort, parts: tuple[Part, ...] = ()) -> None:
+    def __init__(self, scheme: MultivariateScheme, effort: Effort) -> None:
         self.scheme, self.effort = scheme, effort
-        self.parts = parts
+        self.parts: tuple[Part, ...] = ()
         """The factors of a tensor product that is no box spline, with their findings."""
         self.lattice = Lattice(scheme.dilation)
 
@@ -52,7 +52,7 @@ class MultivariateNumbers:
     @cached_property
     def sums(self) -> tuple[Fraction, ...]:
         """The coset sums Σ_β a_(γ+Mβ) for the representatives γ."""
-        return coset_sums(self.scheme, self.lattice, (0,) * self.dimension)
+        return coset_sums(self.scheme, self.lattice)
 
     @cached_property
     def is_normalised(self) -> bool:
@@ -62,7 +62,7 @@ class MultivariateNumbers:
     @cached_property
     def order(self) -> int:
         """The order k of the sum rules of total degree."""
-        return sum_rule_order(self.scheme, self.lattice)
+        return sum_rule_order(self.scheme, self.lattice, self.effort)
 
     @cached_property
     def is_interpolatory(self) -> bool:
@@ -73,7 +73,7 @@ class MultivariateNumbers:
     @cached_property
     def box(self) -> BoxSpline | None:
         """The box spline that φ is, if it is one."""
-        return box_spline(self.scheme, self.lattice) if self.is_normalised else None
+        return box_spline(self.scheme, self.lattice, self.effort) if self.is_normalised else None
 
     @cached_property
     def contractions(self) -> tuple[Contraction, ...] | None:
@@ -105,7 +105,9 @@ class MultivariateNumbers:
     @cached_property
     def space(self) -> DifferenceSpace | None:
         """The space V_k for the order k >= 1 of the sum rules; None without any, or where it is too large."""
-        return difference_space(self.scheme, self.lattice, self.order) if self.order else None
+        if not (k := self.order):
+            return None
+        return self.effort.in_time(lambda: difference_space(self.scheme, self.lattice, k, self.effort))
 
     @cached_property
     def radius(self) -> Radius | None:
@@ -114,17 +116,19 @@ class MultivariateNumbers:
 
         if self.space is None:
             return None
-        return joint_spectral_radius(Family(self.space.matrices), self.effort)
+        return joint_spectral_radius(Family(self.space.matrices), self.effort.limited(self.effort.work, HALF))
 
     @cached_property
     def mean_squares(self) -> MeanSquares | None:
         """The growth of the mean squares of differences of order k >= 1; None where the operator is too large."""
-        return mean_squares(self.scheme, self.lattice, self.order, self.effort) if self.order else None
+        if not (k := self.order):
+            return None
+        return self.effort.in_time(lambda: mean_squares(self.scheme, self.lattice, k, self.effort))
 
     @cached_property
     def gram(self) -> Gram | None:
         """The Gram sequence of the translates of φ, where S converges; None where it is too long."""
-        return gram(self.scheme, self.lattice, self.effort)
+        return self.effort.in_time(lambda: gram(self.scheme, self.lattice, self.effort))
 
     @property
     def mean_decay(self) -> Fraction | None:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import count, product
 from math import ceil, factorial, floor, lcm, prod
 from operator import mul
 from typing import NamedTuple
@@ -22,34 +22,59 @@ from subdiv_cli.exact.linalg import matrix, solution
 from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.symmetries import generated
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme, multiple_of_identity, times
-
-HIGHEST_ORDER = 40
-"""The highest order of sum rules that is tried."""
+from subdiv_cli.model import Effort
 
 
-def coset_sums(scheme: MultivariateScheme, lattice: Lattice, mu: Index) -> tuple[Fraction, ...]:
-    """The sums Σ_β a_(γ+Mβ) (γ+Mβ)^μ for each representative γ."""
+def coset_sums(scheme: MultivariateScheme, lattice: Lattice) -> tuple[Fraction, ...]:
+    """The sums Σ_β a_(γ+Mβ) for each representative γ."""
     sums = {lattice.coset(gamma): Fraction(0) for gamma in lattice.representatives}
     for alpha, value in scheme.terms.items():
-        power = 1
-        for x, e in zip(alpha, mu, strict=True):
-            power *= x**e
-        sums[lattice.coset(alpha)] += value * power
+        sums[lattice.coset(alpha)] += value
     return tuple(sums[lattice.coset(gamma)] for gamma in lattice.representatives)
 
 
-def sum_rule_order(scheme: MultivariateScheme, lattice: Lattice) -> int:
-    """The largest k <= HIGHEST_ORDER with sum rules of order k; 0 where the coset sums of the mask are not 1.
+def sum_rule_order(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> int:
+    """The largest k with sum rules of order k; 0 where the coset sums of the mask are not 1.
 
-    For |μ| < k the coset sums with (γ+Mβ)^μ are the same for all cosets, those of the mask itself 1.
+    For |μ| < k the coset sums with (γ+Mβ)^μ are the same for all cosets, those of the mask itself 1. Polynomials of
+    degree < k are so wherever their origin is: the corner of the support, which keeps numbers short. Raises
+    ClockStruckError.
     """
-    s = lattice.dimension
-    if set(coset_sums(scheme, lattice, (0,) * s)) != {Fraction(1)}:
+    if set(coset_sums(scheme, lattice)) != {Fraction(1)}:
         return 0
-    for k in range(1, HIGHEST_ORDER):
-        if any(len(set(coset_sums(scheme, lattice, mu))) > 1 for mu in indices_of_degree(s, k)):
-            return k
-    return HIGHEST_ORDER
+    lowest, _ = scheme.bounds()
+    common = lcm(*(x.denominator for x in scheme.terms.values()))
+    cosets: dict[Index, dict[Index, int]] = {}
+    for alpha, x in scheme.terms.items():
+        place = tuple(i - low for i, low in zip(alpha, lowest, strict=True))
+        cosets.setdefault(lattice.coset(alpha), {})[place] = x.numerator * (common // x.denominator)
+    sums = [_PowerSums(terms) for terms in cosets.values()]
+    for k in count(1):
+        for mu in indices_of_degree(lattice.dimension, k):
+            effort.look()
+            if len({coset.of(mu) for coset in sums}) > 1:
+                return k
+    raise AssertionError("no finite mask has sum rules of all orders")
+
+
+class _PowerSums:
+    """The sums Σ a_α α^μ of the terms of one coset, variable by variable: what several μ share is summed once."""
+
+    def __init__(self, terms: Mapping[Index, int]) -> None:
+        self._known: dict[Index, Mapping[Index, int]] = {(): terms}
+
+    def of(self, mu: Index) -> int:
+        """The sum with α^μ."""
+        return self._folded(mu)[()]
+
+    def _folded(self, mu: Index) -> Mapping[Index, int]:
+        """The sums over the last variables, as many as μ has, by the indices in the others."""
+        if mu not in self._known:
+            folded: dict[Index, int] = {}
+            for (*others, last), x in self._folded(mu[1:]).items():
+                folded[tuple(others)] = folded.get(tuple(others), 0) + x * last ** mu[0]
+            self._known[mu] = folded
+        return self._known[mu]
 
 
 class Reproduction(NamedTuple):

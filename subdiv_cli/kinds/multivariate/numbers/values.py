@@ -14,6 +14,7 @@ from subdiv_cli.exact.linalg import eigenvectors
 from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.difference_space import transition_matrix
 from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.model import UNHURRIED
 
 LARGEST_WINDOW = 500
 """The most integers of the support."""
@@ -42,7 +43,7 @@ def at_integers(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fra
     if len(window) > LARGEST_WINDOW:
         raise NoValuesError(f"the support has {len(window)} integers; the limit is {LARGEST_WINDOW}")
     zero = (0,) * lattice.dimension
-    vectors = eigenvectors(transition_matrix(scheme, lattice, zero, window), 1) if window else ()
+    vectors = eigenvectors(transition_matrix(scheme, lattice, zero, window, UNHURRIED), 1) if window else ()
     total = sum(vectors[0]) if len(vectors) == 1 else 0
     if not total:
         raise NoValuesError("the refinement equation alone does not determine φ at the integers")

@@ -10,7 +10,7 @@ from subdiv_cli.exact.closed import closed_interval, worded
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.products import radius_bound
-from subdiv_cli.kinds.kind import Facts, Part
+from subdiv_cli.kinds.kind import Facts, Part, asking
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import (
     BOX_SPLINE,
@@ -45,6 +45,7 @@ from subdiv_cli.model.proofs import root_data
 _BELOW, _ABOVE = "how regular are the limit functions at least?", "how regular is φ at most?"
 
 
+@asking((HOLDER_LOWER, _BELOW), (HOLDER_UPPER, _ABOVE))
 def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD614: the Hölder exponent from below. SD615: from above.
 
@@ -200,6 +201,7 @@ def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
 _SOBOLEV_QUESTION = "how regular is φ in L2?"
 
 
+@asking((SOBOLEV, _SOBOLEV_QUESTION))
 def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD617: the Sobolev exponent of φ, s = sup {t : φ ∈ H^t}.
 

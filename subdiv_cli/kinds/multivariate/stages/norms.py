@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from subdiv_cli.exact.text import sized, valued
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, PairContraction
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
@@ -27,6 +27,7 @@ def _quotients(contractions: Sequence[Contraction | PairContraction]) -> Quotien
     return {"quotients": tuple(tuple(sorted(c.quotient.items())) for c in contractions)}
 
 
+@asking()
 def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD604: directional difference schemes that contract.
 
@@ -56,6 +57,7 @@ def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, 
     return (DIRECTIONAL_NORMS.proved(statement, witness, proof=_quotients(contractions)),)
 
 
+@asking()
 def positive_mask(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD608: a positive mask on a box.
 
@@ -75,6 +77,7 @@ def positive_mask(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]
     return (POSITIVE_MASK.proved(statement, {"lowest": lowest, "highest": highest}),)
 
 
+@asking()
 def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD607: C^1 by directional factors.
 
@@ -117,6 +120,7 @@ _MORE_ORDERS = 2
 """The orders of differences above n + 1 that are tried for C^n."""
 
 
+@asking()
 def matrix_norms(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD606: a matrix scheme of differences that contracts.
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.exact.text import number
-from subdiv_cli.kinds.kind import Facts, Part
+from subdiv_cli.kinds.kind import Facts, Part, asking
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import BOX_SPLINE, TENSOR_PRODUCT
 from subdiv_cli.kinds.multivariate.scheme import Index
@@ -23,6 +23,7 @@ from subdiv_cli.kinds.scalar.stages.wording import series
 from subdiv_cli.model import Finding, Question, Rule, Verdict
 
 
+@asking()
 def box_spline(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD603: whether φ is a box spline.
 
@@ -64,6 +65,7 @@ _LEAST_SPARE = Fraction(1, 1000)
 """Exponents that are nearer to each other than four times this, and not rational, are not compared."""
 
 
+@asking()
 def tensor_product(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD609: whether the mask is a tensor product, and what follows for φ from its factors.
 

@@ -8,7 +8,7 @@ from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import rounded_up
 from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.kinds.kind import ContradictionError, Facts, Part
+from subdiv_cli.kinds.kind import ContradictionError, Facts, Part, asking
 from subdiv_cli.kinds.multivariate.numbers.difference_space import DifferenceSpace
 from subdiv_cli.kinds.multivariate.numbers.gram import LEAF, Gram
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
@@ -48,6 +48,7 @@ from subdiv_cli.model import findings as questions
 _DIFFERENCE_RADIUS_QUESTION = "how fast do differences decay?"
 
 
+@asking((DIFFERENCE_RADIUS, _DIFFERENCE_RADIUS_QUESTION))
 def difference_radius(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD605: ρ_k, the joint spectral radius of the transition operators T_ε on V_k, k the order of the sum rules.
 
@@ -82,8 +83,7 @@ def difference_radius(numbers: MultivariateNumbers, facts: Facts) -> tuple[Findi
             ),
         )
     if radius is None:
-        ended = "time budget" if numbers.effort.struck else "effort"
-        return (DIFFERENCE_RADIUS.undecided(_DIFFERENCE_RADIUS_QUESTION, f"the {ended} ended before a bound"),)
+        return (DIFFERENCE_RADIUS.undecided(_DIFFERENCE_RADIUS_QUESTION, "the effort ended before a bound"),)
     witness: DifferenceRadiusWitness = {
         "order": space.order,
         "dimension": space.basis.nrows(),
@@ -125,6 +125,7 @@ _NORMS = {
 """The reasons of convergence with a few numbers, by the code of the finding."""
 
 
+@asking((CONVERGENCE, _CONVERGENCE_QUESTION))
 def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD611: whether S converges uniformly, to a limit that is not zero for some data.
 
@@ -175,6 +176,7 @@ def _converges(why: str, by: str, proof: GrowthProof | None = None) -> Finding:
 _STABILITY_QUESTION = "are the integer translates of φ stable?"
 
 
+@asking((STABILITY, _STABILITY_QUESTION))
 def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD616: whether the integer translates of φ are stable.
 
@@ -234,6 +236,7 @@ def _of_gram_sequence(gram: Gram | None) -> Finding:
 _SMOOTHNESS_QUESTION = "how smooth is φ?"
 
 
+@asking((SMOOTHNESS, _SMOOTHNESS_QUESTION))
 def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD612: the largest n for which φ, and with it every limit function, is proved C^n. SD613: no C^(n+1).
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import comb
 
 from subdiv_cli.exact.text import number
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.polynomials import Point, QuasiInterpolation
 from subdiv_cli.kinds.multivariate.rules import CONVERGENCE, COSET_SUMS, QUASI_INTERPOLATION, REPRODUCTION, SUM_RULES
@@ -23,6 +23,7 @@ from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import near_one, partial_operator
 
 
+@asking()
 def coset_sums(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD601: the coset sums.
 
@@ -46,6 +47,7 @@ _MOST_COSETS = 4
 """The most cosets that are named with a sum that is not 1."""
 
 
+@asking((SUM_RULES, "which sum rules hold?"))
 def sum_rules(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD602: the order of the sum rules of total degree.
 
@@ -70,6 +72,7 @@ def sum_rules(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     return (SUM_RULES.proved(f"sum rules of order {k}: {generated} are generated", {"order": k}, answers=answers),)
 
 
+@asking((REPRODUCTION, "which polynomials are reproduced?"))
 def reproduction(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD618: the reproduction degree, the largest r for which S reproduces the polynomials of total degree r.
 
@@ -101,6 +104,7 @@ _MOST_TERMS = 12
 """The most terms of an operator or a stencil that are written out."""
 
 
+@asking((QUASI_INTERPOLATION, _QUASI_INTERPOLATION_QUESTION))
 def quasi_interpolation(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD619: the operator Q with S^∞ Q f = f for all polynomials f of the total degree that S generates.
 

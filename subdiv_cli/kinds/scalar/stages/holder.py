@@ -16,7 +16,7 @@ from subdiv_cli.exact.text import modulus, number, rounded_down, rounded_up, val
 from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.products import lyndon_words, radius_bound
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.scalar.numbers.estimate import estimated_exponent
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
@@ -33,6 +33,7 @@ from subdiv_cli.model.proofs import root_data
 _HOLDER_LOWER_QUESTION = "how regular are the limit functions at least?"
 
 
+@asking((HOLDER_LOWER, _HOLDER_LOWER_QUESTION))
 def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD311: the Hölder exponent from below.
 
@@ -52,12 +53,8 @@ def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     if k == 0:
         return (HOLDER_LOWER.skipped(_HOLDER_LOWER_QUESTION, no_sum_rule(numbers)),)
     if radius is None:
-        ended = "time budget" if numbers.effort.struck else "effort"
-        return (
-            HOLDER_LOWER.undecided(
-                _HOLDER_LOWER_QUESTION, f"the {ended} ended before a bound of the joint spectral radius"
-            ),
-        )
+        reason = "the effort ended before a bound of the joint spectral radius"
+        return (HOLDER_LOWER.undecided(_HOLDER_LOWER_QUESTION, reason),)
     witness: HolderLowerWitness = {"difference_order": k, "radius_of": numbers.name, "length": radius.upper[0]}
     name = f"ρ({last_difference(numbers)})"
     if radius.exact is not None:
@@ -79,6 +76,7 @@ def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 _HOLDER_UPPER_QUESTION = "how regular is φ at most?"
 
 
+@asking((HOLDER_UPPER, _HOLDER_UPPER_QUESTION))
 def holder_upper(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD312: the Hölder exponent from above.
 
@@ -132,6 +130,7 @@ _WORDS = 5
 _WORK = 4000
 
 
+@asking((HOLDER_ATTAINED, _HOLDER_ATTAINED_QUESTION))
 def holder_attained(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD313: whether the Hölder exponent is attained.
 

@@ -12,7 +12,7 @@ from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, is_short, modulus, number, rounded_up, valued
 from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
@@ -88,6 +88,7 @@ def put_product(witness: ProductWitness, product: WordProduct) -> None:
 _JOINT_RADIUS_QUESTION = "what is the joint spectral radius of the last difference scheme?"
 
 
+@asking((JOINT_RADIUS, _JOINT_RADIUS_QUESTION))
 def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD310: the joint spectral radius of D = S_(Δ^k), the last difference scheme.
 
@@ -117,9 +118,7 @@ def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 def _finding(numbers: ScalarNumbers) -> Finding:
     radius = numbers.radius
     if radius is None:
-        return JOINT_RADIUS.undecided(
-            _JOINT_RADIUS_QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before a bound"
-        )
+        return JOINT_RADIUS.undecided(_JOINT_RADIUS_QUESTION, "the effort ended before a bound")
     witness: JointRadiusWitness = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
     put_radius(witness, radius)
     if radius.vertices is not None:

@@ -7,7 +7,7 @@ from fractions import Fraction
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, rounded_up, sized, valued
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.kind import ContradictionError, Facts, asking
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import (
     CONTRACTIVITY,
@@ -37,6 +37,7 @@ from subdiv_cli.model import Finding, Smoothness, Verdict
 from subdiv_cli.model import findings as questions
 
 
+@asking()
 def contractivity(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD301: for ν = 1, …, k, whether (1/p)S_ν contracts.
 
@@ -71,8 +72,7 @@ def contraction(numbers: ScalarNumbers, nu: int) -> Finding:
     if numbers.radius is not None and numbers.radius.is_below(Fraction(1, numbers.p ** (nu - 1))):
         return _by_radius(numbers, nu)
     lowest = f"the lowest is {valued(min(norms))}" if norms else "not one was computed"
-    more = "the time budget ended" if numbers.effort.struck else "a higher effort computes more"
-    reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); {more}"
+    reason = f"the norms up to level {len(norms)} are not below 1 ({lowest}); a higher effort computes more"
     return CONTRACTIVITY.undecided(f"does {operator} contract?", reason, {"nu": nu, "norms": norms})
 
 
@@ -106,6 +106,10 @@ def _bound(radius: Radius) -> str:
     return rounded_up(enclosed(radius).upper or 0.0, 12)
 
 
+_CONVERGENCE_QUESTION = "does S converge uniformly?"
+
+
+@asking((CONVERGENCE, _CONVERGENCE_QUESTION))
 def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD201: whether S converges uniformly, to a limit that is not zero for some data (Dyn 1992, section 2).
 
@@ -137,7 +141,7 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         limit = " to a non-zero limit" if against.code == RESIDUE_SUMS.code else ""
         statement = f"S does not converge uniformly{limit}: {against.statement}"
         return (CONVERGENCE.refuted(statement, _witness(against), why=against.statement),)
-    return (CONVERGENCE.undecided("does S converge uniformly?", first[0].reason or ""),)
+    return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, first[0].reason or ""),)
 
 
 def _witness(by: Finding) -> ConvergenceWitness:
@@ -147,6 +151,7 @@ def _witness(by: Finding) -> ConvergenceWitness:
 _SMOOTHNESS_QUESTION = "how smooth is φ?"
 
 
+@asking((SMOOTHNESS, _SMOOTHNESS_QUESTION))
 def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD302: the largest n for which φ, and with it every limit function, is proved C^n.
 
@@ -193,6 +198,10 @@ def _proved(what: str, why: str, order: int, by: str) -> Finding:
     return SMOOTHNESS.proved(what + why, {"order": order, "by": by}, answers=answers, why=why)
 
 
+_NEXT_SMOOTHNESS_QUESTION = "is φ smoother than proved?"
+
+
+@asking((NEXT_SMOOTHNESS, _NEXT_SMOOTHNESS_QUESTION))
 def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD303: whether C^(n+1) is refuted for a φ that is proved C^n.
 
@@ -207,7 +216,7 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
     Raises ContradictionError where C^(n+1) is proved and refuted.
     """
     if facts.verdict(SMOOTHNESS) is not Verdict.PROVED:
-        return (NEXT_SMOOTHNESS.skipped("is φ smoother than proved?", "no smoothness of φ is proved"),)
+        return (NEXT_SMOOTHNESS.skipped(_NEXT_SMOOTHNESS_QUESTION, "no smoothness of φ is proved"),)
     reduced, proved = numbers.reduced, facts.witness(SMOOTHNESS)["order"]
     if obstacle_to(reduced, proved) is not None:
         raise ContradictionError(f"C^{proved} is proved and refuted")

@@ -27,7 +27,7 @@ from flint import arb, ctx
 from subdiv_cli.exact.closed import exponent, worded
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, valued
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth, mean_square_growth, transfer_order
 from subdiv_cli.kinds.scalar.rules import SOBOLEV
@@ -41,6 +41,7 @@ RULE = SOBOLEV
 _QUESTION = "how regular is φ in L2?"
 
 
+@asking((RULE, _QUESTION))
 def run(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD321: the Sobolev exponent of φ; see the theorem above."""
     numbers = numbers.reduced

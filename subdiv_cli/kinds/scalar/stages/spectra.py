@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber
 from subdiv_cli.exact.text import eigenvalue, modulus, number
-from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.kind import ContradictionError, Facts, asking
 from subdiv_cli.kinds.scalar.numbers.operators import refinement_window
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.spectra import Spectrum, eigen_condition, limit_stencil
@@ -18,6 +18,7 @@ _EIGEN_CONDITION_QUESTION = (
 )
 
 
+@asking((EIGEN_CONDITION, _EIGEN_CONDITION_QUESTION))
 def of_scheme(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD202: the eigen-condition of a convergent scheme.
 
@@ -67,8 +68,10 @@ def _size(entry: tuple[AlgebraicNumber, int]) -> float:
 
 
 _MOST_LISTED = 6
+_SMOOTHNESS_SPECTRUM_QUESTION = "do the derived schemes meet their eigen-conditions?"
 
 
+@asking((SMOOTHNESS_SPECTRUM, _SMOOTHNESS_SPECTRUM_QUESTION))
 def of_derived_schemes(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD304: the eigen-conditions of the derived schemes.
 
@@ -86,7 +89,7 @@ def of_derived_schemes(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, .
     """
     if facts.verdict(EIGEN_CONDITION) is not Verdict.PROVED:
         reason = "the eigen-condition of S itself is not proved"
-        return (SMOOTHNESS_SPECTRUM.skipped("do the derived schemes meet their eigen-conditions?", reason),)
+        return (SMOOTHNESS_SPECTRUM.skipped(_SMOOTHNESS_SPECTRUM_QUESTION, reason),)
     spectra = numbers.spectra or ()
     largest = _largest_order(spectra, numbers)
     stable = facts.verdict(STABILITY) is Verdict.PROVED

@@ -8,7 +8,7 @@ from flint import fmpq_poly
 
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import laurent
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.stability import ReductionStep
 from subdiv_cli.kinds.scalar.rules import INDEPENDENCE, REDUCTION, STABILITY
@@ -16,7 +16,11 @@ from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED
 from subdiv_cli.kinds.scalar.witnesses import ReductionWitness, StabilityWitness
 from subdiv_cli.model import Finding, Verdict
 
+_INDEPENDENCE_QUESTION = "are the integer translates of φ linearly independent?"
+_STABILITY_QUESTION = "are the integer translates of φ stable?"
 
+
+@asking((INDEPENDENCE, _INDEPENDENCE_QUESTION))
 def independence(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD401: whether the integer translates of the refinable function φ are linearly independent.
 
@@ -34,7 +38,7 @@ def independence(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 def _independence(numbers: ScalarNumbers) -> Finding:
     p = numbers.p
     if not numbers.is_normalised:
-        return INDEPENDENCE.skipped("are the integer translates of φ linearly independent?", NOT_NORMALISED)
+        return INDEPENDENCE.skipped(_INDEPENDENCE_QUESTION, NOT_NORMALISED)
     g = numbers.polyphase_gcd
     dependent = "the translates of φ are linearly dependent"
     if g.degree > 0:
@@ -48,6 +52,7 @@ def _independence(numbers: ScalarNumbers) -> Finding:
     return INDEPENDENCE.proved(f"the translates of φ are linearly independent: {why}", {"largest_n": largest}, why=why)
 
 
+@asking((STABILITY, _STABILITY_QUESTION))
 def stability(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD402: whether the integer translates of φ are stable.
 
@@ -68,7 +73,7 @@ def stability(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 def _stability(numbers: ScalarNumbers, facts: Facts) -> Finding:
     independent = facts.verdict(INDEPENDENCE)
     if independent is Verdict.SKIPPED:
-        return STABILITY.skipped("are the integer translates of φ stable?", facts[INDEPENDENCE].reason or "")
+        return STABILITY.skipped(_STABILITY_QUESTION, facts[INDEPENDENCE].reason or "")
     if independent is Verdict.PROVED:
         why = "its integer translates are linearly independent"
         return STABILITY.proved(f"φ is stable: {why}", stability_witness(numbers), why=why)
@@ -98,6 +103,7 @@ def stability_witness(numbers: ScalarNumbers) -> StabilityWitness:
     return witness
 
 
+@asking()
 def reduced_mask(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD403: an unstable mask reduced to a stable one.
 
