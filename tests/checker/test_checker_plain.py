@@ -43,13 +43,25 @@ def test_literal_numbers(entries, start, arity):
     assert plain_mask(content) == plain(arity, start, [x for _, x in entries])
 
 
+def test_a_mask_without_start_begins_at_zero():
+    assert plain_mask("[mask]\ncoefficients = [1, 2]\n") == plain(2, 0, [Fraction(1), Fraction(2)])
+    heading = 'kind = "multivariate"\n[mask]\n'
+    for rows, start in (("[[1, 2]]", "[0, 0]"), ("[[[1, 2]]]", "[0, 0, 0]")):
+        found = plain_mask(f"{heading}coefficients = {rows}\n")
+        assert found is not None
+        assert found == plain_mask(f"{heading}start = {start}\ncoefficients = {rows}\n")
+
+
 @pytest.mark.parametrize(
     "content",
     [
         "",
         "[mask",
         'kind = "vector"\n[mask]\nstart = 0\ncoefficients = [1]\n',
-        "[mask]\ncoefficients = [1, 1]\n",
+        "[mask]\nstart = 0\n",
+        "[mask]\nstart = 0\ncoefficients = [[1, 1]]\n",
+        'kind = "multivariate"\n[mask]\ncoefficients = [1, 1]\n',
+        'kind = "multivariate"\n[mask]\ncoefficients = ' + "[" * 9 + "1" + "]" * 9 + "\n",
         '[mask]\nsymbol = "1+z"\n',
         '[parameters]\nw = 1\n[mask]\nstart = 0\ncoefficients = [1, "w"]\n',
         '[mask]\nstart = 0\ncoefficients = [1, "1/0"]\n',
