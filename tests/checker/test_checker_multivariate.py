@@ -547,9 +547,9 @@ def test_an_upper_bound_needs_stability():
         rejected(made, len(claims) - 1, "it uses stable with another holds")
 
 
-@pytest.mark.parametrize(("name", "words"), [("moved", "a_0 is not 1"), ("perturbed", "another coefficient")])
+@pytest.mark.parametrize(("name", "words"), [("moved", None), ("perturbed", "no coset has one coefficient only")])
 def test_an_interpolatory_mask_interpolates(name, words):
-    """Both converge, by their directional factors."""
+    """Both converge, by their directional factors; the shift of an interpolatory mask is as stable as that."""
     factors = []
     for x in ((1, 0), (0, 1)):
         d = quotient(name, *x)
@@ -559,7 +559,10 @@ def test_an_interpolatory_mask_interpolates(name, words):
     claims = [claim("coset-sums", holds=True), *factors, converges]
     assert check_document(of(name, *claims)).verified
     made = of(name, *claims, claim("interpolatory-stable", [3], property="stable", holds=True))
-    rejected(made, 4, words)
+    if words is None:
+        assert check_document(made).verified
+    else:
+        rejected(made, 4, words)
 
 
 def test_a_smaller_growth_than_the_largest_is_not_that_of_the_mean_squares():

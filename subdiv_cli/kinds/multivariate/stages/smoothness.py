@@ -176,7 +176,8 @@ def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]
 
     Theorems. Box splines (SD603): iff the directions are unimodular (Dahmen & Micchelli 1983; Jia 1984; de Boor, Höllig
     & Riemenschneider 1993, II.57). Interpolatory masks, a_(Mα) = δ_α, of schemes that converge (SD611): φ(α) = δ_α, so
-    the translates are stable and linearly independent. Tensor products (SD609) that converge: iff all factors are. Of
+    the translates are stable and linearly independent; and shifts of such masks, as the function of a(· + t) is φ(· +
+    (M-I)^-1 t). Tensor products (SD609) that converge: iff all factors are. Of
     all other schemes that converge: iff the symbol of the Gram sequence g_α = ∫ φ φ(·-α) has no zero on the torus (Jia
     & Micchelli 1991; numbers/gram.py). Hypothesis of the last three, convergence: checked. Of schemes that do not
     converge only box splines are decided.
@@ -202,8 +203,10 @@ def stability(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]
     if numbers.parts:
         said = "φ is stable: its factors are", "φ is not stable", "its factor in {} is not"
         return (products.follows(STABILITY, _STABILITY_QUESTION, numbers.parts, questions.STABILITY, *said),)
-    if numbers.is_interpolatory:
-        return (STABILITY.proved("φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers", {"by": CONVERGENCE.code}),)
+    if numbers.is_shifted_interpolatory:
+        where = "" if numbers.is_interpolatory else ", a shift of φ aside"
+        statement = f"φ is stable: φ(0) = 1 and φ(α) = 0 at all other integers{where}"
+        return (STABILITY.proved(statement, {"by": CONVERGENCE.code}),)
     return (_of_gram_sequence(numbers.gram),)
 
 
