@@ -85,8 +85,9 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
     assert kind.proofs is not None, "a kind that finds something proves it"
     proofs = kind.proofs(analysis)
     certificate = _verified(proofs)
-    claims = certificate.claims if certificate is not None else [()] * len(analysis.findings)
-    gathered = gather(tuple(map(_claimed, analysis.findings, claims, proofs.numbers)))
+    findings = certificate.findings if certificate is not None else analysis.findings
+    claims = certificate.claims if certificate is not None else [()] * len(findings)
+    gathered = gather(tuple(map(_claimed, findings, claims, proofs.numbers)))
     result = replace(
         gathered,
         kind=kind.name,
@@ -137,7 +138,7 @@ def _claimed(finding: Finding, claims: tuple[int, ...], made: Sequence[int]) -> 
     """
     if finding.verdict in DECIDED and not claims:
         return uncertified(finding, TOO_DEAR if made else UNWRITTEN)
-    return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
+    return replace(finding, claims=claims, proof={}, otherwise=()) if claims or finding.proof else finding
 
 
 def _with_digits(exponent: Exponent | None) -> Exponent | None:

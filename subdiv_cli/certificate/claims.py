@@ -116,6 +116,8 @@ class Certificate(NamedTuple):
     """A document as FORMAT.md has it, and for each finding the numbers of its claims that say the same."""
 
     document: Json
+    findings: tuple[Finding, ...]
+    """The findings, in the place of each that is left out the first of those otherwise that is not."""
     claims: tuple[tuple[int, ...], ...]
     made: Sequence[int]
     """The claims of the document, as they are numbered where none is left out."""
@@ -129,37 +131,51 @@ class Proofs(NamedTuple):
     findings: Sequence[Finding]
     numbers: Sequence[Sequence[int]]
     """None for a finding that is not decided, or whose witness was too costly to compute."""
+    make: Callable[[Finding], Sequence[int]]
+    """The function that makes the claims of one more finding."""
 
     def certificate(self, without: Set[int] = frozenset()) -> Certificate | None:
         """The certificate of the findings that the checker has work for and that need none of these claims.
 
         None where there is none.
         """
-        kept, left = self._selected(without)
-        numbers = [() if place in left else several for place, several in enumerate(self.numbers)]
-        goal = [number for several in numbers for number in several]
+        kept, chosen = self._selected(without)
+        goal = [number for _, numbers in chosen for number in numbers]
         if not goal:
             return None
         made = sorted(kept)
         new = {old: number for number, old in enumerate(made)}
-        renumbered = tuple(tuple(new[number] for number in several) for several in numbers)
-        return Certificate(self.claims.document(self.mask, goal, made), renumbered, made)
+        renumbered = tuple(tuple(new[number] for number in numbers) for _, numbers in chosen)
+        document = self.claims.document(self.mask, goal, made)
+        return Certificate(document, tuple(finding for finding, _ in chosen), renumbered, made)
 
-    def _selected(self, without: Set[int]) -> tuple[Collection[int], Set[int]]:
-        """The claims that are kept, and the places of the findings that are left out."""
+    def _selected(self, without: Set[int]) -> tuple[Collection[int], Sequence[tuple[Finding, Sequence[int]]]]:
+        """The claims that are kept, and for each place its finding, or one otherwise, with the numbers of its claims.
+
+        There are no numbers where the finding is left out.
+        """
         room = MOST_WORK
-        if not without and sum(claim["work"] for claim in self.claims.made) <= room:
-            return range(len(self.claims.made)), frozenset()
-        kept, left = set[int](), set[int]()
-        for place in sorted(range(len(self.findings)), key=lambda place: _importance(self.findings[place])):
-            more = self.claims.closure(self.numbers[place], kept)
-            work = sum(self.claims.made[number]["work"] for number in more)
-            if work > room or more & without:
-                left.add(place)
-            else:
-                kept |= more
-                room -= work
-        return kept, left
+        chosen = list(zip(self.findings, self.numbers, strict=True))
+        written = all(numbers or not finding.otherwise for finding, numbers in chosen)
+        if not without and written and sum(claim["work"] for claim in self.claims.made) <= room:
+            return range(len(self.claims.made)), chosen
+        kept = set[int]()
+        for place in sorted(range(len(chosen)), key=lambda place: _importance(self.findings[place])):
+            chosen[place] = self.findings[place], ()
+            for finding, numbers in self._choices(place):
+                more = self.claims.closure(numbers, kept)
+                work = sum(self.claims.made[number]["work"] for number in more)
+                if numbers and work <= room and not more & without:
+                    kept |= more
+                    room -= work
+                    chosen[place] = finding, numbers
+                    break
+        return kept, chosen
+
+    def _choices(self, place: int) -> Iterator[tuple[Finding, Sequence[int]]]:
+        """The finding at a place and those otherwise, each with its claims, which are made when it is asked for."""
+        yield self.findings[place], self.numbers[place]
+        yield from ((other, self.make(other)) for other in self.findings[place].otherwise)
 
 
 def _importance(finding: Finding) -> int:
@@ -183,7 +199,7 @@ def proofs(
         except UnwrittenError:
             return ()
 
-    return Proofs(claims, mask, findings, tuple(map(made, findings)))
+    return Proofs(claims, mask, findings, tuple(map(made, findings)), made)
 
 
 def polynomial(start: int, coefficients: Sequence[Fraction | int]) -> Json:

@@ -6,7 +6,7 @@ question. A rule is a row of a kind's table: what all findings of one code share
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
@@ -137,6 +137,13 @@ class Finding:
     """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
     """The claims of the certificate that state the same, checked independently."""
+    otherwise: tuple[Finding, ...] = ()
+    """Findings of the rule that prove no more, by other routes: the first that can be certified, where this cannot."""
+
+
+def best_of(findings: Sequence[Finding]) -> Finding:
+    """The first of several findings of a rule, the strongest one, with the others as what is proved otherwise."""
+    return replace(findings[0], otherwise=tuple(findings[1:]))
 
 
 TOO_DEAR = "its proof asks more work of the checker than it does"
@@ -157,6 +164,7 @@ def uncertified(finding: Finding, reason: str) -> Finding:
         witness={},
         proof={},
         closed=None,
+        otherwise=(),
     )
 
 
@@ -197,11 +205,16 @@ class Rule(NamedTuple):
         return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
 
     def refuted(
-        self, statement: str, witness: Witness, answers: Answers | None = None, why: str | None = None
+        self,
+        statement: str,
+        witness: Witness,
+        answers: Answers | None = None,
+        why: str | None = None,
+        proof: Witness | None = None,
     ) -> Finding:
         """A finding that is refuted; `why` is put behind the statement."""
         statement = f"{statement}: {why}" if why else statement
-        return replace(self._finding(Verdict.REFUTED, statement, None, witness, answers=answers), why=why)
+        return replace(self._finding(Verdict.REFUTED, statement, None, witness, proof=proof, answers=answers), why=why)
 
     def undecided(self, asked: str, reason: str, witness: Witness | None = None) -> Finding:
         """A finding that could not be decided: the question, and why."""

@@ -86,7 +86,7 @@ SOBOLEV = row(
     "surface-sobolev",
     f"Jia 1999; Han 2003; {_BOX_SPLINES}, chapter I",
     answers=q.SOBOLEV,
-    proves="sobolev sobolev-lower sobolev-value of-factor",
+    proves="sobolev sobolev-lower sobolev-value sobolev-at-least sobolev-at-most of-factor at-most-factor",
 )
 REPRODUCTION = row(
     "SD618",

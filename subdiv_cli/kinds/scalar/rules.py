@@ -70,7 +70,13 @@ HOLDER_ATTAINED = row(
     proves="attained",
     holds=True,
 )
-SOBOLEV = row("SD321", "sobolev-exponent", "Villemoes 1992; Jia 1999", answers=q.SOBOLEV, proves="sobolev")
+SOBOLEV = row(
+    "SD321",
+    "sobolev-exponent",
+    "Villemoes 1992; Jia 1999",
+    answers=q.SOBOLEV,
+    proves="sobolev sobolev-at-least sobolev-at-most",
+)
 INDEPENDENCE = row(
     "SD401",
     "linear-independence",

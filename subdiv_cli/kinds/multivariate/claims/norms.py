@@ -37,9 +37,9 @@ def directional_norms(claims: Claims, finding: Finding, c: int) -> list[int]:
     return numbers
 
 
-def pairs(claims: Claims, finding: Finding, order: int, coset_sums: int, s: int, c: int) -> int:
-    """The number of the claim that φ is C^order, order <= 1, in s variables with the dilation cI."""
-    uses = [coset_sums]
+def pair_norms(claims: Claims, finding: Finding, c: int) -> list[int]:
+    """The numbers of the claims on the quotients by pairs of directional factors, with the dilation cI."""
+    numbers = []
     each = zip(*(as_tuple(finding.witness[key]) for key in ("directions", "levels", "norms")), strict=True)
     for (directions, level, norm), quotient in zip(each, as_tuple(finding.proof["quotients"]), strict=True):
         statement = {
@@ -49,8 +49,8 @@ def pairs(claims: Claims, finding: Finding, order: int, coset_sums: int, s: int,
             "norm": rational(as_rational(norm)),
         }
         work = len(as_tuple(quotient)) * (c + c**2 + c + _length(quotient, c, as_integer(level)))
-        uses.append(claims.add("pair-norm", statement, {"quotient": spelled(quotient)}, uses=[], work=work))
-    return claims.add("directional-smooth", {"property": "smooth", "order": order}, {}, uses, 24 * (s + 1))
+        numbers.append(claims.add("pair-norm", statement, {"quotient": spelled(quotient)}, uses=[], work=work))
+    return numbers
 
 
 def _length(quotient: Data, c: int, level: int) -> int:

@@ -122,18 +122,20 @@ class Factors:
         return self._of_one("at-most-factor", finding, HOLDER_UPPER)
 
     def sobolev(self, finding: Finding) -> list[int]:
-        """The claims on the Sobolev exponent, or on its bound from below, by the factor that the finding names."""
-        return self._of_one("of-factor", finding, SOBOLEV)
+        """The claims on the Sobolev exponent, or on its bounds, by the factors that the finding names."""
+        below = self._of_one("of-factor", finding, SOBOLEV) if "variables" in finding.witness else None
+        above = self._of_one("at-most-factor", finding, SOBOLEV, "above") if "above" in finding.witness else None
+        return [] if below == [] or above == [] else [*(below or ()), *(above or ())]
 
-    def _of_one(self, rule: str, finding: Finding, question: Question) -> list[int]:
+    def _of_one(self, rule: str, finding: Finding, question: Question, key: str = "variables") -> list[int]:
         """The claims by one factor's answer to a question; none where a certificate it needs does not state it."""
-        between = finding.witness.get("between")
+        between = finding.witness.get("between") if rule == "of-factor" else None
         said = {part.variables: part.stated.get(question, ()) for part in self._parts}
-        variables = cast("tuple[int, ...]", finding.witness["variables"])
+        variables = cast("tuple[int, ...]", finding.witness[key])
         if not self._complete or not said[variables] or (between is not None and not all(said.values())):
             return []
         witness = {} if between is None else {"between": rational(as_rational(between))}
-        statement = {"variables": list(variables), "statement": said[variables][0]}
+        statement = {"variables": list(variables), "statement": said[variables][0 if rule == "of-factor" else -1]}
         return [self._claims.prove(rule, statement, witness, [self.product()], len(self._parts))]
 
 

@@ -12,8 +12,9 @@ from subdiv_cli.certificate.radius import Radii, root_fields, spelled
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
 from subdiv_cli.kinds.kind import Analysis, Facts, Part
 from subdiv_cli.kinds.multivariate import rules
-from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pairs
+from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pair_norms
 from subdiv_cli.kinds.multivariate.claims.products import BoxSplineClaims, Factors, PartCertificate
+from subdiv_cli.kinds.multivariate.stages.wording import below_bound, largest_norm
 from subdiv_cli.kinds.multivariate.text.writing import canonical
 from subdiv_cli.kinds.scalar.claims import claims_of as univariate_claims
 from subdiv_cli.model import Data, Finding, Verdict, exact_root
@@ -36,12 +37,12 @@ def _of_part(part: Part) -> PartCertificate | None:
     written = make(part.analysis).certificate()
     if written is None:
         return None
-    claims = written.document["claims"]
+    claims, findings = written.document["claims"], part.analysis.findings
     stated = {
         question: [claims[number]["statement"] for number in numbers]
-        for finding, numbers in zip(part.analysis.findings, written.claims, strict=True)
+        for finding, chosen, numbers in zip(findings, written.findings, written.claims, strict=True)
         for question, _ in finding.answers
-        if numbers
+        if numbers and chosen is finding
     }
     return PartCertificate(part.variables, written.document, stated)
 
@@ -75,13 +76,13 @@ class _Proof:
             rules.DIRECTIONAL_SMOOTHNESS.code: lambda _: [self._pairs()],
             rules.POSITIVE_MASK.code: lambda _: [self._positive()],
             rules.TENSOR_PRODUCT.code: lambda _: [self.factors.product()],
-            rules.CONVERGENCE.code: lambda _: [self._convergent()],
+            rules.CONVERGENCE.code: lambda found: [self._convergent(found)],
             rules.SMOOTHNESS.code: lambda found: [self._smooth(found)],
             rules.NEXT_SMOOTHNESS.code: lambda found: [self._not_smooth(found)],
             rules.HOLDER_LOWER.code: self._lower,
             rules.HOLDER_UPPER.code: self._upper,
             rules.STABILITY.code: lambda _: [self._stable()],
-            rules.SOBOLEV.code: lambda found: [self._sobolev(found)],
+            rules.SOBOLEV.code: self._sobolev,
             rules.REPRODUCTION.code: lambda found: [self._reproduction(found)],
             rules.QUASI_INTERPOLATION.code: lambda found: [self._quasi_interpolation(found)],
         }
@@ -126,9 +127,23 @@ class _Proof:
         return matrix_norm(self.claims, self.found[rules.MATRIX_NORMS], self._sum_rules())
 
     def _pairs(self, order: int = 1) -> int:
-        return pairs(
-            self.claims, self.found[rules.DIRECTIONAL_SMOOTHNESS], order, self._coset_sums(), self.s, self._factor()
-        )
+        uses = [self._coset_sums(), *pair_norms(self.claims, self.found[rules.DIRECTIONAL_SMOOTHNESS], self._factor())]
+        return self.claims.prove("directional-smooth", {"property": "smooth", "order": order}, {}, uses, self._basis)
+
+    @property
+    def _basis(self) -> int:
+        """The work to see that directions are bases of Z^s."""
+        return 24 * (self.s + 1)
+
+    def _directional_decay(self, by: Data) -> int:
+        """The claim on the decay of differences by directional factors, one at a time or in pairs."""
+        order = 2 if by == rules.DIRECTIONAL_SMOOTHNESS.code else 1
+        finding = self.found[rules.DIRECTIONAL_SMOOTHNESS if order == 2 else rules.DIRECTIONAL_NORMS]
+        level, bound = largest_norm(finding, self._factor() ** (order - 1))
+        norms = pair_norms if order == 2 else directional_norms
+        uses = [self._coset_sums(), *norms(self.claims, finding, self._factor())]
+        statement = {"order": order, "level": level, "norm": rational(bound)}
+        return self.claims.prove("directional-decay", statement, {}, uses, self._basis)
 
     def _positive(self) -> int:
         uses, work = [self._coset_sums()], self.terms * self.s
@@ -171,8 +186,9 @@ class _Proof:
         statement = {"property": "radius-lower", "family": 0, "length": len(word), "bound": rational(bound)}
         return self.claims.prove("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
 
-    def _convergent(self) -> int:
-        found = self.found[rules.CONVERGENCE]
+    def _convergent(self, finding: Finding | None = None) -> int:
+        """The claim on convergence, by the first finding unless another one is given."""
+        found = finding or self.found[rules.CONVERGENCE]
         holds, by = found.verdict is Verdict.PROVED, found.witness["by"]
         if by == rules.POSITIVE_MASK.code:
             return self._positive()
@@ -187,10 +203,10 @@ class _Proof:
             if not said:
                 raise UnwrittenError
             return said[0]
-        elif by == rules.MATRIX_NORMS.code:
-            uses = [self._matrix_norm()]
-        elif by == rules.SOBOLEV.code:
-            uses = [self._mean_squares(found, lower=True)]
+        elif by == rules.BOX_SPLINE.code:
+            uses = [self.box.not_smooth(0)]
+        elif by in (rules.MATRIX_NORMS.code, rules.SOBOLEV.code, rules.DIRECTIONAL_SMOOTHNESS.code):
+            uses = self._decay(found)
         elif by == rules.DIFFERENCE_RADIUS.code:
             word = () if holds else as_word(found.witness)
             uses = [self._radius() if holds else self._word(word, Fraction(1)), self._differences()]
@@ -216,11 +232,16 @@ class _Proof:
         return self.claims.prove("smooth", {"order": n}, uses=self._decay(finding))
 
     def _decay(self, finding: Finding) -> list[int]:
-        """The claims that bound ρ_k from above: by the radius of a family, or by mean squares."""
-        if finding.witness["by"] == rules.SOBOLEV.code:
+        """The claims that bound ρ_k from above: by the radius of a family, by norms, or by mean squares."""
+        by = finding.witness["by"]
+        if by == rules.CONVERGENCE.code:
+            return [self._convergent()]
+        if by == rules.SOBOLEV.code:
             return [self._mean_squares(finding, lower=True)]
-        if finding.witness["by"] == rules.MATRIX_NORMS.code:
+        if by == rules.MATRIX_NORMS.code:
             return [self._matrix_norm()]
+        if by in (rules.DIRECTIONAL_NORMS.code, rules.DIRECTIONAL_SMOOTHNESS.code):
+            return [self._directional_decay(by)]
         return [self._radius(), self._differences()]
 
     def _not_smooth(self, finding: Finding) -> int:
@@ -230,6 +251,8 @@ class _Proof:
             return self.box.not_smooth(n)
         if by == rules.SUM_RULES.code:
             return self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
+        if by == rules.SOBOLEV.code:
+            return self.claims.prove("not-smooth", statement, uses=[self._mean_squares(finding, lower=False)])
         below = self._reaching(n)
         return self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])
 
@@ -243,41 +266,72 @@ class _Proof:
         return self._word(word * self.s, Fraction(1, self.m ** (n * len(word))))
 
     def _lower(self, finding: Finding) -> list[int]:
-        if finding.witness["by"] == rules.BOX_SPLINE.code:
-            return [self.box.holder(as_rational(finding.witness["value"]))]
-        root = cast("Map | None", finding.witness.get("root"))
+        found = finding.witness
+        if found["by"] == rules.BOX_SPLINE.code:
+            return [self.box.holder(as_rational(found["value"]))]
+        root = cast("Map | None", found.get("root"))
         if root is not None and self.found[rules.STABILITY].verdict is Verdict.PROVED:
             return [self._exponent(finding, root)]
-        bound = rational(as_rational(root["high"] if root is not None else finding.witness["bound"]))
-        statement = {"length": finding.witness["length"], "bound": bound}
+        statement = {"length": found["length"], "bound": rational(below_bound(finding))}
         uses = self._decay(finding)
         return [self.claims.prove("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
 
     def _upper(self, finding: Finding) -> list[int]:
-        if finding.witness["by"] == rules.BOX_SPLINE.code:
-            return [self.box.holder(as_rational(finding.witness["value"]))]
-        root = cast("Map | None", self.found[rules.HOLDER_LOWER].witness.get("root"))
-        if root is not None:
-            return [self._exponent(self.found[rules.HOLDER_LOWER], root)]
-        bound = as_rational(finding.witness["radius"])
-        statement = {"length": finding.witness["length"], "bound": rational(bound)}
-        below = self._word(as_word(finding.witness), bound)
-        return [
-            self.claims.prove(
-                "holder-upper", statement, uses=[below, self._differences(), self._sum_rules(), self._stable()]
-            )
-        ]
+        found = finding.witness
+        if found["by"] == rules.BOX_SPLINE.code:
+            return [self.box.holder(as_rational(found["value"]))]
+        below = self.found[rules.HOLDER_LOWER]
+        root = cast("Map | None", below.witness.get("root"))
+        if root is not None and found["by"] == rules.DIFFERENCE_RADIUS.code:
+            return [self._exponent(below, root)]
+        return [self._above(finding)]
+
+    def _above(self, finding: Finding) -> int:
+        """The claim of a bound from above, by the order of the sum rules, by mean squares, or by a product."""
+        found = finding.witness
+        bound = as_rational(found["radius"])
+        statement = {"length": found["length"], "bound": rational(bound)}
+        if found["by"] == rules.SUM_RULES.code:
+            uses = [self._sum_rules(), self._stable()]
+        elif found["by"] == rules.SOBOLEV.code:
+            uses = [self._mean_squares(finding, lower=False)]
+        else:
+            below = self._word(as_word(found), bound)
+            uses = [below, self._differences(), self._sum_rules(), self._stable()]
+        return self.claims.prove("holder-upper", statement, uses=uses)
 
     def _exponent(self, finding: Finding, root: Map) -> int:
         statement = {"length": finding.witness["length"], **root_fields(root)}
         uses = [self._radius(), self._differences(), self._sum_rules(), self._stable()]
         return self.claims.prove("holder-root", statement, uses=uses)
 
-    def _sobolev(self, finding: Finding) -> int:
+    def _sobolev(self, finding: Finding) -> list[int]:
         found = finding.witness
         if found["by"] == rules.BOX_SPLINE.code:
-            return self.box.sobolev(as_rational(found["value"]))
-        return self._mean_squares(finding, lower=not found["holds"])
+            return [self.box.sobolev(as_rational(found["value"]))]
+        if found["by"] == rules.HOLDER_LOWER.code:
+            return self._between(finding)
+        return [self._mean_squares(finding, lower=not found["holds"])]
+
+    def _between(self, finding: Finding) -> list[int]:
+        """The claims that bound the Sobolev exponent by the Hölder exponent."""
+        found, lower = finding.witness, self.found[rules.HOLDER_LOWER]
+        at = found["below"]
+        below = (lower, *lower.otherwise)[as_integer(at)]
+        statement = {"length": below.witness["length"], "bound": rational(below_bound(below))}
+        claims = [self.claims.prove("sobolev-at-least", statement, uses=self._lower(below)[:1])]
+        if "above" not in found:
+            return claims
+        upper = self.found[rules.HOLDER_UPPER]
+        above = (upper, *upper.otherwise)[as_integer(found["above"])]
+        length, bound = as_integer(above.witness["length"]), as_rational(above.witness["radius"])
+        uses = [self._above(above)]
+        if above.witness["by"] == rules.SUM_RULES.code:
+            uses = [self._sum_rules(), self._stable()]
+        else:
+            length, bound = 2 * length, bound**2 / self.m**length
+        statement = {"length": length, "bound": rational(bound)}
+        return [*claims, self.claims.prove("sobolev-at-most", statement, uses=uses)]
 
     def _mean_squares(self, finding: Finding, *, lower: bool) -> int:
         """The claim on s by the growth of mean squares, or on its bound from below."""

@@ -67,7 +67,8 @@ class MultivariateNumbers:
     @cached_property
     def is_interpolatory(self) -> bool:
         """Whether a_0 = 1 and a_(Mα) = 0 for α ≠ 0."""
-        return self._by_coset.get(self.lattice.coset((0,) * self.dimension)) == {(0,) * self.dimension: 1}
+        zero = (0,) * self.dimension
+        return self._by_coset.get(self.lattice.coset(zero)) == {zero: Fraction(1)}
 
     @cached_property
     def is_shifted_interpolatory(self) -> bool:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
+from math import inf
 
 from flint import arb, ctx
 
+from subdiv_cli.certificate.witness import as_integer, as_rational
 from subdiv_cli.exact.closed import closed_ball, closed_interval, readable
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, number, rounded_down, rounded_up
@@ -15,9 +18,13 @@ from subdiv_cli.kinds.kind import Facts, Part
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import (
     BOX_SPLINE,
+    CONVERGENCE,
     DIFFERENCE_RADIUS,
+    DIRECTIONAL_NORMS,
+    DIRECTIONAL_SMOOTHNESS,
     HOLDER_LOWER,
     HOLDER_UPPER,
+    MATRIX_NORMS,
     SOBOLEV,
     STABILITY,
     SUM_RULES,
@@ -26,7 +33,9 @@ from subdiv_cli.kinds.multivariate.rules import (
 from subdiv_cli.kinds.multivariate.stages import products
 from subdiv_cli.kinds.multivariate.stages.wording import (
     ANISOTROPIC,
+    below_bound,
     growth_proof,
+    largest_norm,
     multivariate_exponent,
     not_spanning,
     spanning,
@@ -34,27 +43,31 @@ from subdiv_cli.kinds.multivariate.stages.wording import (
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth
 from subdiv_cli.kinds.scalar.stages.joint_radius import shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
-from subdiv_cli.model import Data, Finding, Interval, Root, Verdict, logarithm, unpowered
+from subdiv_cli.model import Data, Finding, Interval, Root, Rule, Verdict, exact_root, logarithm, unpowered
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.findings import best_of
 
 _BELOW, _ABOVE = "how regular are the limit functions at least?", "how regular is φ at most?"
 
 
 def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD614: the Hölder exponent from below. SD615: from above.
+    """SD614: the Hölder exponent from below. SD615: from above. Each is the best bound of all that are proved.
 
     Theorems. For isotropic M, λ = |det M|^(1/s), k the order of the sum rules (Jia 1998; Han 2003): α >= -log_λ ρ_k,
     and for stable φ they are equal. A product of ℓ operators with an eigenvalue of modulus r bounds ρ_k^ℓ >= r. Box
-    splines (SD603): α = d - 1 exactly, d >= 2. Hypotheses: M isotropic, checked; stability (SD616) from above.
+    splines (SD603): α = d - 1 exactly. Hypotheses: M isotropic, checked; stability (SD616) from above.
 
-    Where no bound of ρ_k is known, ρ_k² <= m Λ of the mean squares (SD617): α >= s - dimension/2.
+    Further bounds from below: ρ_k <= ρ_j for j <= k, and ρ_j is bounded by a matrix scheme of differences (SD606); ρ_1
+    by directional norms (SD604) and ρ_2 by those of pairs (SD607); ρ_k² <= m Λ by the mean squares (SD617): α >= s -
+    dimension/2; and α >= 0 where S converges (SD611). From above, for stable φ: α <= k; ρ_k² >= Λ, so α is at most the
+    Sobolev exponent.
 
     Tensor products (SD609): the least exponent of a factor, M isotropic or not.
 
-    Witness: `by`, SD603, SD605, SD609 or SD617; of a tensor product `variables` of the factor, and from below
-    `between`, a number that its exponent is not above, nor those of factors with other masks below; otherwise `length`
-    and `root`, or `length` and `bound`, as SD605 has them; from above `length` and `radius`, a rational lower bound of
-    ρ_k^length.
+    Witness: `by`, the code of the finding that gives it (SD602 for k); of a tensor product `variables` of the factor,
+    and from below `between`, a number that its exponent is not above, nor those of factors with other masks below;
+    otherwise `length` and `root`, or `length` and `bound`, as SD605 has them; from above `length` and `radius`, a lower
+    bound of ρ_k^length, with the `word` of a product.
     """
     if numbers.box is not None:
         return _holder_of_box_spline(numbers.box.depth)
@@ -64,20 +77,21 @@ def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     reason = reason if numbers.order else "no sum rule holds"
     if reason is not None:
         return (HOLDER_LOWER.skipped(_BELOW, reason), HOLDER_UPPER.skipped(_ABOVE, reason))
-    if numbers.radius is None:
-        none = "no bound of the decay of differences is known"
-        return (
-            _in_the_mean(numbers) or HOLDER_LOWER.undecided(_BELOW, none),
-            HOLDER_UPPER.undecided(_ABOVE, none),
-        )
     stably = facts.verdict(STABILITY) is Verdict.PROVED
-    return (_below(numbers, stably), _above(numbers, stably))
+    below = [*_exactly(numbers, stably), *_bounds_below(numbers, facts)]
+    above = sorted(_bounds_above(numbers), key=_upper_of) if stably else []
+    none, unstable = "no bound of the decay of differences is known", "it is not proved that φ is stable"
+    return (
+        best_of(below) if below else HOLDER_LOWER.undecided(_BELOW, none),
+        best_of(above) if above else HOLDER_UPPER.undecided(_ABOVE, unstable if numbers.radius else none),
+    )
+
+
+def _upper_of(finding: Finding) -> float:
+    return inf if finding.value is None or finding.value.upper is None else finding.value.upper
 
 
 def _holder_of_box_spline(depth: int) -> tuple[Finding, ...]:
-    if depth < 2:
-        reason = "φ is a box spline that is not continuous"
-        return (HOLDER_LOWER.skipped(_BELOW, reason), HOLDER_UPPER.skipped(_ABOVE, reason))
     alpha = Fraction(depth - 1)
     witness: dict[str, Data] = {"by": BOX_SPLINE.code, "value": alpha}
     below, above = f"α ≥ {alpha}: {spanning(depth - 1)}", f"α ≤ {alpha}: {not_spanning(depth)}"
@@ -119,32 +133,55 @@ def _shown(found: Finding) -> str:
     return readable(found.closed) or f"{rounded_down((found.value or Interval()).lower or 0.0)}…"
 
 
-def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
+def _exactly(numbers: MultivariateNumbers, stable: bool) -> Iterator[Finding]:
+    """The finding by ρ_k itself, where that is known and has an exponent in closed form."""
     radius, m, s, k = numbers.radius, numbers.lattice.index, numbers.dimension, numbers.order
-    assert radius is not None
+    if radius is None or radius.exact is None or (exact := multivariate_exponent(m, s, *radius.exact)) is None:
+        return
     witness: dict[str, Data] = {"by": DIFFERENCE_RADIUS.code, "length": radius.upper[0]}
-    if radius.exact is not None and (exact := multivariate_exponent(m, s, *radius.exact)) is not None:
-        value = closed_interval(exact)
-        text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
-        witness["root"] = root_data(radius.exact[1])
-        if stable:
-            return HOLDER_LOWER.proved(f"α = {text}, as φ is stable and ρ_{k} = {shown(radius)}", witness, value, exact)
-        return HOLDER_LOWER.proved(f"α ≥ {text}, as ρ_{k} = {shown(radius)}", witness, Interval(lower=value.lower))
-    length, bound = radius.upper
-    lower = _exponent(numbers, length, bound)
-    statement = f"α ≥ {rounded_down(lower)}, from the bound of ρ_{k}"
-    return HOLDER_LOWER.proved(statement, {**witness, "bound": bound}, Interval(lower=lower))
+    witness["root"] = root_data(radius.exact[1])
+    value = closed_interval(exact)
+    text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
+    if stable:
+        yield HOLDER_LOWER.proved(f"α = {text}, as φ is stable and ρ_{k} = {shown(radius)}", witness, value, exact)
+    else:
+        yield HOLDER_LOWER.proved(f"α ≥ {text}, as ρ_{k} = {shown(radius)}", witness, Interval(lower=value.lower))
 
 
-def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
-    """The finding α >= s - dimension/2, for the bound of s that SD617 has; None where it has none."""
-    bound = numbers.mean_decay
-    if bound is None:
-        return None
-    lower = _exponent(numbers, 2, bound)
-    witness: dict[str, Data] = {"by": SOBOLEV.code, "length": 2, "bound": bound}
-    statement = f"α ≥ {rounded_down(lower)}, from the mean squares of differences of order {numbers.order}"
-    return HOLDER_LOWER.proved(statement, witness, Interval(lower=lower), proof=growth_proof(numbers))
+def _bounds_below(numbers: MultivariateNumbers, facts: Facts) -> list[Finding]:
+    """The findings by all bounds that are known, the best one first."""
+    found = [
+        (_exponent(numbers, length, bound), rule, length, bound, cause)
+        for rule, length, bound, cause in _decays(numbers, facts)
+    ]
+    return [
+        HOLDER_LOWER.proved(
+            f"α ≥ {rounded_down(lower)}, {cause}",
+            {"by": rule.code, "length": length, "bound": bound},
+            Interval(lower=lower),
+            proof=growth_proof(numbers) if rule is SOBOLEV else None,
+        )
+        for lower, rule, length, bound, cause in sorted(found, key=lambda each: -each[0])
+    ]
+
+
+def _decays(numbers: MultivariateNumbers, facts: Facts) -> Iterator[tuple[Rule, int, Fraction, str]]:
+    """The bounds ρ_k^length <= x with the rule of the finding that has them, and its cause in words."""
+    k, radius, mean = numbers.order, numbers.radius, numbers.mean_decay
+    if radius is not None:
+        length, bound = radius.upper if radius.exact is None else (radius.exact[0], radius.exact[1].high)
+        yield DIFFERENCE_RADIUS, length, bound, f"from the bound of ρ_{k}"
+    for norms in facts.all(MATRIX_NORMS):
+        level, norm = norms.witness["level"], norms.witness["norm"]
+        yield MATRIX_NORMS, as_integer(level), as_rational(norm), "from a matrix scheme of differences"
+    if mean is not None:
+        yield SOBOLEV, 2, mean, f"from the mean squares of differences of order {k}"
+    c = exact_root(numbers.lattice.index, numbers.dimension) or 1
+    for rule, factor, cause in ((DIRECTIONAL_NORMS, 1, "one direction"), (DIRECTIONAL_SMOOTHNESS, c, "two directions")):
+        for norms in facts.all(rule):
+            yield rule, *largest_norm(norms, factor), f"from the norms of quotients by factors in {cause}"
+    if facts.verdict(CONVERGENCE) is Verdict.PROVED:
+        yield CONVERGENCE, 1, Fraction(1), "as S converges"
 
 
 def _exponent(numbers: MultivariateNumbers, length: int, bound: Fraction) -> float:
@@ -155,26 +192,39 @@ def _exponent(numbers: MultivariateNumbers, length: int, bound: Fraction) -> flo
     return lower
 
 
-def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
+def _bounds_above(numbers: MultivariateNumbers) -> Iterator[Finding]:
+    """The findings by all bounds that are known, for stable φ."""
     product, m, s, k = numbers.product, numbers.lattice.index, numbers.dimension, numbers.order
-    if not stable:
-        return HOLDER_UPPER.undecided(_ABOVE, "it is not proved that φ is stable")
-    if product is None:
-        return HOLDER_UPPER.undecided(_ABOVE, "no product is known that bounds ρ_k from below")
-    bound, length = radius_bound(product), len(product.word)
+    if product is not None:
+        bound, length = radius_bound(product), len(product.word)
+        witness: dict[str, Data] = {"by": DIFFERENCE_RADIUS.code, "word": product.word}
+        witness |= {"length": length, "radius": bound}
+        exact = numbers.radius.exact if numbers.radius is not None else None
+        closed = multivariate_exponent(m, s, *exact) if exact is not None else None
+        upper = _above(m, s, length, bound)
+        text = (readable(closed) if closed is not None else None) or rounded_up(upper)
+        cause = f"φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
+        yield HOLDER_UPPER.proved(f"α ≤ {text}: {cause}", witness, Interval(upper=upper))
+        if exact is not None:
+            alone = {**witness, "by": HOLDER_UPPER.code}
+            yield HOLDER_UPPER.proved(f"α ≤ {rounded_up(upper)}: {cause}", alone, Interval(upper=upper))
+    witness = {"by": SUM_RULES.code, "length": s, "radius": Fraction(1, m**k)}
+    statement = f"α ≤ {k}: φ is stable, and the sum rules are of order {k}"
+    yield HOLDER_UPPER.proved(statement, witness, Interval(upper=float(k)))
+    growth = None if numbers.mean_squares is None else numbers.mean_squares.growth
+    if growth is not None:
+        upper = _above(m, s, 2, growth.low)
+        witness = {"by": SOBOLEV.code, "length": 2, "radius": growth.low}
+        statement = f"α ≤ {rounded_up(upper)}: φ is stable, and that bounds its Sobolev exponent"
+        yield HOLDER_UPPER.proved(statement, witness, Interval(upper=upper), proof=growth_proof(numbers))
+
+
+def _above(m: int, s: int, length: int, bound: Fraction) -> float:
+    """The exponent -log_λ(bound)/length, rounded up."""
     base, divisor = unpowered(m, length)
     upper = closed_interval(logarithm(base, (1 / bound) ** s, divisor)).upper
-    witness: dict[str, Data] = {
-        "by": DIFFERENCE_RADIUS.code,
-        "word": product.word,
-        "length": length,
-        "radius": bound,
-    }
-    exact = numbers.radius.exact if numbers.radius is not None else None
-    closed = multivariate_exponent(m, s, *exact) if exact is not None else None
-    text = (readable(closed) if closed is not None else None) or rounded_up(upper or 0.0)
-    statement = f"α ≤ {text}: φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
-    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper))
+    assert upper is not None
+    return upper
 
 
 _SOBOLEV_QUESTION = "how regular is φ in L2?"
@@ -190,10 +240,13 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     Always s - dimension/2 <= α <= s, α the Hölder exponent. Hypotheses: M isotropic, the order, that the mask is no box
     spline: checked; stability (SD616), for equality.
 
-    Witness: `by`, SD603 and `value`; or SD609, as SD614 has it; or SD602, the order of the differences, with
-    `polynomial`, that of Λ, integers, lowest power first; `low` and `high`, which enclose Λ and no other zero of it;
-    `holds`, whether s is equal to the bound. `proof`: these, and the `cofactor` that makes the polynomial annihilate
-    the sequences.
+    Where Λ is not known, α <= s, and s <= α + dimension/2 and s <= k for stable φ, by the bounds of SD614 and SD615.
+
+    Witness: `by`, SD603 and `value`; or SD609, as SD614 has it, and `above`, the variables of a factor that bounds s
+    from above; or SD614, with the places, `below` and `above`, of the bounds among those that are known; or SD602, the
+    order of the differences, with `polynomial`, that of Λ, integers, lowest power first; `low` and `high`, which
+    enclose Λ and no other zero of it; `holds`, whether s is equal to the bound. `proof`: these, and the `cofactor` that
+    makes the polynomial annihilate the sequences.
     """
     if numbers.box is not None:
         return (_sobolev_of_box_spline(numbers.box.depth),)
@@ -204,13 +257,40 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     if reason is not None:
         return (SOBOLEV.skipped(_SOBOLEV_QUESTION, reason),)
     found = numbers.mean_squares
-    if found is None:
-        return (SOBOLEV.undecided(_SOBOLEV_QUESTION, "the operator on correlations is too large for this effort"),)
-    if found.growth is None:
-        return (
-            SOBOLEV.undecided(_SOBOLEV_QUESTION, "the growth of the mean squares is a multiple zero of its polynomial"),
-        )
-    return (_found(numbers, found.growth, facts.verdict(STABILITY) is Verdict.PROVED),)
+    stably = facts.verdict(STABILITY) is Verdict.PROVED
+    by_growth = [] if found is None or found.growth is None else [_found(numbers, found.growth, stably)]
+    several = [*by_growth, *_between(numbers, facts)]
+    if several:
+        return (best_of(several),)
+    large, multiple = (
+        "the operator on correlations is too large for this effort",
+        "is a multiple zero of its polynomial",
+    )
+    reason = large if found is None else f"the growth of the mean squares {multiple}"
+    return (SOBOLEV.undecided(_SOBOLEV_QUESTION, reason),)
+
+
+def _between(numbers: MultivariateNumbers, facts: Facts) -> Iterator[Finding]:
+    """The findings α <= s <= α + dimension/2 (for stable φ) by bounds of α apart from those by s, the best one first."""
+    m, d = numbers.lattice.index, numbers.dimension
+    for i, lower in _apart(facts.find(HOLDER_LOWER)):
+        low = _exponent(numbers, as_integer(lower.witness["length"]), below_bound(lower))
+        witness: dict[str, Data] = {"by": HOLDER_LOWER.code, "below": i}
+        for j, upper in _apart(facts.find(HOLDER_UPPER)):
+            length, bound = as_integer(upper.witness["length"]), as_rational(upper.witness["radius"])
+            if upper.witness["by"] != SUM_RULES.code:
+                length, bound = 2 * length, bound**2 / m**length
+            high = _above(m, d, length, bound)
+            statement = f"{rounded_down(low)} ≤ s ≤ {rounded_up(high)}, by the Hölder exponent"
+            yield SOBOLEV.proved(statement, {**witness, "above": j}, Interval(low, high))
+        statement = f"s ≥ {rounded_down(low)}, by the Hölder exponent"
+        yield SOBOLEV.proved(statement, witness, Interval(lower=low))
+
+
+def _apart(found: Finding | None) -> list[tuple[int, Finding]]:
+    """The findings of a rule that are proved, the best one first, with their places, but for those by s."""
+    several = [] if found is None or found.verdict is not Verdict.PROVED else [found, *found.otherwise]
+    return [(i, each) for i, each in enumerate(several) if each.witness["by"] != SOBOLEV.code]
 
 
 def _sobolev_of_box_spline(depth: int) -> Finding:
@@ -220,18 +300,28 @@ def _sobolev_of_box_spline(depth: int) -> Finding:
 
 
 def _least_sobolev(parts: tuple[Part, ...]) -> Finding:
-    found = products.least(parts, questions.SOBOLEV)
-    if found is None:
+    found, most = products.least(parts, questions.SOBOLEV), products.least_upper(parts, questions.SOBOLEV)
+    if found is not None and found.is_exact:
+        part = found.part.finding(questions.SOBOLEV)
+        closed = part.closed
+        assert closed is not None
+        text = readable(closed) or certain(lambda: closed_ball(closed))
+        statement = f"s = {text}, the least exponent of a factor: {found.part.name}"
+        return SOBOLEV.proved(statement, products.least_witness(found), part.value or Interval(), closed)
+    if found is None and most is None:
         return SOBOLEV.undecided(_SOBOLEV_QUESTION, products.NOT_LEAST)
-    part, witness = found.part.finding(questions.SOBOLEV), products.least_witness(found)
-    value = part.value or Interval()
-    if not found.is_exact:
-        statement = f"s ≥ {rounded_down(value.lower or 0.0)}, the least exponent of a factor: {found.part.name}"
-        return SOBOLEV.proved(statement, witness, Interval(lower=value.lower))
-    closed = part.closed
-    assert closed is not None
-    text = readable(closed) or certain(lambda: closed_ball(closed))
-    return SOBOLEV.proved(f"s = {text}, the least exponent of a factor: {found.part.name}", witness, value, part.closed)
+    witness: dict[str, Data] = {"by": TENSOR_PRODUCT.code}
+    lower = upper = None
+    said = []
+    if found is not None:
+        witness |= products.least_witness(found)
+        lower = (found.part.finding(questions.SOBOLEV).value or Interval()).lower
+        said.append(f"s ≥ {rounded_down(lower or 0.0)}, the least exponent of a factor: {found.part.name}")
+    if most is not None:
+        witness["above"] = most.variables
+        upper = (most.finding(questions.SOBOLEV).value or Interval()).upper
+        said.append(f"s ≤ {rounded_up(upper or 0.0)}, an exponent of a factor: {most.name}")
+    return SOBOLEV.proved("; ".join(said), witness, Interval(lower, upper))
 
 
 def _found(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Finding:

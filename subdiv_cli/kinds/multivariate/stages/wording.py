@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from fractions import Fraction
 from math import gcd
+from typing import cast
 
+from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple
 from subdiv_cli.exact.algebraic import isolated, number_of, power
 from subdiv_cli.exact.closed import exponent
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.model import ClosedForm, Data, Root, unpowered
+from subdiv_cli.model import ClosedForm, Data, Finding, Root, unpowered
 
 ANISOTROPIC = "smoothness is decided for isotropic dilations only"
 
@@ -33,6 +37,23 @@ def multivariate_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm
         return exponent(base, divisor // common, root)
     raised = power(number_of(root), s // common)
     return None if raised is None else exponent(base, divisor // common, isolated(raised))
+
+
+def below_bound(finding: Finding) -> Fraction:
+    """The bound x of a finding α >= -log_λ(x)/length, or of one that has the number itself."""
+    root = cast("Mapping[str, Data] | None", finding.witness.get("root"))
+    return as_rational(finding.witness["bound"] if root is None else root["high"])
+
+
+def largest_norm(finding: Finding, factor: int) -> tuple[int, Fraction]:
+    """The pair (L, x) of a finding on directional norms with the largest x^(1/L), each x over factor^L."""
+    levels, norms = (as_tuple(finding.witness[key]) for key in ("levels", "norms"))
+    pairs = [(as_integer(n), as_rational(x) / factor ** as_integer(n)) for n, x in zip(levels, norms, strict=True)]
+    level, largest = pairs[0]
+    for n, x in pairs[1:]:
+        if x**level > largest**n:
+            level, largest = n, x
+    return level, largest
 
 
 def growth_proof(numbers: MultivariateNumbers) -> dict[str, Data]:

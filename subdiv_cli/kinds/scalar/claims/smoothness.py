@@ -7,6 +7,7 @@ from fractions import Fraction
 from math import lcm
 from typing import cast
 
+from subdiv_cli.certificate.claims import Json
 from subdiv_cli.certificate.radius import root_fields
 from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_word
 from subdiv_cli.kinds.scalar import rules
@@ -26,10 +27,15 @@ def contractivity(proof: Proof, finding: Finding) -> list[int]:
 
 def convergence(proof: Proof, finding: Finding) -> list[int]:
     """The claim of SD201: S converges uniformly, or does not."""
-    if finding.verdict is Verdict.PROVED:
-        uses = proof.contraction(0, finding.witness)
-        return [proof.add("converges", {"holds": True}, uses=uses, name="convergent")]
     by = finding.witness["by"]
+    if finding.verdict is Verdict.PROVED:
+        return [
+            proof.add("converges", {"holds": True}, uses=uses, name="convergent")
+            for uses in _convergent_by(proof, finding)
+        ]
+    if by == rules.SMOOTHNESS.code:
+        reasons = _not_smooth(proof, 0, proof.found[rules.SMOOTHNESS].witness)
+        return [proof.add("diverges", {"holds": False}, uses=[reason], name="convergent") for reason in reasons]
     if by == rules.CONTRACTIVITY.code:
         reason = proof.obstacle(0, 0, finding.witness)
     else:
@@ -39,16 +45,32 @@ def convergence(proof: Proof, finding: Finding) -> list[int]:
     return [proof.add("diverges", {"holds": False}, uses=[reason], name="convergent")]
 
 
+def _convergent_by(proof: Proof, finding: Finding) -> list[list[int]]:
+    """The claims by which S converges; none where a witness of stability is missing."""
+    if finding.witness["by"] != rules.SOBOLEV.code:
+        return [proof.contraction(0, finding.witness)]
+    return [[s, stable] for s in sobolev(proof, proof.found[rules.SOBOLEV]) for stable in proof.last_stable()]
+
+
 def smoothness(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD302: φ is C^n, or is not continuous."""
     if finding.verdict is Verdict.REFUTED:
         return _not_smooth(proof, 0, finding.witness)
-    order = as_integer(finding.witness["order"])
-    if finding.witness["by"] == rules.CONVERGENCE.code:
-        uses = proof.contraction(0, proof.found[rules.CONVERGENCE].witness)
+    order, by = as_integer(finding.witness["order"]), finding.witness["by"]
+    if by == rules.CONVERGENCE.code:
+        found = proof.found[rules.CONVERGENCE]
+        each = [
+            uses[:1] if found.witness["by"] == rules.SOBOLEV.code else uses for uses in _convergent_by(proof, found)
+        ]
+    elif by == rules.SOBOLEV.code:
+        each = [[claim] for claim in sobolev(proof, proof.found[rules.SOBOLEV])]
+    elif by == rules.JOINT_RADIUS.code:
+        mask = 0 if finding.witness["radius_of"] == "S" else proof.last
+        each = [[*radius.claims(proof, mask), *(proof.reductions if mask else ())]]
     else:
-        uses = [*proof.contraction(proof.last, proof.contractions[-1].witness), *proof.reductions]
-    return [proof.add("smooth", {"order": order}, uses=uses)]
+        contracts = next(each for each in proof.contractions if each.witness["nu"] == order + 1)
+        each = [[*proof.contraction(proof.last, contracts.witness), *proof.reductions]]
+    return [proof.add("smooth", {"order": order}, uses=uses) for uses in each]
 
 
 def next_smoothness(proof: Proof, finding: Finding) -> list[int]:
@@ -57,6 +79,9 @@ def next_smoothness(proof: Proof, finding: Finding) -> list[int]:
 
 
 def _not_smooth(proof: Proof, order: int, witness: Mapping[str, Data]) -> list[int]:
+    if witness.get("by") == rules.SOBOLEV.code:
+        mean = sobolev(proof, proof.found[rules.SOBOLEV])
+        return [proof.add("not-smooth", {"order": order}, uses=[claim]) for claim in mean]
     stable = proof.last_stable()
     obstacle = proof.obstacle(proof.last, order, witness)
     return [proof.add("not-smooth", {"order": order}, uses=[n, obstacle, *proof.reductions]) for n in stable]
@@ -74,23 +99,41 @@ def joint_radius(proof: Proof, finding: Finding) -> list[int]:
 
 def holder_lower(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD311: the Hölder exponent from below, or what it is where the radius is known."""
+    root = cast("Mapping[str, Data] | None", finding.witness.get("root"))
+    if root is None:
+        statement = {"level": finding.witness["length"], "norm": rational(as_rational(finding.witness["bound"]))}
+        return [proof.add("holder-lower", statement, uses=uses) for uses in _decay(proof, finding)]
     data, length = radius.of_mask(proof, proof.last), as_integer(finding.witness["length"])
     last, uses = proof.last, [*radius.claims(proof, proof.last), proof.sum_rules(proof.last)]
-    root = cast("Mapping[str, Data] | None", finding.witness.get("root"))
-    if root is not None and data["rule"] != "norm":
+    if data["rule"] != "norm":
         statement = {"length": length, **root_fields(root)}
         return [
             proof.add("holder-root", statement, uses=[*uses, stable, *proof.reductions])
             for stable in proof.last_stable()
         ]
-    bound = as_rational(root["high"] if root is not None else finding.witness["bound"])
-    statement = {"level": length, "norm": rational(bound)}
-    below = proof.add("holder-lower", statement, uses=[*uses, *proof.reductions])
-    if root is None:
-        return [below]
+    bound = as_rational(root["high"])
+    below = proof.add("holder-lower", {"level": length, "norm": rational(bound)}, uses=[*uses, *proof.reductions])
     word = as_word(proof.radii["S" if last == 0 else "S0"].witness)
     above = _above(proof, *_fitting(word, length, bound))
+    statement = {"level": length, "norm": rational(bound)}
     return [proof.add("holder-exact", statement, uses=[below, n], name="holder") for n in above] or [below]
+
+
+def _decay(proof: Proof, finding: Finding) -> list[list[int]]:
+    """The claims that a bound of a joint spectral radius rests on; none where that on stability is missing."""
+    found, by = finding.witness, finding.witness.get("by")
+    if by == rules.SOBOLEV.code:
+        return [[claim] for claim in sobolev(proof, proof.found[rules.SOBOLEV])]
+    if by is not None:
+        mask = proof.last if by == rules.CONTRACTIVITY.code else 0
+        source = proof.found[rules.CONVERGENCE]
+        if mask == proof.last and by == rules.CONTRACTIVITY.code:
+            source = next(each for each in proof.contractions if each.witness["nu"] == found["nu"])
+        claims = proof.contraction(mask, source.witness)
+    else:
+        mask = 0 if found["radius_of"] == "S" else proof.last
+        claims = radius.claims(proof, mask)
+    return [[*claims, proof.sum_rules(mask), *(proof.reductions if mask else ())]]
 
 
 def _fitting(word: tuple[int, ...], length: int, power: Fraction) -> tuple[tuple[int, ...], Fraction]:
@@ -101,11 +144,16 @@ def _fitting(word: tuple[int, ...], length: int, power: Fraction) -> tuple[tuple
 
 def holder_upper(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD312: the Hölder exponent from above."""
-    if "word" in finding.witness:
-        if (exactly := _exactly(proof)) is not None:
+    found = finding.witness
+    if found.get("by") == rules.SOBOLEV.code:
+        statement = {"length": found["length"], "radius": rational(as_rational(found["radius"]))}
+        mean = sobolev(proof, proof.found[rules.SOBOLEV])
+        return [proof.add("holder-upper", statement, uses=[claim]) for claim in mean]
+    if "word" in found:
+        if "by" not in found and (exactly := _exactly(proof)) is not None:
             return [exactly]
-        return _above(proof, as_word(finding.witness), as_rational(finding.witness["radius"]))
-    k = as_integer(finding.witness["difference_order"])
+        return _above(proof, as_word(found), as_rational(found["radius"]))
+    k = as_integer(found["difference_order"])
     statement = {"length": 1, "radius": rational(Fraction(1, proof.p**k))}
     uses = [proof.sum_rules(proof.last), *proof.reductions]
     return [proof.add("holder-upper", statement, uses=[n, *uses]) for n in proof.last_stable()]
@@ -157,6 +205,8 @@ def _exactly(proof: Proof) -> int | None:
 def sobolev(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD321: the Sobolev exponent; none where the witness of stability was too costly."""
     found, p = finding.witness, proof.p
+    if found.get("by") == rules.HOLDER_LOWER.code:
+        return _between(proof, finding)
     degree = proof.degrees[proof.last] - proof.orders[proof.last] * (p - 1)
     order = degree // (p - 1) + 1
     statement = {
@@ -168,3 +218,28 @@ def sobolev(proof: Proof, finding: Finding) -> list[int]:
     uses = [proof.sum_rules(proof.last), *proof.reductions]
     work = (degree + 1) ** 2 + 4 * order**3 + 20
     return [proof.add("sobolev", statement, hints, uses=[n, *uses], work=work) for n in proof.last_stable()]
+
+
+def _between(proof: Proof, finding: Finding) -> list[int]:
+    """The claims that bound the Sobolev exponent by the Hölder exponent; none where one of them cannot be made."""
+    found, below = finding.witness, proof.found[rules.HOLDER_LOWER]
+    bound = rational(as_rational(found["bound"]))
+    lower = next(each for each in (below, *below.otherwise) if _is_bounded_by(each, found))
+    least: Json = {"length": found["length"], "bound": bound}
+    claims = [proof.add("sobolev-at-least", least, uses=[n]) for n in holder_lower(proof, lower)]
+    if "word" in found:
+        word, r = as_word(found), as_rational(found["radius"])
+        most = {"length": 2 * len(word), "bound": rational(r**2 / proof.p ** len(word))}
+        uses = [[above] for above in _above(proof, word, r)]
+    else:
+        most = {"length": 1, "bound": rational(Fraction(1, proof.p ** as_integer(found["sum_rule_order"])))}
+        uses = [[n, proof.sum_rules(proof.last), *proof.reductions] for n in proof.last_stable()]
+    above = [proof.add("sobolev-at-most", most, uses=each) for each in uses]
+    return [*claims, *above] if claims and above else []
+
+
+def _is_bounded_by(lower: Finding, found: Mapping[str, Data]) -> bool:
+    """Whether a finding of SD311 is the one whose bound is used."""
+    root = cast("Mapping[str, Data] | None", lower.witness.get("root"))
+    bound = lower.witness.get("bound") if root is None else root["high"]
+    return (lower.witness["length"], bound) == (found["length"], found["bound"])

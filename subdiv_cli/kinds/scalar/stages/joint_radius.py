@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 
 from flint import ctx
@@ -13,7 +14,7 @@ from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS
+from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS, SOBOLEV
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
 from subdiv_cli.model import Data, Finding, Interval
 
@@ -22,7 +23,14 @@ Obstacle = tuple[str, dict[str, Data]]
 
 def obstacle_to(numbers: ScalarNumbers, m: int) -> Obstacle | None:
     """The obstacle that keeps a stable φ of these numbers from being C^m; None where none is known."""
-    return sum_rule_obstacle(numbers, m) or product_obstacle(numbers, m)
+    return next(obstacles_to(numbers, m), None)
+
+
+def obstacles_to(numbers: ScalarNumbers, m: int) -> Iterator[Obstacle]:
+    """All that are known, the cheapest one first."""
+    for obstacle in (sum_rule_obstacle, product_obstacle, mean_obstacle):
+        if (found := obstacle(numbers, m)) is not None:
+            yield found
 
 
 def who_is_stable(numbers: ScalarNumbers) -> str:
@@ -55,6 +63,14 @@ def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
         if m >= k
         else None
     )
+
+
+def mean_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+    """The Sobolev exponent s <= m of a stable φ, as λ >= p^(-2m) for the growth λ of its mean squares: then α <= m."""
+    growth = numbers.growth
+    if growth is None or growth.low * numbers.p ** (2 * m) < 1:
+        return None
+    return f"its Sobolev exponent is at most {m}", {"by": SOBOLEV.code}
 
 
 def product_text(product: WordProduct) -> str:

@@ -13,22 +13,26 @@ from subdiv_cli.kinds.scalar.rules import (
     CONTRACTIVITY,
     CONVERGENCE,
     EIGEN_CONDITION,
+    JOINT_RADIUS,
     NEXT_SMOOTHNESS,
     RESIDUE_SUMS,
     SMOOTHNESS,
+    SOBOLEV,
 )
+from subdiv_cli.kinds.scalar.stages.decay import decays, mean_decay
 from subdiv_cli.kinds.scalar.stages.joint_radius import (
     enclosed,
     obstacle_to,
+    obstacles_to,
     product_obstacle,
     shown,
     threshold,
     who_is_stable,
 )
 from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, integer, last_difference, power, scaled, series, text
-from subdiv_cli.model import Data, Finding, Rule, Smoothness, Verdict
+from subdiv_cli.model import Data, Finding, Smoothness, Verdict
 from subdiv_cli.model import findings as questions
-from subdiv_cli.model.findings import Witness
+from subdiv_cli.model.findings import Witness, best_of
 
 
 def contractivity(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -107,8 +111,9 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     one.
 
     Proved by the contraction of (1/p)S_ν at any ν <= k: it makes S_(ν-1), …, S_0 converge (Theorem 3.4), and the
-    residue sums are among its hypotheses. Refuted by the residue sums (SD101), by a product of transition matrices that
-    keeps (1/p)S_1 from contracting, or by the eigen-condition (SD202).
+    residue sums are among its hypotheses. Or, where the translates of φ are stable, by a Sobolev exponent (SD321) above
+    1/2: φ is continuous then. Refuted by the residue sums (SD101), by a product of transition matrices that keeps
+    (1/p)S_1 from contracting, by the eigen-condition (SD202), or because φ is not continuous (SD302).
 
     Witness: `by`, the code of the condition that decides, with its witness.
 
@@ -117,19 +122,33 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     first = [contraction(numbers, 1)] if numbers.order else []
     conditions = (*facts.all(RESIDUE_SUMS), *first, *facts.all(EIGEN_CONDITION))
     against = next((finding for finding in conditions if finding.verdict is Verdict.REFUTED), None)
-    proof = next((finding for finding in first if finding.verdict is Verdict.PROVED), None)
-    if against is None and proof is None:
+    found = [finding for each in first for finding in _convergent_by(each)]
+    is_stable = numbers.reduced is numbers
+    if against is None and (is_stable or not found):
         later = (contraction(numbers, nu) for nu in range(2, numbers.order + 1))
-        proof = next((finding for finding in later if finding.verdict is Verdict.PROVED), None)
-    if against is not None and proof is not None:
-        raise ContradictionError(f"S converges by {proof.code} and does not by {against.code}")
-    if proof is not None:
-        condition = text(proof, "condition")
-        return (CONVERGENCE.proved(f"S converges uniformly: the residue sums are 1 and {condition}", _witness(proof)),)
+        found += [finding for each in later for finding in _convergent_by(each)]
+    if is_stable and numbers.order and (mean := mean_decay(numbers)) is not None and mean.proves(0):
+        found.append(CONVERGENCE.proved("S converges uniformly: φ is stable, and s > 1/2", {"by": SOBOLEV.code}))
+    if against is not None and found:
+        raise ContradictionError(f"S converges by {found[0].witness['by']} and does not by {against.code}")
+    if found:
+        return (best_of(found),)
     if against is not None:
         limit = " to a non-zero limit" if against.code == RESIDUE_SUMS.code else ""
         return (CONVERGENCE.refuted(f"S does not converge uniformly{limit}", _witness(against), why=against.statement),)
+    if (obstacle := obstacle_to(numbers.reduced, 0)) is not None:
+        why = f"φ is not continuous, as {who_is_stable(numbers)}, and {obstacle[0]}"
+        witness: Witness = {"by": SMOOTHNESS.code, "order": 0}
+        return (CONVERGENCE.refuted("S does not converge uniformly", witness, why=why),)
     return (CONVERGENCE.undecided("does S converge uniformly?", first[0].reason or ""),)
+
+
+def _convergent_by(by: Finding) -> tuple[Finding, ...]:
+    """The finding that S converges, by a contraction that is proved; none by another."""
+    if by.verdict is not Verdict.PROVED:
+        return ()
+    statement = f"S converges uniformly: the residue sums are 1 and {text(by, 'condition')}"
+    return (CONVERGENCE.proved(statement, _witness(by)),)
 
 
 def _witness(by: Finding) -> Witness:
@@ -146,6 +165,8 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     the contraction is that of the reduced mask, whose φ0 is as smooth as φ (SD403); the limit functions Σ f_α φ(·-α)
     are so as well, where S converges (SD201). Hypotheses: those of SD301, checked there.
 
+    Or by a bound of a joint spectral radius (SD310), or a Sobolev exponent (SD321) above n + 1/2, where they give more.
+
     Refuted: φ is not continuous, where no C^0 is in reach for the stable reduced mask (SD303's theorem for m = 0).
 
     Where S converges (SD201) φ is continuous, whatever the norms of the reduced mask say.
@@ -156,30 +177,34 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """
     if not numbers.is_normalised:
         return (SMOOTHNESS.skipped(_SMOOTHNESS_QUESTION, NOT_NORMALISED),)
-    reduced = numbers.reduced
-    proved = [finding for finding in facts.all(CONTRACTIVITY) if finding.verdict is Verdict.PROVED]
-    converges = facts.verdict(CONVERGENCE)
-    if not proved and converges is Verdict.PROVED:
+    reduced, converges = numbers.reduced, facts.verdict(CONVERGENCE)
+    scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
+    but = ", but S does not converge" if converges is Verdict.REFUTED else ""
+    found = []
+    for finding in facts.all(CONTRACTIVITY):
+        if finding.verdict is Verdict.PROVED:
+            order, mask = integer(finding, "nu") - 1, " for the reduced scheme" if reduced is not numbers else ""
+            statement = f"{scope} C^{order}: {text(finding, 'condition')}{mask}{but}"
+            found.append(_proved(statement, order, {"by": CONTRACTIVITY.code}))
+    for decay in decays(numbers, facts):
+        if decay.by in (JOINT_RADIUS, SOBOLEV) and (n := decay.order) is not None:
+            why = f"s > {n} + 1/2" if decay.by is SOBOLEV else f"{decay.shown} < {threshold(numbers.p, n)}"
+            found.append(_proved(f"{scope} C^{n}: {why}{but}", n, {"by": decay.by.code, **decay.witness}))
+    if converges is Verdict.PROVED:
         statement = "φ and every limit function are continuous, because S converges"
-        return (_proved(statement, 0, CONVERGENCE),)
-    if proved:
-        order = integer(proved[-1], "nu") - 1
-        scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
-        mask = " for the reduced scheme" if reduced is not numbers else ""
-        statement = f"{scope} C^{order}: {text(proved[-1], 'condition')}{mask}"
-        if converges is Verdict.REFUTED:
-            statement += ", but S does not converge"
-            if reduced is numbers:
-                raise ContradictionError("a stable φ is continuous and S does not converge")
-        return (_proved(statement, order, CONTRACTIVITY),)
+        found.append(_proved(statement, 0, {"by": CONVERGENCE.code}))
+    if found:
+        if converges is Verdict.REFUTED and reduced is numbers:
+            raise ContradictionError("a stable φ is continuous and S does not converge")
+        return (best_of(sorted(found, key=lambda each: -integer(each, "order"))),)
     if (obstacle := obstacle_to(reduced, 0)) is not None:
         return (SMOOTHNESS.refuted(f"φ is not continuous: {who_is_stable(numbers)}, and {obstacle[0]}", obstacle[1]),)
     return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, "the norms do not prove that φ is continuous"),)
 
 
-def _proved(statement: str, order: int, by: Rule) -> Finding:
+def _proved(statement: str, order: int, witness: Witness) -> Finding:
     answers = {questions.SMOOTHNESS: Smoothness(order)}
-    return SMOOTHNESS.proved(statement, {"order": order, "by": by.code}, answers=answers)
+    return SMOOTHNESS.proved(statement, {"order": order, **witness}, answers=answers)
 
 
 def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -187,11 +212,12 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
 
     Theorem (Cavaretta, Dahmen & Micchelli 1991; Dyn 1992, 5.3 for interpolatory schemes): for stable φ, φ ∈ C^m iff α >
     m, where α = -log_p ρ and ρ is the joint spectral radius of the transition matrices of D = S_(Δ^k). So C^m is
-    refuted by m >= k, because α <= k always, and by a product of ℓ matrices with an eigenvalue |λ| >= p^(-mℓ). φ is
-    itself the limit function of the data δ, so a refutation for φ is one for the scheme. Hypothesis, stability: an
-    unstable mask is reduced first (SD403), and the numbers are those of the stable reduced mask.
+    refuted by m >= k, because α <= k always, by a product of ℓ matrices with an eigenvalue |λ| >= p^(-mℓ), and by a
+    Sobolev exponent s <= m (SD321), because α <= s. φ is itself the limit function of the data δ, so a refutation for φ
+    is one for the scheme. Hypothesis, stability: an unstable mask is reduced first (SD403), and the numbers are those
+    of the stable reduced mask.
 
-    Witness: `order`, n+1, and either `sum_rule_order`, k, or the product (see obstacles.py).
+    Witness: `order`, n+1, and either `sum_rule_order`, k, or the product (see obstacles.py), or `by`, SD321.
 
     Raises ContradictionError where C^(n+1) is proved and refuted.
     """
@@ -200,9 +226,13 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
     reduced, proved = numbers.reduced, integer(facts[SMOOTHNESS], "order")
     if obstacle_to(reduced, proved) is not None:
         raise ContradictionError(f"C^{proved} is proved and refuted")
-    obstacle = obstacle_to(reduced, proved + 1)
-    if obstacle is None:
+    found = [
+        NEXT_SMOOTHNESS.refuted(
+            f"φ is not C^{proved + 1}: {who_is_stable(numbers)}, and {why}", {"order": proved + 1, **witness}
+        )
+        for why, witness in obstacles_to(reduced, proved + 1)
+    ]
+    if not found:
         reason = "no norm proves it and no short product of transition matrices excludes it; a higher effort may decide"
         return (NEXT_SMOOTHNESS.undecided(f"is φ C^{proved + 1}?", reason),)
-    statement = f"φ is not C^{proved + 1}: {who_is_stable(numbers)}, and {obstacle[0]}"
-    return (NEXT_SMOOTHNESS.refuted(statement, {"order": proved + 1, **obstacle[1]}),)
+    return (best_of(found),)
