@@ -44,6 +44,8 @@ def smooth(c: Claim) -> None:
     """φ is C^n: ρ < λ^-n for differences of an order k > n. It is C^0 for any M where S converges."""
     n = c.statement["order"]
     c.count(1)
+    if n:
+        _isotropic(c)
     used = c.use("convergent", *_DECAYS).statement
     if used["property"] == "convergent":
         require(used["holds"] and n == 0, "it is not that φ is continuous because S converges")

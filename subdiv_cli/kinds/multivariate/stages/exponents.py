@@ -271,16 +271,18 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
 
 
 def _between(numbers: MultivariateNumbers, facts: Facts) -> Iterator[Finding]:
-    """The findings α <= s <= α + dimension/2 (for stable φ) by bounds of α apart from those by s, the best one first."""
+    """The findings α <= s <= α + dimension/2 (for stable φ), by bounds of α not by s, the best one first."""
     m, d = numbers.lattice.index, numbers.dimension
+    most = []
+    for j, upper in _apart(facts.find(HOLDER_UPPER)):
+        length, bound = as_integer(upper.witness["length"]), as_rational(upper.witness["radius"])
+        if upper.witness["by"] != SUM_RULES.code:
+            length, bound = 2 * length, bound**2 / m**length
+        most.append((_above(m, d, length, bound), j))
     for i, lower in _apart(facts.find(HOLDER_LOWER)):
         low = _exponent(numbers, as_integer(lower.witness["length"]), below_bound(lower))
         witness: dict[str, Data] = {"by": HOLDER_LOWER.code, "below": i}
-        for j, upper in _apart(facts.find(HOLDER_UPPER)):
-            length, bound = as_integer(upper.witness["length"]), as_rational(upper.witness["radius"])
-            if upper.witness["by"] != SUM_RULES.code:
-                length, bound = 2 * length, bound**2 / m**length
-            high = _above(m, d, length, bound)
+        for high, j in sorted(most):
             statement = f"{rounded_down(low)} ≤ s ≤ {rounded_up(high)}, by the Hölder exponent"
             yield SOBOLEV.proved(statement, {**witness, "above": j}, Interval(low, high))
         statement = f"s ≥ {rounded_down(low)}, by the Hölder exponent"

@@ -80,13 +80,13 @@ def _exactly(numbers: ScalarNumbers, growth: Growth) -> Finding:
 def _between(numbers: ScalarNumbers, facts: Facts) -> Iterator[Finding]:
     """The findings α <= s <= α + 1/2 and s <= k by bounds of α that do not rest on s, the best one first."""
     below, above = (_apart(facts.find(rule)) for rule in (HOLDER_LOWER, HOLDER_UPPER))
+    most = sorted((_at_most(numbers, upper) for upper in above), key=lambda bound: bound[0])
     for lower in below:
         root = cast("Mapping[str, Data] | None", lower.witness.get("root"))
         bound = as_rational(lower.witness["bound"] if root is None else root["high"])
         length = as_integer(lower.witness["length"])
         low = logarithmic(numbers.p, length, bound).lower
-        for upper in above:
-            high, of_upper = _at_most(numbers, upper)
+        for high, of_upper in most:
             witness: dict[str, Data] = {"by": HOLDER_LOWER.code, "length": length, "bound": bound, **of_upper}
             statement = f"{rounded_down(low or 0.0)} ≤ s ≤ {rounded_up(high)}, by the Hölder exponent"
             yield RULE.proved(statement, witness, Interval(low, high))
