@@ -205,7 +205,7 @@ def _exactly(proof: Proof) -> int | None:
 def sobolev(proof: Proof, finding: Finding) -> list[int]:
     """The claims of SD321: the Sobolev exponent; none where the witness of stability was too costly."""
     found, p = finding.witness, proof.p
-    if found.get("by") == rules.HOLDER_LOWER.code:
+    if "by" in found:
         return _between(proof, finding)
     degree = proof.degrees[proof.last] - proof.orders[proof.last] * (p - 1)
     order = degree // (p - 1) + 1
@@ -222,11 +222,14 @@ def sobolev(proof: Proof, finding: Finding) -> list[int]:
 
 def _between(proof: Proof, finding: Finding) -> list[int]:
     """The claims that bound the Sobolev exponent by the Hölder exponent; none where one of them cannot be made."""
-    found, below = finding.witness, proof.found[rules.HOLDER_LOWER]
-    bound = rational(as_rational(found["bound"]))
-    lower = next(each for each in (below, *below.otherwise) if _is_bounded_by(each, found))
-    least: Json = {"length": found["length"], "bound": bound}
-    claims = [proof.add("sobolev-at-least", least, uses=[n]) for n in holder_lower(proof, lower)]
+    found, least = finding.witness, []
+    if found["by"] == rules.HOLDER_LOWER.code:
+        below = proof.found[rules.HOLDER_LOWER]
+        lower = next(each for each in (below, *below.otherwise) if _is_bounded_by(each, found))
+        statement: Json = {"length": found["length"], "bound": rational(as_rational(found["bound"]))}
+        least = [proof.add("sobolev-at-least", statement, uses=[n]) for n in holder_lower(proof, lower)]
+        if not least:
+            return []
     if "word" in found:
         word, r = as_word(found), as_rational(found["radius"])
         most = {"length": 2 * len(word), "bound": rational(r**2 / proof.p ** len(word))}
@@ -235,7 +238,7 @@ def _between(proof: Proof, finding: Finding) -> list[int]:
         most = {"length": 1, "bound": rational(Fraction(1, proof.p ** as_integer(found["sum_rule_order"])))}
         uses = [[n, proof.sum_rules(proof.last), *proof.reductions] for n in proof.last_stable()]
     above = [proof.add("sobolev-at-most", most, uses=each) for each in uses]
-    return [*claims, *above] if claims and above else []
+    return [*least, *above] if above else []
 
 
 def _is_bounded_by(lower: Finding, found: Mapping[str, Data]) -> bool:

@@ -16,8 +16,8 @@ Always s - 1/2 <= α <= s <= k, α the Hölder exponent.
 
 Witness: `difference_order`, k of the (reduced) mask; `polynomial`, that of λ, integers, lowest power first; `low` and
 `high`, which enclose λ and no other zero of it; `cofactor`, what is left of the characteristic polynomial. Where G is
-too large for that, by the Hölder exponent: `by`, SD311, with `length` and `bound` as there; `word` and `radius` of a
-product, as SD312 has them, or `sum_rule_order`, k.
+too large for that, by the Hölder exponent: `by`, SD311, with `length` and `bound` as there, or SD312 alone; `word` and
+`radius` of a product, as SD312 has them, or `sum_rule_order`, k.
 """
 
 from __future__ import annotations
@@ -90,6 +90,9 @@ def _between(numbers: ScalarNumbers, facts: Facts) -> Iterator[Finding]:
             witness: dict[str, Data] = {"by": HOLDER_LOWER.code, "length": length, "bound": bound, **of_upper}
             statement = f"{rounded_down(low or 0.0)} ≤ s ≤ {rounded_up(high)}, by the Hölder exponent"
             yield RULE.proved(statement, witness, Interval(low, high))
+    if not below:
+        for high, of_upper in most:
+            yield RULE.proved(f"s ≤ {rounded_up(high)}", {"by": HOLDER_UPPER.code, **of_upper}, Interval(upper=high))
 
 
 def _apart(found: Finding | None) -> list[Finding]:
