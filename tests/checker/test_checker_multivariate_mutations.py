@@ -121,6 +121,9 @@ def is_true(s, name):
         "directional-norm": directional,
         "pair-norm": pair,
         "matrix-norm": decay,
+        "directional-decay": decay,
+        "sobolev-at-least": lambda: exponent() <= facts.s + 1e-9,
+        "sobolev-at-most": lambda: exponent() >= facts.s - 1e-9,
     }[s["property"]]()
 
 

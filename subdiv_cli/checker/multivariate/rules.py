@@ -40,6 +40,8 @@ _PROPERTIES: Mapping[str, Fields] = {
     "sobolev": _ZERO,
     "sobolev-lower": _ZERO,
     "sobolev-value": {"value": "rational"},
+    "sobolev-at-least": {"length": "length", "bound": "rational"},
+    "sobolev-at-most": {"length": "length", "bound": "rational"},
     "stable": {"holds": "boolean"},
     "tensor-product": {"parts": "index[]"},
     "of-factor": {"variables": "index", "statement": tensor.exponent},
@@ -48,6 +50,7 @@ _PROPERTIES: Mapping[str, Fields] = {
     "directional-norm": {"direction": "index", "level": "natural", "norm": "rational"},
     "pair-norm": {"directions": "index[]", "level": "natural", "norm": "rational"},
     "matrix-norm": {"order": "natural", "level": "natural", "norm": "rational"},
+    "directional-decay": {"order": "natural", "level": "natural", "norm": "rational"},
     "generation": {"degree": "integer"},
     "reproduction": {"degree": "integer"},
     "quasi-interpolation": {"degree": "natural", "operator": "terms", "stencil": "terms"},
@@ -73,6 +76,8 @@ _RULES = {
     "holder-lower": Step(("holder-lower",), {}, _NONE, conclusions.holder_lower),
     "holder-upper": Step(("holder-upper",), {}, _NONE, conclusions.holder_upper),
     "holder-root": Step(("holder-root",), {}, _NONE, conclusions.holder_root),
+    "sobolev-at-least": Step(("sobolev-at-least",), {}, _NONE, conclusions.sobolev_at_least),
+    "sobolev-at-most": Step(("sobolev-at-most",), {}, _NONE, conclusions.sobolev_at_most),
     "interpolatory-stable": Step(("stable",), {"holds": True}, _NONE, stability.interpolatory_stable),
     "gram-stable": Step(("stable",), {"holds": True}, ({"gram": "terms", "tree": "flat"},), stability.gram_stable),
     "gram-unstable": Step(("stable",), {"holds": False}, (_ZERO_POINT,), stability.gram_unstable),
@@ -93,6 +98,7 @@ _RULES = {
     "directional-converges": Step(("convergent",), {"holds": True}, _NONE, directional.directional_converges),
     "pair-norm": Step(("pair-norm",), {}, ({"quotient": "terms"},), directional.pair_norm),
     "directional-smooth": Step(("smooth",), {}, _NONE, directional.directional_smooth),
+    "directional-decay": Step(("directional-decay",), {}, _NONE, directional.directional_decay),
     "positive-converges": Step(("convergent",), {"holds": True}, _NONE, directional.positive_converges),
     "matrix-norm": Step(
         ("matrix-norm",), {}, ({"power": "natural", "entries": "term[][]"},), matrix_schemes.matrix_norm

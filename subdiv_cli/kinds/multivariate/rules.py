@@ -121,7 +121,7 @@ SOBOLEV = row(
     f"Jia 1999; Han 2003; {_BOX_SPLINES}, chapter I",
     w.MultivariateSobolevWitness,
     answers=q.SOBOLEV,
-    proves="sobolev sobolev-lower sobolev-value of-factor",
+    proves="sobolev sobolev-lower sobolev-value sobolev-at-least sobolev-at-most of-factor at-most-factor",
 )
 REPRODUCTION = row(
     "SD618",

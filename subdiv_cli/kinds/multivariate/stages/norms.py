@@ -145,7 +145,7 @@ def matrix_norms(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, .
         best = _norm(numbers, 0, [1])
     if numbers.lattice.is_isotropic:
         for n in range(1, numbers.order):
-            if proved_by(numbers, facts, n) is None:
+            if not proved_by(numbers, facts, n):
                 orders = range(n + 1, min(numbers.order, n + 1 + _MORE_ORDERS) + 1)
                 smoother = None if _excluded(numbers, n) else _norm(numbers, n, orders)
                 if smoother is None:
