@@ -103,6 +103,13 @@ QUASI_INTERPOLATION = row(
     proves="quasi-interpolation",
 )
 
+SUBLATTICE = row(
+    "SD620",
+    "sublattice",
+    "proved in the format of certificates, sublattice-diverges",
+    proves="convergent",
+)
+
 
 def rules() -> Mapping[str, Rule]:
     """Every row by its code."""

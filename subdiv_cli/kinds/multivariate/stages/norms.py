@@ -1,4 +1,4 @@
-"""Stages on norms that prove convergence or smoothness by themselves (SD604, SD606 to SD608)."""
+"""Stages that prove convergence or smoothness by norms (SD604, SD606 to SD608), or exclude it by the places (SD620)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,13 @@ from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, PairContraction
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.rules import DIRECTIONAL_NORMS, DIRECTIONAL_SMOOTHNESS, MATRIX_NORMS, POSITIVE_MASK
+from subdiv_cli.kinds.multivariate.rules import (
+    DIRECTIONAL_NORMS,
+    DIRECTIONAL_SMOOTHNESS,
+    MATRIX_NORMS,
+    POSITIVE_MASK,
+    SUBLATTICE,
+)
 from subdiv_cli.kinds.multivariate.stages.smoothness import proved_by, reaches, threshold
 from subdiv_cli.model import Data, Finding
 
@@ -47,6 +53,26 @@ def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, 
     statement = f"the difference schemes in {len(found)} directions contract: {', '.join(parts)}"
     witness, proof = _told(found, [c.direction for c in found])
     return (DIRECTIONAL_NORMS.proved(statement, witness, proof=proof),)
+
+
+def stays_in_sublattice(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD620: the mask stays in a lattice that is not Z^s.
+
+    Theorem (numbers/sublattice.py): let Γ be the smallest lattice with MΓ ⊂ Γ that holds the differences of the indices
+    with coefficients. If Γ is not Z^s, S^L δ is zero outside of one coset of Γ for each L, and S does not converge
+    uniformly to a limit that is not zero for some data. No hypothesis: any expanding M, any sums. There is a finding
+    only where Γ is not Z^s, and φ is no tensor product (SD609).
+
+    Witness: `index` of Γ in Z^s, None where Γ spans no more than a hyperplane; `functional`, u, and `modulus`, n: u·x =
+    0 modulo n on Γ, and not on Z^s.
+    """
+    found = None if numbers.parts else numbers.sublattice
+    if found is None:
+        return ()
+    where = "a hyperplane" if found.cosets is None else f"a lattice of index {found.cosets}"
+    statement = f"S^L δ is zero outside of a shift of {where}, for every L"
+    witness: dict[str, Data] = {"index": found.cosets, "functional": found.functional, "modulus": found.modulus}
+    return (SUBLATTICE.proved(statement, witness),)
 
 
 def positive_mask(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -28,6 +28,7 @@ from subdiv_cli.kinds.multivariate.rules import (
     SMOOTHNESS,
     SOBOLEV,
     STABILITY,
+    SUBLATTICE,
     SUM_RULES,
     TENSOR_PRODUCT,
 )
@@ -128,7 +129,8 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
     directional difference schemes that contract (SD604), by a positive mask on a box (SD608), by a matrix scheme of
     differences that contracts (SD606), by quotients of two directional factors that contract (SD607), or in the mean:
     ρ_k² is at most m Λ, Λ the growth of the mean squares (SD617), m = |det M|; that is s > dimension/2 for its bound of
-    s. It does not where φ is a box spline that is not continuous (SD603). Tensor products (SD609) converge iff all
+    s. It does not where φ is a box spline that is not continuous (SD603), nor where the mask stays in a lattice other
+    than Z^s (SD620). Tensor products (SD609) converge iff all
     their factors do. Hypotheses: the coset sums (SD601).
 
     Witness: `by`, the code of the finding that decides.
@@ -146,7 +148,7 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
         said = "S converges uniformly: its factors do", "S does not converge uniformly", "its factor in {} does not"
         return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, *said),)
     asked = found is not None and found.verdict is Verdict.PROVED
-    proofs, obstacles = list(_proofs(numbers, facts, asked)), list(_obstacles(numbers, asked))
+    proofs, obstacles = list(_proofs(numbers, facts, asked)), list(_obstacles(numbers, facts, asked))
     if proofs and obstacles:
         raise ContradictionError(f"S converges and {obstacles[0].why}")
     if several := proofs or obstacles:
@@ -174,13 +176,16 @@ def _proofs(numbers: MultivariateNumbers, facts: Facts, asked: bool) -> Iterator
         yield CONVERGENCE.proved(statement, {"by": SOBOLEV.code}, proof=growth_proof(numbers))
 
 
-def _obstacles(numbers: MultivariateNumbers, asked: bool) -> Iterator[Finding]:
+def _obstacles(numbers: MultivariateNumbers, facts: Facts, asked: bool) -> Iterator[Finding]:
     """The findings that S does not converge."""
     product = numbers.product if asked else None
     if product is not None and product.compare(Fraction(1)) >= 0:
         witness: dict[str, Data] = {"by": DIFFERENCE_RADIUS.code, "word": product.word}
         why = f"{product_name(product.word)} keeps ρ_{numbers.order} ≥ 1"
         yield CONVERGENCE.refuted("S does not converge uniformly", witness, why=why)
+    for stays in facts.all(SUBLATTICE):
+        why = stays.statement
+        yield CONVERGENCE.refuted("S does not converge uniformly", {"by": SUBLATTICE.code}, why=why)
     if numbers.box is not None and numbers.box.depth < 2:
         why = "φ is a box spline that is not continuous"
         yield CONVERGENCE.refuted("S does not converge uniformly", {"by": BOX_SPLINE.code}, why=why)
