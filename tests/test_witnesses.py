@@ -78,8 +78,9 @@ def analyses():
     for mask, work in (("[-9, -3, 2, 6, 5, 1, 6]/4", 300), ("[1, 1]", 300)):
         scheme = from_option(mask, start=0).scheme({})
         yield kind_of(scheme).analyse(scheme, Effort(work)).findings
-    unstable = unstable_butterfly()
-    yield kind_of(unstable).analyse(unstable, Effort(2000)).findings
+    apart = multivariate_scheme({(0, 0): Fraction(1, 2), (3, 0): 1, (6, 0): Fraction(1, 2)}, ((1, 1), (1, -1)))
+    for scheme in (unstable_butterfly(), apart):
+        yield kind_of(scheme).analyse(scheme, Effort(2000)).findings
 
 
 def test_every_witness_has_the_form_of_its_rule():

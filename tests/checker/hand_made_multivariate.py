@@ -90,6 +90,8 @@ MASKS = {
         [[2, 0], [0, 3]],
         scaled(product(ray(1, 0), ray(1, 0), ray(0, 1, count=3), ray(0, 1, count=3)), Fraction(1, 6), (-1, -2)),
     ),
+    "halves": (QUINCUNX, {(0, 0): Fraction(1, 2), (0, 1): Fraction(1), (0, 2): Fraction(1, 2)}),
+    "apart": (QUINCUNX, {(0, 0): Fraction(1, 2), (3, 0): Fraction(1), (6, 0): Fraction(1, 2)}),
     "half_haar": (TWO, box([(1, 0), (0, 1), (0, 1)], "1/2")),  # 1, 1 times a hat: it does not converge
     "sheared": ([[2, 1], [0, 2]], box([(1, 0), (0, 1)], 1)),
 }
@@ -669,6 +671,15 @@ def haar():
     return book.document()
 
 
+def apart():
+    """The mask stays in 3 Z^2: its box spline is C^0, and S diverges."""
+    book = _Book("apart")
+    book.structure(2)
+    witness = {"functional": [1, 0], "modulus": 3}
+    book.add("sublattice-diverges", witness=witness, property="convergent", holds=False)
+    return book.document()
+
+
 def flat():
     book = _Book("flat")
     book.structure(0)
@@ -707,6 +718,7 @@ ALL_MULTIVARIATE = {
         chaikin_hat,
         loop,
         haar,
+        apart,
         flat,
         trilinear,
     )

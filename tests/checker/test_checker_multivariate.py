@@ -226,6 +226,12 @@ FORGED = [
     ("quincunx", "holder-root", said("length", 2), "another length"),
     ("quincunx", "holder-root", said("high", "1"), "another high"),
     ("haar", "holder-root", lambda c: c["uses"].pop(2), "not total-sum-rules"),
+    ("apart", "sublattice-diverges", said("holds", True), "does not prove such statements"),
+    ("apart", "sublattice-diverges", witness("modulus", 2), "does not vanish on the differences"),
+    ("apart", "sublattice-diverges", witness("modulus", 1), "zero modulo n"),
+    ("apart", "sublattice-diverges", witness("modulus", 0), "zero modulo n"),
+    ("apart", "sublattice-diverges", witness("functional", [3, 3]), "zero modulo n"),
+    ("apart", "sublattice-diverges", witness("functional", [1, 0, 0]), "not one on Z^2"),
     ("bilinear", "interpolatory-stable", set_in("uses", []), "does not use"),
     ("bilinear", "interpolatory-stable", said("holds", False), "does not prove such statements"),
     ("bilinear", "gram-stable", set_in("uses", []), "does not use"),
@@ -617,6 +623,13 @@ def test_an_upper_bound_needs_stability():
             fields = {"length": 1, "polynomial": ["-1", "4"], "low": "1/4", "high": "1/4"}
         claims.append(claim(rule, [*lower["uses"], 1, stable], **fields))
         rejected(made, len(claims) - 1, "it uses stable with another holds")
+
+
+def test_a_lattice_must_hold_its_image():
+    """u = (1, 0) vanishes modulo 2 on the differences of these indices, (0, 1), but not on M (0, 1) = (1, -1)."""
+    witness = {"functional": [1, 0], "modulus": 2}
+    made = of("halves", claim("sublattice-diverges", witness=witness, work=WORK, property="convergent", holds=False))
+    rejected(made, 0, "does not vanish on the differences")
 
 
 @pytest.mark.parametrize(("name", "words"), [("moved", None), ("perturbed", "no coset has one coefficient only")])

@@ -1,6 +1,6 @@
-"""Convergence and C^1 by directional factors or by signs of a mask on Z^s, dilation cI. See FORMAT.md.
+"""Convergence and C^1 by directional factors or by signs of a mask on Z^s, dilation cI; divergence by its places.
 
-Dyn 1992: 6.50 to 6.53 for one factor, Corollary 7.9 for pairs, Theorem 6.4 for positive masks.
+See FORMAT.md. Dyn 1992: 6.50 to 6.53 for one factor, Corollary 7.9 for pairs, Theorem 6.4 for positive masks.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations, zip_longest
 from math import prod
+from operator import mul
 
 from subdiv_cli.checker.core import Claim, Statement
 from subdiv_cli.checker.multivariate.lattice import Index, Sparse, determinant, geometric, multiply, over_one
@@ -161,3 +162,20 @@ def positive_converges(c: Claim) -> None:
     require(min(sides) >= factor, f"a side of the box is shorter than {factor}")
     require(len(a.terms) == prod(side + 1 for side in sides), "the support is not a whole box")
     require(min(a.terms.values()) > 0, "a coefficient is negative")
+
+
+def sublattice_diverges(c: Claim) -> None:
+    """S diverges: for all α, β with a_α and a_β ≠ 0, u·M^j(α-β) = 0 modulo n for j < s, and u ≠ 0 modulo n.
+
+    So the smallest lattice Γ with MΓ ⊂ Γ that holds the α - β is not Z^s (Cayley & Hamilton: j < s is enough), and
+    S^L δ is zero outside of one coset of Γ. See FORMAT.md.
+    """
+    a = mask_of(c)
+    s, u, n = a.dilation.dimension, c.witness["functional"], c.witness["modulus"]
+    c.count(len(a.terms) * s**2)
+    require(len(u) == s, f"the functional is not one on Z^{s}")
+    require(n > 1 and any(x % n for x in u), "the functional is zero modulo n")
+    for _ in range(s):
+        values = {sum(map(mul, u, alpha)) % n for alpha in a.terms}
+        require(len(values) == 1, "the functional does not vanish on the differences")
+        u = [sum(x * row[i] for x, row in zip(u, a.dilation.rows, strict=True)) % n for i in range(s)]

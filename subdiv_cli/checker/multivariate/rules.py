@@ -100,6 +100,12 @@ _RULES = {
     "directional-smooth": Step(("smooth",), {}, _NONE, directional.directional_smooth),
     "directional-decay": Step(("directional-decay",), {}, _NONE, directional.directional_decay),
     "positive-converges": Step(("convergent",), {"holds": True}, _NONE, directional.positive_converges),
+    "sublattice-diverges": Step(
+        ("convergent",),
+        {"holds": False},
+        ({"functional": "index", "modulus": "natural"},),
+        directional.sublattice_diverges,
+    ),
     "matrix-norm": Step(
         ("matrix-norm",), {}, ({"power": "natural", "entries": "term[][]"},), matrix_schemes.matrix_norm
     ),

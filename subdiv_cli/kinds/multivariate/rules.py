@@ -140,6 +140,14 @@ QUASI_INTERPOLATION = row(
     proves="quasi-interpolation",
 )
 
+SUBLATTICE = row(
+    "SD620",
+    "sublattice",
+    "proved in the format of certificates, sublattice-diverges",
+    w.SublatticeWitness,
+    proves="convergent",
+)
+
 
 def rules() -> Mapping[str, Rule[Any]]:
     """Every row by its code."""

@@ -177,6 +177,14 @@ class MultivariateQuasiInterpolationWitness(TypedDict):
     stencil: PlacedNumbers
 
 
+class SublatticeWitness(TypedDict):
+    """The form of SD620."""
+
+    index: int | None
+    functional: Index
+    modulus: int
+
+
 class QuotientsProof(TypedDict):
     """The further data of SD604 and SD607: the quotients of the mask."""
 

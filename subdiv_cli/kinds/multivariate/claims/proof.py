@@ -73,6 +73,7 @@ class _Proof:
             rules.COSET_SUMS.code: lambda _: [self._coset_sums()],
             rules.SUM_RULES.code: self._sum_rules_and_generation,
             rules.BOX_SPLINE.code: lambda _: [self.box.spline()],
+            rules.SUBLATTICE.code: lambda _: [self._sublattice()],
             rules.DIRECTIONAL_NORMS.code: self._norms,
             rules.DIFFERENCE_RADIUS.code: lambda _: [self._radius(), self._differences()],
             rules.MATRIX_NORMS.code: lambda _: [self._matrix_norm()],
@@ -141,6 +142,12 @@ class _Proof:
         statement = {"order": order, "level": level, "norm": rational(bound)}
         return self.claims.prove("directional-decay", statement, {}, [self._coset_sums(), *norms], self._basis)
 
+    def _sublattice(self) -> int:
+        witness = self.facts.witness(rules.SUBLATTICE)
+        hints = {"functional": spelled(witness["functional"]), "modulus": witness["modulus"]}
+        statement = {"property": "convergent", "holds": False}
+        return self.claims.prove("sublattice-diverges", statement, hints, work=self.terms * self.s**2)
+
     def _positive(self) -> int:
         uses, work = [self._coset_sums()], self.terms * self.s
         return self.claims.prove("positive-converges", {"property": "convergent", "holds": True}, uses=uses, work=work)
@@ -196,6 +203,8 @@ class _Proof:
         holds, by = finding.verdict is Verdict.PROVED, witness["by"]
         if by == rules.POSITIVE_MASK.code:
             return self._positive()
+        if by == rules.SUBLATTICE.code:
+            return self._sublattice()
         rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
         if by == rules.DIRECTIONAL_NORMS.code:
             rule, uses = (

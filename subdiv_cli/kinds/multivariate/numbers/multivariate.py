@@ -30,6 +30,7 @@ from subdiv_cli.kinds.multivariate.numbers.polynomials import (
     reproduction,
     sum_rule_order,
 )
+from subdiv_cli.kinds.multivariate.numbers.sublattice import Sublattice, sublattice
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
 from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
 from subdiv_cli.model import HALF, Effort
@@ -114,6 +115,11 @@ class MultivariateNumbers:
         terms = self.scheme.terms
         full = len(terms) == prod(side + 1 for side in sides) and min(terms.values()) > 0
         return power == 1 and c >= 2 and full and min(sides) >= c
+
+    @cached_property
+    def sublattice(self) -> Sublattice | None:
+        """The lattice that the mask stays in, where that is not Z^s."""
+        return sublattice(self.scheme, self.lattice)
 
     @cached_property
     def space(self) -> DifferenceSpace | None:

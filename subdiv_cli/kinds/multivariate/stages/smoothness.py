@@ -26,6 +26,7 @@ from subdiv_cli.kinds.multivariate.rules import (
     SMOOTHNESS,
     SOBOLEV,
     STABILITY,
+    SUBLATTICE,
     SUM_RULES,
     TENSOR_PRODUCT,
 )
@@ -137,8 +138,8 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
     directional difference schemes that contract (SD604), by a positive mask on a box (SD608), by a matrix scheme of
     differences that contracts (SD606), by quotients of two directional factors that contract (SD607), or in the mean:
     ρ_k² is at most m Λ, Λ the growth of the mean squares (SD617), m = |det M|; that is s > dimension/2 for its bound of
-    s. It does not where φ is a box spline that is not continuous (SD603). Tensor products (SD609) converge iff all
-    their factors do. Hypotheses: the coset sums (SD601).
+    s. It does not where φ is a box spline that is not continuous (SD603), nor where the mask stays in a lattice other
+    than Z^s (SD620). Tensor products (SD609) converge iff all their factors do. Hypotheses: the coset sums (SD601).
 
     Witness: `by`, the code of the finding that decides.
 
@@ -153,7 +154,7 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
         words = yes, no, "its factors do", "its factor in {} does not"
         return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, *words),)
     asked = decay is not None and decay.verdict is Verdict.PROVED
-    proofs, obstacles = list(_proofs(numbers, facts, asked)), list(_obstacles(numbers, asked))
+    proofs, obstacles = list(_proofs(numbers, facts, asked)), list(_obstacles(numbers, facts, asked))
     if proofs and obstacles:
         raise ContradictionError(f"S converges and {obstacles[0].why}")
     if several := proofs or obstacles:
@@ -178,12 +179,14 @@ def _proofs(numbers: MultivariateNumbers, facts: Facts, asked: bool) -> Iterator
         yield _converges(why, SOBOLEV.code, growth_proof(numbers))
 
 
-def _obstacles(numbers: MultivariateNumbers, asked: bool) -> Iterator[Finding]:
+def _obstacles(numbers: MultivariateNumbers, facts: Facts, asked: bool) -> Iterator[Finding]:
     """The findings that S does not converge."""
     product = numbers.product if asked else None
     if product is not None and product.compare(Fraction(1)) >= 0:
         witness: MultivariateConvergenceWitness = {"by": DIFFERENCE_RADIUS.code, "word": product.word}
         yield _diverges(f"{product_name(product.word)} keeps ρ_{numbers.order} ≥ 1", witness)
+    for stays in facts.all(SUBLATTICE):
+        yield _diverges(stays.statement, {"by": SUBLATTICE.code})
     if numbers.box is not None and numbers.box.depth < 2:
         yield _diverges("φ is a box spline that is not continuous", {"by": BOX_SPLINE.code})
 
