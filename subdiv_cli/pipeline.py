@@ -91,8 +91,9 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
     proofs = kind.proofs(analysis)
     certificate = _verified(proofs, effort)
     dear = OUT_OF_TIME if effort.seconds_left() is not None else TOO_DEAR
-    claims = certificate.claims if certificate is not None else [()] * len(analysis.findings)
-    gathered = gather(tuple(map(partial(_claimed, dear), analysis.findings, claims, proofs.numbers)))
+    findings = certificate.findings if certificate is not None else analysis.findings
+    claims = certificate.claims if certificate is not None else [()] * len(findings)
+    gathered = gather(tuple(map(partial(_claimed, dear), findings, claims, proofs.numbers)))
     result = replace(
         gathered,
         kind=kind.name,
@@ -147,7 +148,7 @@ def _claimed(dear: str, finding: Finding, claims: tuple[int, ...], made: Sequenc
     """
     if finding.verdict in DECIDED and not claims:
         return uncertified(finding, dear if made else UNWRITTEN)
-    return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
+    return replace(finding, claims=claims, proof={}, otherwise=()) if claims or finding.proof else finding
 
 
 def _with_digits(exponent: Exponent | None) -> Exponent | None:

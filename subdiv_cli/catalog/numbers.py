@@ -24,8 +24,8 @@ Statement = Mapping[str, Any]
 Base = tuple[int, int]
 """The pair (m, s): exponents are to the base λ with λ^s = m."""
 
-_LOWER = {"holder-lower", "sobolev-lower"}
-_UPPER = {"holder-upper"}
+_LOWER = {"holder-lower", "sobolev-lower", "sobolev-at-least"}
+_UPPER = {"holder-upper", "sobolev-at-most"}
 
 
 class Stated(NamedTuple):

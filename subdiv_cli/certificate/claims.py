@@ -118,6 +118,8 @@ class Certificate(NamedTuple):
     """A document as FORMAT.md has it, and for each finding the numbers of its claims that say the same."""
 
     document: Json
+    findings: tuple[Finding, ...]
+    """The findings, in the place of each that is left out the first of those otherwise that is not."""
     claims: tuple[tuple[int, ...], ...]
     made: Sequence[int]
     """The claims of the document, as they are numbered where none is left out."""
@@ -128,7 +130,7 @@ class Certificate(NamedTuple):
         goal = [self.document["claims"][number]["statement"] for several in claims for number in several]
         unique = {json.dumps(statement): statement for statement in goal}
         document = {**self.document, "goal": list(unique.values()), "claims": self.document["claims"][:count]}
-        return Certificate(document, claims, self.made[:count]) if goal else None
+        return Certificate(document, self.findings, claims, self.made[:count]) if goal else None
 
 
 class Proofs(NamedTuple):
@@ -139,6 +141,8 @@ class Proofs(NamedTuple):
     findings: Sequence[Finding]
     numbers: Sequence[Sequence[int]]
     """None for a finding that is not decided, or whose witness was too costly to compute."""
+    make: Callable[[Finding], Sequence[int]]
+    """The function that makes the claims of one more finding."""
 
     def certificate(self, without: Set[int] = frozenset(), seconds: float | None = None) -> Certificate | None:
         """The certificate of the findings that the checker has work for and that need none of these claims.
@@ -146,31 +150,46 @@ class Proofs(NamedTuple):
         With so many seconds for the checker the claims stand in the order of the questions, and none takes longer. None
         where there is no finding.
         """
-        kept, left = self._selected(without, seconds)
-        numbers = [() if place in left else several for place, several in enumerate(self.numbers)]
-        goal = [number for several in numbers for number in several]
+        kept, chosen = self._selected(without, seconds)
+        goal = [number for _, numbers in chosen for number in numbers]
         if not goal:
             return None
         made = sorted(kept) if seconds is None else list(kept)
         new = {old: number for number, old in enumerate(made)}
-        renumbered = tuple(tuple(new[number] for number in several) for several in numbers)
-        return Certificate(self.claims.document(self.mask, goal, made), renumbered, made)
+        renumbered = tuple(tuple(new[number] for number in numbers) for _, numbers in chosen)
+        document = self.claims.document(self.mask, goal, made)
+        return Certificate(document, tuple(finding for finding, _ in chosen), renumbered, made)
 
-    def _selected(self, without: Set[int], seconds: float | None) -> tuple[Collection[int], Set[int]]:
-        """The claims that are kept, in the order of the questions, and the places of the findings that are left out."""
+    def _selected(
+        self, without: Set[int], seconds: float | None
+    ) -> tuple[Collection[int], Sequence[tuple[Finding, Sequence[int]]]]:
+        """The claims that are kept, and for each place its finding, or one otherwise, with the numbers of its claims.
+
+        The claims are in the order of the questions. There are no numbers where the finding is left out.
+        """
         room = MOST_WORK if seconds is None else min(MOST_WORK, int(seconds * WORK_A_SECOND))
-        if seconds is None and not without and sum(claim["work"] for claim in self.claims.made) <= room:
-            return range(len(self.claims.made)), frozenset()
-        kept, left = dict[int, None](), set[int]()
-        for place in sorted(range(len(self.findings)), key=lambda place: _importance(self.findings[place])):
-            more = self.claims.closure(self.numbers[place], kept)
-            work = sum(self.claims.made[number]["work"] for number in more)
-            if work > room or more & without:
-                left.add(place)
-            else:
-                kept |= dict.fromkeys(sorted(more))
-                room -= work
-        return kept, left
+        chosen = list(zip(self.findings, self.numbers, strict=True))
+        written = all(numbers or not finding.otherwise for finding, numbers in chosen)
+        enough = seconds is None and not without and written
+        if enough and sum(claim["work"] for claim in self.claims.made) <= room:
+            return range(len(self.claims.made)), chosen
+        kept = dict[int, None]()
+        for place in sorted(range(len(chosen)), key=lambda place: _importance(self.findings[place])):
+            chosen[place] = self.findings[place], ()
+            for finding, numbers in self._choices(place):
+                more = self.claims.closure(numbers, kept)
+                work = sum(self.claims.made[number]["work"] for number in more)
+                if numbers and work <= room and not more & without:
+                    kept |= dict.fromkeys(sorted(more))
+                    room -= work
+                    chosen[place] = finding, numbers
+                    break
+        return kept, chosen
+
+    def _choices(self, place: int) -> Iterator[tuple[Finding, Sequence[int]]]:
+        """The finding at a place and those otherwise, each with its claims, which are made when it is asked for."""
+        yield self.findings[place], self.numbers[place]
+        yield from ((other, self.make(other)) for other in self.findings[place].otherwise)
 
 
 def _importance(finding: Finding) -> int:
@@ -194,7 +213,7 @@ def proofs(
         except UnwrittenError:
             return ()
 
-    return Proofs(claims, mask, findings, tuple(map(made, findings)))
+    return Proofs(claims, mask, findings, tuple(map(made, findings)), made)
 
 
 def polynomial(start: int, coefficients: Sequence[Fraction | int]) -> Json:

@@ -191,8 +191,9 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         return cast("int | None", given.get(question))
 
     refinable = cast(Smoothness, given.get(questions.SMOOTHNESS, Smoothness()))
-    if refinable.order is not None and verdict(questions.NEXT_SMOOTHNESS) is Verdict.REFUTED:
-        refinable = refinable._replace(sharp=True)
+    following = answering(findings, questions.NEXT_SMOOTHNESS)
+    if refinable.order is not None and following is not None and following.verdict is Verdict.REFUTED:
+        refinable = refinable._replace(sharp=following.witness.get("order", refinable.order + 1) == refinable.order + 1)
     convergent = verdict(questions.CONVERGENCE)
     sobolev = cast("Exponent | None", given.get(questions.SOBOLEV))
     return Result(

@@ -6,7 +6,7 @@ question. A rule is a row of a kind's table: what all findings of one code share
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
@@ -137,6 +137,13 @@ class Finding:
     """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
     """The claims of the certificate that state the same, checked independently."""
+    otherwise: tuple[Finding, ...] = ()
+    """Findings of the rule that prove no more, by other routes: the first that can be certified, where this cannot."""
+
+
+def best_of(findings: Sequence[Finding]) -> Finding:
+    """The first of several findings of a rule, the strongest one, with the others as what is proved otherwise."""
+    return replace(findings[0], otherwise=tuple(findings[1:]))
 
 
 TOO_DEAR = "its proof asks more work of the checker than it does"
@@ -175,6 +182,7 @@ def uncertified(finding: Finding, reason: str) -> Finding:
         witness={},
         proof={},
         closed=None,
+        otherwise=(),
     )
 
 

@@ -29,6 +29,11 @@ class PowerData(TypedDict, total=False):
     bound: Fraction
 
 
+def upper_bound(power: PowerData) -> Fraction:
+    """The number x with ρ^length <= x: the root from above where it is known, else the bound."""
+    return power["root"]["high"] if "root" in power else power["bound"]
+
+
 class DiscData(TypedDict):
     """A disc that isolates a complex eigenvalue, the zero of an irreducible polynomial."""
 

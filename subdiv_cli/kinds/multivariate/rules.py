@@ -121,7 +121,7 @@ SOBOLEV = row(
     f"Jia 1999; Han 2003; {_BOX_SPLINES}, chapter I",
     w.MultivariateSobolevWitness,
     answers=q.SOBOLEV,
-    proves="sobolev sobolev-lower sobolev-value of-factor",
+    proves="sobolev sobolev-lower sobolev-value sobolev-at-least sobolev-at-most of-factor at-most-factor",
 )
 REPRODUCTION = row(
     "SD618",
@@ -138,6 +138,14 @@ QUASI_INTERPOLATION = row(
     w.MultivariateQuasiInterpolationWitness,
     answers=q.QUASI_INTERPOLATION,
     proves="quasi-interpolation",
+)
+
+SUBLATTICE = row(
+    "SD620",
+    "sublattice",
+    "proved in the format of certificates, sublattice-diverges",
+    w.SublatticeWitness,
+    proves="convergent",
 )
 
 

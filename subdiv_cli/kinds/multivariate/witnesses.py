@@ -147,12 +147,15 @@ class MultivariateStabilityWitness(TypedDict):
 
 
 class MultivariateSobolevWitness(ExponentWitness, total=False):
-    """The form of SD617."""
+    """The form of SD617: from factors, from mean squares, or from bounds of the Hölder exponent."""
 
+    variables_above: Integers
     polynomial: Integers
     low: Fraction
     high: Fraction
     holds: bool
+    below: int
+    above: int
 
 
 class MultivariateReproductionWitness(TypedDict):
@@ -172,6 +175,14 @@ class MultivariateQuasiInterpolationWitness(TypedDict):
     operator: PlacedNumbers
     centred: PlacedNumbers
     stencil: PlacedNumbers
+
+
+class SublatticeWitness(TypedDict):
+    """The form of SD620."""
+
+    index: int | None
+    functional: Index
+    modulus: int
 
 
 class QuotientsProof(TypedDict):

@@ -118,7 +118,12 @@ HOLDER_ATTAINED = row(
     holds=True,
 )
 SOBOLEV = row(
-    "SD321", "sobolev-exponent", "Villemoes 1992; Jia 1999", w.SobolevWitness, answers=q.SOBOLEV, proves="sobolev"
+    "SD321",
+    "sobolev-exponent",
+    "Villemoes 1992; Jia 1999",
+    w.SobolevWitness,
+    answers=q.SOBOLEV,
+    proves="sobolev sobolev-at-least sobolev-at-most",
 )
 INDEPENDENCE = row(
     "SD401",

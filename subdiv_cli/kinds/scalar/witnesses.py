@@ -62,9 +62,10 @@ class ProductWitness(TypedDict, total=False):
 
 
 class ObstacleWitness(ProductWitness, total=False):
-    """What keeps a stable φ from being smoother: the order of its sum rules, or a product."""
+    """What keeps a stable φ from being smoother: the order of its sum rules, a product, or `by` a finding."""
 
     sum_rule_order: int
+    by: str
 
 
 class ContractionWitness(ProductWitness, total=False):
@@ -84,7 +85,7 @@ class ContractivityWitness(ContractionWitness):
 
 
 class ConvergenceWitness(ContractionWitness, total=False):
-    """The form of SD201: that of SD101, SD202 or SD301, whichever decides."""
+    """The form of SD201: that of SD101, SD202 or SD301, whichever decides, or the code of SD302 or SD321 alone."""
 
     by: Required[str]
     nu: int
@@ -106,7 +107,7 @@ class SmoothnessWitness(ObstacleWitness, total=False):
     """The form of SD302: `order` and `by`, or an obstacle to continuity."""
 
     order: int
-    by: str
+    radius_of: str
 
 
 class NextSmoothnessWitness(ObstacleWitness):
@@ -141,7 +142,9 @@ class HolderLowerWitness(PowerData):
     """The form of SD311."""
 
     difference_order: int
-    radius_of: str
+    radius_of: NotRequired[str]
+    by: NotRequired[str]
+    nu: NotRequired[int]
 
 
 class HolderUpperWitness(ProductWitness):
@@ -149,6 +152,8 @@ class HolderUpperWitness(ProductWitness):
 
     difference_order: int
     radius: NotRequired[Fraction]
+    by: NotRequired[str]
+    length: NotRequired[int]
 
 
 class JordanBlockWitness(TypedDict, total=False):
@@ -169,14 +174,20 @@ class HolderAttainedWitness(JordanBlockWitness):
     norm: NotRequired[Fraction]
 
 
-class SobolevWitness(TypedDict):
-    """The form of SD321."""
+class SobolevWitness(TypedDict, total=False):
+    """The form of SD321: the growth of mean squares, or bounds of the Hölder exponent from below and from above."""
 
     difference_order: int
     polynomial: Integers
     low: Fraction
     high: Fraction
     cofactor: Numbers
+    by: str
+    length: int
+    bound: Fraction
+    word: Integers
+    radius: Fraction
+    sum_rule_order: int
 
 
 class IndependenceWitness(TypedDict, total=False):

@@ -39,9 +39,9 @@ def directional_norms(claims: Claims, finding: Finding, c: int) -> list[int]:
     return numbers
 
 
-def pairs(claims: Claims, finding: Finding, order: int, coset_sums: int, s: int, c: int) -> int:
-    """The number of the claim that φ is C^order, order <= 1, in s variables with the dilation cI."""
-    uses, witness = [coset_sums], rules.DIRECTIONAL_SMOOTHNESS.witness_of(finding)
+def pair_norms(claims: Claims, finding: Finding, c: int) -> list[int]:
+    """The numbers of the claims on the quotients by pairs of directional factors, with the dilation cI."""
+    numbers, witness = [], rules.DIRECTIONAL_SMOOTHNESS.witness_of(finding)
     quotients = proof_of(finding, QuotientsProof)["quotients"]
     each = zip(witness["directions"], witness["levels"], witness["norms"], quotients, strict=True)
     for directions, level, norm, quotient in each:
@@ -52,8 +52,8 @@ def pairs(claims: Claims, finding: Finding, order: int, coset_sums: int, s: int,
             "norm": rational(norm),
         }
         work = len(quotient) * (c + c**2 + c + _length(quotient, c, level))
-        uses.append(claims.add("pair-norm", statement, {"quotient": spelled(quotient)}, uses=[], work=work))
-    return claims.add("directional-smooth", {"property": "smooth", "order": order}, {}, uses, 24 * (s + 1))
+        numbers.append(claims.add("pair-norm", statement, {"quotient": spelled(quotient)}, uses=[], work=work))
+    return numbers
 
 
 def _length(quotient: PlacedNumbers, c: int, level: int) -> int:

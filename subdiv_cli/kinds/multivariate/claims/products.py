@@ -124,8 +124,13 @@ class Factors:
         return self._of_one("at-most-factor", HOLDER_UPPER, variables)
 
     def sobolev(self, witness: MultivariateSobolevWitness) -> list[int]:
-        """The claims on the Sobolev exponent, or on its bound from below, by the factor that the witness names."""
-        return self._of_one("of-factor", SOBOLEV, witness["variables"], witness.get("between"))
+        """The claims on the Sobolev exponent, or on its bounds, by the factors that the witness names."""
+        claims = []
+        if "variables" in witness:
+            claims.append(self._of_one("of-factor", SOBOLEV, witness["variables"], witness.get("between")))
+        if "variables_above" in witness:
+            claims.append(self._of_one("at-most-factor", SOBOLEV, witness["variables_above"]))
+        return [number for each in claims for number in each] if all(claims) else []
 
     def _of_one(
         self, rule: str, question: Question, variables: tuple[int, ...], between: Fraction | None = None
@@ -135,7 +140,7 @@ class Factors:
         if not self._complete or not stated[variables] or (between is not None and not all(stated.values())):
             return []
         witness = {} if between is None else {"between": rational(between)}
-        statement = {"variables": list(variables), "statement": stated[variables][0]}
+        statement = {"variables": list(variables), "statement": stated[variables][0 if rule == "of-factor" else -1]}
         return [self._claims.prove(rule, statement, witness, [self.product()], len(self._parts))]
 
 

@@ -11,15 +11,22 @@ from subdiv_cli.certificate.claims import Claims, Json, Proofs, UnwrittenError, 
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
 from subdiv_cli.kinds.kind import Analysis, Facts, Part
 from subdiv_cli.kinds.multivariate import rules
-from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pairs
+from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pair_norms
 from subdiv_cli.kinds.multivariate.claims.products import BoxSplineClaims, Factors, PartCertificate
+from subdiv_cli.kinds.multivariate.stages.wording import largest_norm
 from subdiv_cli.kinds.multivariate.text.writing import canonical
-from subdiv_cli.kinds.multivariate.witnesses import DifferenceRadiusProof, GrowthProof, PlacedNumbers
+from subdiv_cli.kinds.multivariate.witnesses import (
+    DifferenceRadiusProof,
+    GrowthProof,
+    MultivariateSmoothnessWitness,
+    MultivariateSobolevWitness,
+    PlacedNumbers,
+)
 from subdiv_cli.kinds.scalar.claims import claims_of as univariate_claims
 from subdiv_cli.model import DECIDED, Finding, Verdict, exact_root
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import proof_of
-from subdiv_cli.model.proofs import RootData
+from subdiv_cli.model.proofs import RootData, upper_bound
 
 
 def claims_of(analysis: Analysis) -> Proofs:
@@ -36,12 +43,12 @@ def _of_part(part: Part) -> PartCertificate | None:
     written = make(part.analysis).certificate()
     if written is None:
         return None
-    claims = written.document["claims"]
+    claims, findings = written.document["claims"], part.analysis.findings
     stated = {
         question: [claims[number]["statement"] for number in numbers]
-        for finding, numbers in zip(part.analysis.findings, written.claims, strict=True)
+        for finding, chosen, numbers in zip(findings, written.findings, written.claims, strict=True)
         for question, _ in finding.answers
-        if numbers
+        if numbers and chosen is finding
     }
     return PartCertificate(part.variables, written.document, stated)
 
@@ -66,13 +73,14 @@ class _Proof:
             rules.COSET_SUMS.code: lambda _: [self._coset_sums()],
             rules.SUM_RULES.code: self._sum_rules_and_generation,
             rules.BOX_SPLINE.code: lambda _: [self.box.spline()],
+            rules.SUBLATTICE.code: lambda _: [self._sublattice()],
             rules.DIRECTIONAL_NORMS.code: self._norms,
             rules.DIFFERENCE_RADIUS.code: lambda _: [self._radius(), self._differences()],
             rules.MATRIX_NORMS.code: lambda _: [self._matrix_norm()],
             rules.DIRECTIONAL_SMOOTHNESS.code: lambda _: [self._pairs()],
             rules.POSITIVE_MASK.code: lambda _: [self._positive()],
             rules.TENSOR_PRODUCT.code: lambda _: [self.factors.product()],
-            rules.CONVERGENCE.code: lambda _: [self._convergent()],
+            rules.CONVERGENCE.code: lambda each: [self._convergent(each)],
             rules.SMOOTHNESS.code: self._smooth,
             rules.NEXT_SMOOTHNESS.code: self._next_smooth,
             rules.HOLDER_LOWER.code: self._lower,
@@ -113,9 +121,32 @@ class _Proof:
         return matrix_norm(self.claims, self.facts[rules.MATRIX_NORMS], self._sum_rules())
 
     def _pairs(self, order: int = 1) -> int:
-        return pairs(
-            self.claims, self.facts[rules.DIRECTIONAL_SMOOTHNESS], order, self._coset_sums(), self.s, self._factor()
-        )
+        norms = pair_norms(self.claims, self.facts[rules.DIRECTIONAL_SMOOTHNESS], self._factor())
+        statement = {"property": "smooth", "order": order}
+        return self.claims.prove("directional-smooth", statement, {}, [self._coset_sums(), *norms], self._basis)
+
+    @property
+    def _basis(self) -> int:
+        """The work to see that directions are bases of Z^s."""
+        return 24 * (self.s + 1)
+
+    def _directional_decay(self, by: str) -> int:
+        """The claim on the decay of differences by directional factors, one at a time or in pairs."""
+        c = self._factor()
+        if by == rules.DIRECTIONAL_SMOOTHNESS.code:
+            order, (level, bound) = 2, largest_norm(self.facts.witness(rules.DIRECTIONAL_SMOOTHNESS), c)
+            norms = pair_norms(self.claims, self.facts[rules.DIRECTIONAL_SMOOTHNESS], c)
+        else:
+            order, (level, bound) = 1, largest_norm(self.facts.witness(rules.DIRECTIONAL_NORMS), 1)
+            norms = directional_norms(self.claims, self.facts[rules.DIRECTIONAL_NORMS], c)
+        statement = {"order": order, "level": level, "norm": rational(bound)}
+        return self.claims.prove("directional-decay", statement, {}, [self._coset_sums(), *norms], self._basis)
+
+    def _sublattice(self) -> int:
+        witness = self.facts.witness(rules.SUBLATTICE)
+        hints = {"functional": spelled(witness["functional"]), "modulus": witness["modulus"]}
+        statement = {"property": "convergent", "holds": False}
+        return self.claims.prove("sublattice-diverges", statement, hints, work=self.terms * self.s**2)
 
     def _positive(self) -> int:
         uses, work = [self._coset_sums()], self.terms * self.s
@@ -165,11 +196,15 @@ class _Proof:
         statement = {"property": "radius-lower", "family": 0, "length": len(word), "bound": rational(bound)}
         return self.claims.prove("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
 
-    def _convergent(self) -> int:
-        finding, witness = self.facts[rules.CONVERGENCE], self.facts.witness(rules.CONVERGENCE)
+    def _convergent(self, finding: Finding | None = None) -> int:
+        """The claim on convergence, by the first finding unless another one is given."""
+        finding = finding or self.facts[rules.CONVERGENCE]
+        witness = rules.CONVERGENCE.witness_of(finding)
         holds, by = finding.verdict is Verdict.PROVED, witness["by"]
         if by == rules.POSITIVE_MASK.code:
             return self._positive()
+        if by == rules.SUBLATTICE.code:
+            return self._sublattice()
         rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
         if by == rules.DIRECTIONAL_NORMS.code:
             rule, uses = (
@@ -181,10 +216,10 @@ class _Proof:
             if not claims:
                 raise UnwrittenError
             return claims[0]
-        elif by == rules.MATRIX_NORMS.code:
-            uses = [self._matrix_norm()]
-        elif by == rules.SOBOLEV.code:
-            uses = [self._mean_squares(finding, lower=True)]
+        elif by == rules.BOX_SPLINE.code:
+            uses = [self.box.not_smooth(0)]
+        elif by in (rules.MATRIX_NORMS.code, rules.SOBOLEV.code, rules.DIRECTIONAL_SMOOTHNESS.code):
+            uses = self._decay(finding, by)
         elif by == rules.DIFFERENCE_RADIUS.code:
             uses = [self._radius() if holds else self._word(witness["word"], Fraction(1)), self._differences()]
         return self.claims.prove(rule, {"property": "convergent", "holds": holds}, uses=uses)
@@ -209,7 +244,7 @@ class _Proof:
         witness = rules.SMOOTHNESS.witness_of(finding)
         n, by = witness["order"], witness["by"]
         if finding.verdict is Verdict.REFUTED:
-            return self._not_smooth(n, by)
+            return self._not_smooth(finding, witness)
         if by == rules.TENSOR_PRODUCT.code:
             return self.factors.say("smooth", {"property": "smooth", "order": n})
         if by == rules.BOX_SPLINE.code:
@@ -219,18 +254,22 @@ class _Proof:
         return [self.claims.prove("smooth", {"order": n}, uses=self._decay(finding, by))]
 
     def _decay(self, finding: Finding, by: str) -> list[int]:
-        """The claims that bound ρ_k from above: by the radius of a family, or by mean squares."""
+        """The claims that bound ρ_k from above: by the radius of a family, by norms, or by mean squares."""
+        if by == rules.CONVERGENCE.code:
+            return [self._convergent()]
         if by == rules.SOBOLEV.code:
             return [self._mean_squares(finding, lower=True)]
         if by == rules.MATRIX_NORMS.code:
             return [self._matrix_norm()]
+        if by in (rules.DIRECTIONAL_NORMS.code, rules.DIRECTIONAL_SMOOTHNESS.code):
+            return [self._directional_decay(by)]
         return [self._radius(), self._differences()]
 
     def _next_smooth(self, finding: Finding) -> list[int]:
-        witness = rules.NEXT_SMOOTHNESS.witness_of(finding)
-        return self._not_smooth(witness["order"], witness["by"])
+        return self._not_smooth(finding, rules.NEXT_SMOOTHNESS.witness_of(finding))
 
-    def _not_smooth(self, n: int, by: str) -> list[int]:
+    def _not_smooth(self, finding: Finding, witness: MultivariateSmoothnessWitness) -> list[int]:
+        n, by = witness["order"], witness["by"]
         statement: Json = {"property": "not-smooth", "order": n}
         if by == rules.TENSOR_PRODUCT.code:
             return self.factors.say("not-smooth", statement)
@@ -238,6 +277,8 @@ class _Proof:
             return [self.box.not_smooth(n)]
         if by == rules.SUM_RULES.code:
             return [self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])]
+        if by == rules.SOBOLEV.code:
+            return [self.claims.prove("not-smooth", statement, uses=[self._mean_squares(finding, lower=False)])]
         below = self._reaching(n)
         return [self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])]
 
@@ -256,26 +297,37 @@ class _Proof:
             return self.factors.holder_lower(witness)
         if witness["by"] == rules.BOX_SPLINE.code:
             return [self.box.holder(witness["value"])]
-        root = witness.get("root")
-        if root is not None and self.facts.verdict(rules.STABILITY) is Verdict.PROVED:
-            return [self._exponent(witness["length"], root)]
-        bound = rational(witness["bound"] if root is None else root["high"])
+        if "root" in witness and self.facts.verdict(rules.STABILITY) is Verdict.PROVED:
+            return [self._exponent(witness["length"], witness["root"])]
+        statement = {"length": witness["length"], "bound": rational(upper_bound(witness))}
         uses = self._decay(finding, witness["by"])
-        below = self.claims.prove("holder-lower", {"length": witness["length"], "bound": bound}, uses=uses)
-        return [below, *([uses[0]] if len(uses) > 1 else [])]
+        return [self.claims.prove("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
 
     def _upper(self, finding: Finding) -> list[int]:
         witness, below = rules.HOLDER_UPPER.witness_of(finding), self.facts[rules.HOLDER_LOWER]
-        if witness["by"] == rules.TENSOR_PRODUCT.code:
+        by = witness["by"]
+        if by == rules.TENSOR_PRODUCT.code:
             return self.factors.holder_upper(finding, below)
-        if witness["by"] == rules.BOX_SPLINE.code:
+        if by == rules.BOX_SPLINE.code:
             return [self.box.holder(witness["value"])]
-        if below.verdict in DECIDED and "root" in (lower := rules.HOLDER_LOWER.witness_of(below)):
-            return [self._exponent(lower["length"], lower["root"])]
+        if by == rules.DIFFERENCE_RADIUS.code and below.verdict in DECIDED:
+            lower = rules.HOLDER_LOWER.witness_of(below)
+            if "root" in lower:
+                return [self._exponent(lower["length"], lower["root"])]
+        return [self._above(finding)]
+
+    def _above(self, finding: Finding) -> int:
+        """The claim of a bound from above, by the order of the sum rules, by mean squares, or by a product."""
+        witness = rules.HOLDER_UPPER.witness_of(finding)
         statement = {"length": witness["length"], "bound": rational(witness["radius"])}
-        word = self._word(witness["word"], witness["radius"])
-        uses = [word, self._differences(), self._sum_rules(), self._stable()]
-        return [self.claims.prove("holder-upper", statement, uses=uses)]
+        if witness["by"] == rules.SUM_RULES.code:
+            uses = [self._sum_rules(), self._stable()]
+        elif witness["by"] == rules.SOBOLEV.code:
+            uses = [self._mean_squares(finding, lower=False)]
+        else:
+            word = self._word(witness["word"], witness["radius"])
+            uses = [word, self._differences(), self._sum_rules(), self._stable()]
+        return self.claims.prove("holder-upper", statement, uses=uses)
 
     def _exponent(self, length: int, root: RootData) -> int:
         uses = [self._radius(), self._differences(), self._sum_rules(), self._stable()]
@@ -287,7 +339,29 @@ class _Proof:
             return self.factors.sobolev(witness)
         if witness["by"] == rules.BOX_SPLINE.code:
             return [self.box.sobolev(witness["value"])]
+        if witness["by"] == rules.HOLDER_LOWER.code:
+            return self._between(witness)
         return [self._mean_squares(finding, lower=not witness["holds"])]
+
+    def _between(self, witness: MultivariateSobolevWitness) -> list[int]:
+        """The claims that bound the Sobolev exponent by the Hölder exponent."""
+        first = self.facts[rules.HOLDER_LOWER]
+        below = (first, *first.otherwise)[witness["below"]]
+        lower = rules.HOLDER_LOWER.witness_of(below)
+        statement = {"length": lower["length"], "bound": rational(upper_bound(lower))}
+        claims = [self.claims.prove("sobolev-at-least", statement, uses=self._lower(below)[:1])]
+        if "above" not in witness:
+            return claims
+        first = self.facts[rules.HOLDER_UPPER]
+        above = (first, *first.otherwise)[witness["above"]]
+        upper = rules.HOLDER_UPPER.witness_of(above)
+        length, bound = upper["length"], upper["radius"]
+        if upper["by"] == rules.SUM_RULES.code:
+            uses = [self._sum_rules(), self._stable()]
+        else:
+            length, bound, uses = 2 * length, bound**2 / self.m**length, [self._above(above)]
+        statement = {"length": length, "bound": rational(bound)}
+        return [*claims, self.claims.prove("sobolev-at-most", statement, uses=uses)]
 
     def _mean_squares(self, finding: Finding, *, lower: bool) -> int:
         """The claim on s by the growth of mean squares, or on its bound from below."""

@@ -12,7 +12,8 @@ Written for what the joint spectral radius ρ_k of the T_ε on V_k decides:
   U_j / U_(j+1), j < k, they all act as one matrix, dual to p -> p(M^-1 ·) on homogeneous polynomials of degree j. So
   ρ_1 = max(ρ_k, ρ(M^-1)) for k > 1, and as M is expanding, ρ_1 < 1 iff ρ_k < 1.
 * The ε may be any representatives of the cosets: with ε + Mη for ε the image is a shift. With ε + t for all ε the
-  operators are those of the mask a(· + t): where the mask stands far off, V_k is about as small as near the origin.
+  operators are those of the mask a(· + t). So t is the lowest corner of the mask's box, and the matrices are the same
+  wherever the mask stands. V_k is most often smaller so than with the mask's middle at the origin.
 """
 
 from __future__ import annotations
@@ -58,8 +59,8 @@ def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int, effor
     Raises ClockStruckError.
     """
     starts = [difference(mu) for mu in indices_of_degree(lattice.dimension, k)]
-    at = [min(max(0, low), high) for low, high in zip(*scheme.bounds(), strict=True)]
-    cosets = tuple(tuple(map(sum, zip(epsilon, at, strict=True))) for epsilon in lattice.representatives)
+    corner, _ = scheme.bounds()
+    cosets = tuple(tuple(map(sum, zip(epsilon, corner, strict=True))) for epsilon in lattice.representatives)
     window = _invariant_window(scheme, lattice, cosets, {alpha for v in starts for alpha in v}, effort)
     if window is None:
         return None

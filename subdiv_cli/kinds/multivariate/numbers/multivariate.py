@@ -30,8 +30,9 @@ from subdiv_cli.kinds.multivariate.numbers.polynomials import (
     reproduction,
     sum_rule_order,
 )
+from subdiv_cli.kinds.multivariate.numbers.sublattice import Sublattice, sublattice
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
-from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
 from subdiv_cli.model import HALF, Effort
 
 
@@ -67,8 +68,21 @@ class MultivariateNumbers:
     @cached_property
     def is_interpolatory(self) -> bool:
         """Whether a_0 = 1 and a_(Mα) = 0 for α ≠ 0."""
-        on_lattice = {alpha: x for alpha, x in self.scheme.terms.items() if self.lattice.preimage(alpha) is not None}
-        return on_lattice == {(0,) * self.dimension: 1}
+        zero = (0,) * self.dimension
+        return self._by_coset.get(self.lattice.coset(zero)) == {zero: Fraction(1)}
+
+    @cached_property
+    def is_shifted_interpolatory(self) -> bool:
+        """Whether a(· + t) is interpolatory for some t: the coset of t has this coefficient alone, and it is 1."""
+        return any([*some.values()] == [1] for some in self._by_coset.values())
+
+    @cached_property
+    def _by_coset(self) -> dict[Index, dict[Index, Fraction]]:
+        """The terms of each coset that has any, by its key."""
+        found: dict[Index, dict[Index, Fraction]] = {}
+        for alpha, x in self.scheme.terms.items():
+            found.setdefault(self.lattice.coset(alpha), {})[alpha] = x
+        return found
 
     @cached_property
     def box(self) -> BoxSpline | None:
@@ -101,6 +115,11 @@ class MultivariateNumbers:
         terms = self.scheme.terms
         full = len(terms) == prod(side + 1 for side in sides) and min(terms.values()) > 0
         return power == 1 and c >= 2 and full and min(sides) >= c
+
+    @cached_property
+    def sublattice(self) -> Sublattice | None:
+        """The lattice that the mask stays in, where that is not Z^s."""
+        return sublattice(self.scheme, self.lattice)
 
     @cached_property
     def space(self) -> DifferenceSpace | None:

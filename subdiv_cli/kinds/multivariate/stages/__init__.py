@@ -21,6 +21,7 @@ STAGES: tuple[Stage, ...] = (
     sum_rules.sum_rules,
     products.box_spline,
     products.tensor_product,
+    norms.stays_in_sublattice,
     norms.directional_norms,
     smoothness.difference_radius,
     norms.positive_mask,

@@ -1,4 +1,4 @@
-"""Stages on norms that prove convergence or smoothness by themselves (SD604, SD606 to SD608)."""
+"""Stages that prove convergence or smoothness by norms (SD604, SD606 to SD608), or exclude it by the places (SD620)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,13 @@ from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, PairContraction
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.rules import DIRECTIONAL_NORMS, DIRECTIONAL_SMOOTHNESS, MATRIX_NORMS, POSITIVE_MASK
+from subdiv_cli.kinds.multivariate.rules import (
+    DIRECTIONAL_NORMS,
+    DIRECTIONAL_SMOOTHNESS,
+    MATRIX_NORMS,
+    POSITIVE_MASK,
+    SUBLATTICE,
+)
 from subdiv_cli.kinds.multivariate.stages.smoothness import proved_by, reaches, threshold
 from subdiv_cli.kinds.multivariate.witnesses import (
     DirectionalNormsWitness,
@@ -18,6 +24,7 @@ from subdiv_cli.kinds.multivariate.witnesses import (
     MatrixNormsProof,
     MatrixNormsWitness,
     QuotientsProof,
+    SublatticeWitness,
 )
 from subdiv_cli.model import Finding
 
@@ -55,6 +62,31 @@ def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, 
         "norms": tuple(c.norm for c in contractions),
     }
     return (DIRECTIONAL_NORMS.proved(statement, witness, proof=_quotients(contractions)),)
+
+
+@asking()
+def stays_in_sublattice(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD620: the mask stays in a lattice that is not Z^s.
+
+    Theorem (numbers/sublattice.py): let Γ be the smallest lattice with MΓ ⊂ Γ that holds the differences of the indices
+    with coefficients. If Γ is not Z^s, S^L δ is zero outside of one coset of Γ for each L, and S does not converge
+    uniformly to a limit that is not zero for some data. No hypothesis: any expanding M, any sums. There is a finding
+    only where Γ is not Z^s, and φ is no tensor product (SD609).
+
+    Witness: `index` of Γ in Z^s, None where Γ spans no more than a hyperplane; `functional`, u, and `modulus`, n: u·x =
+    0 modulo n on Γ, and not on Z^s.
+    """
+    stays = None if numbers.parts else numbers.sublattice
+    if stays is None:
+        return ()
+    where = "a hyperplane" if stays.cosets is None else f"a lattice of index {stays.cosets}"
+    statement = f"S^L δ is zero outside of a shift of {where}, for every L"
+    witness: SublatticeWitness = {
+        "index": stays.cosets,
+        "functional": stays.functional,
+        "modulus": stays.modulus,
+    }
+    return (SUBLATTICE.proved(statement, witness),)
 
 
 @asking()
@@ -145,7 +177,7 @@ def matrix_norms(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, .
         best = _norm(numbers, 0, [1])
     if numbers.lattice.is_isotropic:
         for n in range(1, numbers.order):
-            if proved_by(numbers, facts, n) is None:
+            if not proved_by(numbers, facts, n):
                 orders = range(n + 1, min(numbers.order, n + 1 + _MORE_ORDERS) + 1)
                 smoother = None if _excluded(numbers, n) else _norm(numbers, n, orders)
                 if smoother is None:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import gcd
 
 from subdiv_cli.exact.algebraic import isolated, number_of, power
 from subdiv_cli.exact.closed import exponent
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.witnesses import GrowthProof
+from subdiv_cli.kinds.multivariate.witnesses import (
+    DirectionalNormsWitness,
+    DirectionalSmoothnessWitness,
+    GrowthProof,
+)
 from subdiv_cli.model import ClosedForm, Root, unpowered
 
 ANISOTROPIC = "smoothness is decided for isotropic dilations only"
@@ -34,6 +39,16 @@ def multivariate_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm
         return exponent(base, divisor // common, root)
     raised = power(number_of(root), s // common)
     return None if raised is None else exponent(base, divisor // common, isolated(raised))
+
+
+def largest_norm(witness: DirectionalNormsWitness | DirectionalSmoothnessWitness, factor: int) -> tuple[int, Fraction]:
+    """The pair (L, x) of directional norms with the largest x^(1/L), each x over factor^L."""
+    pairs = [(n, x / factor**n) for n, x in zip(witness["levels"], witness["norms"], strict=True)]
+    level, largest = pairs[0]
+    for n, x in pairs[1:]:
+        if x**level > largest**n:
+            level, largest = n, x
+    return level, largest
 
 
 def growth_proof(numbers: MultivariateNumbers) -> GrowthProof:

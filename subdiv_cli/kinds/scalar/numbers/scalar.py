@@ -20,6 +20,7 @@ from subdiv_cli.kinds.scalar.numbers.operators import (
 )
 from subdiv_cli.kinds.scalar.numbers.polynomials import residue_sums, sum_rules
 from subdiv_cli.kinds.scalar.numbers.radius import difference_radius
+from subdiv_cli.kinds.scalar.numbers.sobolev import Growth, mean_square_growth, transfer_order
 from subdiv_cli.kinds.scalar.numbers.spectra import Spectrum, spectrum
 from subdiv_cli.kinds.scalar.numbers.stability import (
     ReductionStep,
@@ -129,6 +130,14 @@ class ScalarNumbers:
             yield norm
             if norm < 1:
                 return
+
+    @cached_property
+    def growth(self) -> Growth | None:
+        """The growth λ of the mean squares of D = S_(Δ^k), k >= 1, of a stable mask; None where G is too large."""
+        d = self.difference(self.order)
+        if self.order < 1 or not self.effort.allows(transfer_order(d.degree, self.p) ** 3 * self.weight**2 // 4):
+            return None
+        return mean_square_growth(d, self.p)
 
     @cached_property
     def refinement_matrices(self) -> tuple[fmpq_mat, ...]:

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
 
-from flint import ctx, fmpq_mat
+from flint import fmpq_mat
 
 from subdiv_cli.exact.closed import closed_interval, exponent, worded
-from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.linalg import identity, nullspace
 from subdiv_cli.exact.rationals import to_fmpq
 from subdiv_cli.exact.text import modulus, number, rounded_down, rounded_up, valued
@@ -22,55 +21,76 @@ from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
 from subdiv_cli.kinds.scalar.numbers.radius import exponent_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.rules import HOLDER_ATTAINED, HOLDER_LOWER, HOLDER_UPPER
+from subdiv_cli.kinds.scalar.rules import HOLDER_ATTAINED, HOLDER_LOWER, HOLDER_UPPER, JOINT_RADIUS, SOBOLEV
+from subdiv_cli.kinds.scalar.stages.decay import Decay, decays, logarithmic
 from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, put_product, shown
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
 from subdiv_cli.kinds.scalar.witnesses import HolderLowerWitness, HolderUpperWitness
 from subdiv_cli.model import Exponent, Finding, Interval, Verdict
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.findings import best_of
 from subdiv_cli.model.proofs import root_data
 
 _HOLDER_LOWER_QUESTION = "how regular are the limit functions at least?"
 
 
 @asking((HOLDER_LOWER, _HOLDER_LOWER_QUESTION))
-def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
-    """SD311: the Hölder exponent from below.
+def holder_lower(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
+    """SD311: the Hölder exponent from below, the best bound of all that are proved.
 
     Theorem (Dyn 1992, section 3; Rioul 1992): with D = S_(Δ^k), k the sum-rule order, and ρ its joint spectral radius,
     α = -log_p ρ. If α > 0 all limit functions are in C^(α-ε) for every ε > 0; if α <= 0 it is the exponent of a
     distribution. Hypothesis k >= 1: checked. No stability is needed from below; an unstable mask is reduced first
     (SD403), which can only raise the bound. What is known of ρ is what SD310 proves: ρ^n = Λ, so that α = -log_p(Λ)/n,
-    or ρ^n <= x, so that α >= -log_p(x)/n.
+    or ρ^n <= x, so that α >= -log_p(x)/n. Also x by the norms of SD301 and, of S itself, SD201; and α >= s - 1/2, s the
+    Sobolev exponent (SD321; see decay.py).
 
     Witness: `difference_order`, k of the (reduced) mask; `radius_of`, S or S0; `length`, n; `bound`, x, or `root`, Λ
-    (polynomial, the lowest power first, low, high).
+    (polynomial, the lowest power first, low, high). Instead of `radius_of`, where another finding gives more, its code
+    as `by`, and `nu` where that has one.
 
     Raises ArithmeticError where the bound of α is no double.
     """
-    numbers = numbers.reduced
-    k, p, radius = numbers.order, numbers.p, numbers.radius
-    if k == 0:
-        return (HOLDER_LOWER.skipped(_HOLDER_LOWER_QUESTION, no_sum_rule(numbers)),)
-    if radius is None:
+    reduced = numbers.reduced
+    if reduced.order == 0:
+        return (HOLDER_LOWER.skipped(_HOLDER_LOWER_QUESTION, no_sum_rule(reduced)),)
+    exactly = [_exactly(reduced, reduced.radius)] if reduced.radius is not None and reduced.radius.exact else []
+    bounds = [*exactly, *(_at_least(decay) for decay in decays(numbers, facts))]
+    if not bounds:
         reason = "the effort ended before a bound of the joint spectral radius"
         return (HOLDER_LOWER.undecided(_HOLDER_LOWER_QUESTION, reason),)
-    witness: HolderLowerWitness = {"difference_order": k, "radius_of": numbers.name, "length": radius.upper[0]}
-    name = f"ρ({last_difference(numbers)})"
-    if radius.exact is not None:
-        exact = exponent(p, *radius.exact)
-        value = closed_interval(exact)
-        why = f"{name} = {shown(radius)}"
-        statement = f"α = {worded(exact)}, as {why}"
-        return (HOLDER_LOWER.proved(statement, {**witness, "root": root_data(radius.exact[1])}, value, exact, why=why),)
-    length, bound = radius.upper
-    with ctx.workprec(128):
-        lower = interval(-ball(bound).log() / ball(p).log() / length).lower
-    if lower is None:
-        raise ArithmeticError("a logarithm beyond the doubles")
-    why = f"from the bound of {name}"
-    statement = f"α ≥ {rounded_down(lower)}, {why}"
-    return (HOLDER_LOWER.proved(statement, {**witness, "bound": bound}, Interval(lower=lower), why=why),)
+    return (best_of(bounds),)
+
+
+def _exactly(numbers: ScalarNumbers, radius: Radius) -> Finding:
+    assert radius.exact is not None
+    exact = exponent(numbers.p, *radius.exact)
+    witness: HolderLowerWitness = {
+        "difference_order": numbers.order,
+        "radius_of": numbers.name,
+        "length": radius.upper[0],
+        "root": root_data(radius.exact[1]),
+    }
+    why = f"ρ({last_difference(numbers)}) = {shown(radius)}"
+    statement = f"α = {worded(exact)}, as {why}"
+    return HOLDER_LOWER.proved(statement, witness, closed_interval(exact), exact, why=why)
+
+
+def _at_least(decay: Decay) -> Finding:
+    lower = decay.exponent.lower or 0.0
+    witness: HolderLowerWitness = {
+        "difference_order": decay.numbers.order,
+        "length": decay.length,
+        "bound": decay.bound,
+    }
+    if decay.by is JOINT_RADIUS:
+        witness["radius_of"] = decay.numbers.name
+    else:
+        witness["by"] = decay.by.code
+        if decay.by is not SOBOLEV:
+            witness["nu"] = decay.nu
+    why = f"from the bound of {decay.shown}"
+    return HOLDER_LOWER.proved(f"α ≥ {rounded_down(lower)}, {why}", witness, Interval(lower=lower), why=why)
 
 
 _HOLDER_UPPER_QUESTION = "how regular is φ at most?"
@@ -78,44 +98,51 @@ _HOLDER_UPPER_QUESTION = "how regular is φ at most?"
 
 @asking((HOLDER_UPPER, _HOLDER_UPPER_QUESTION))
 def holder_upper(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD312: the Hölder exponent from above.
+    """SD312: the Hölder exponent from above, the best bound of all that are proved.
 
     Theorem (Cavaretta, Dahmen & Micchelli 1991; Rioul 1992): for stable φ the exponent α = -log_p JSR(D), D = S_(Δ^k),
     is the best one. For any product of ℓ transition matrices of D with an eigenvalue λ, α <= -(1/ℓ) log_p |λ|; and α <=
-    k always. Hypotheses: k >= 1, checked; stability: an unstable mask is reduced to a stable one first, whose exponent
-    is that of φ (SD403).
+    k always, and α <= s, the Sobolev exponent (SD321). Hypotheses: k >= 1, checked; stability: an unstable mask is
+    reduced to a stable one first, whose exponent is that of φ (SD403).
 
     Witness: `difference_order`, k of the (reduced) mask, the product (see obstacles.py) and `radius`, a rational lower
     bound of |λ| from which the bound is computed (|λ| itself where it is rational or where SD311 proves that α is the
-    number of this product); k alone where it is the better bound.
+    number of this product), with `by`, SD312, where it is claimed without SD311; k alone where it is the better bound;
+    `by`, SD321, with `length` 2 and `radius`, a lower bound of its λ, where that is.
     """
     numbers = numbers.reduced
-    k, product = numbers.order, numbers.product
-    if k == 0:
+    if numbers.order == 0:
         return (HOLDER_UPPER.skipped(_HOLDER_UPPER_QUESTION, no_sum_rule(numbers)),)
-    witness: HolderUpperWitness = {"difference_order": k}
-    bound = None if product is None else exponent_bound(product, numbers.p)
-    if product is None or bound is None or bound.upper is None or bound.upper > k:
-        why = "the sum-rule order"
-        return (_proved(numbers, facts, f"α ≤ {k}, {why}", why, witness, interval(Fraction(k)).upper),)
-    shown = bound.exact or _exact(numbers) or rounded_up(bound.upper)
-    size = modulus(product.eigenvalue)
-    why = f"{product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
-    put_product(witness, product)
-    witness["radius"] = radius_bound(product)
-    return (_proved(numbers, facts, f"α ≤ {shown}: {why}", why, witness, bound.upper),)
-
-
-def _proved(
-    numbers: ScalarNumbers, facts: Facts, statement: str, why: str, witness: HolderUpperWitness, upper: float | None
-) -> Finding:
-    """The finding with an estimate beside it, where the exponent is only enclosed."""
     below = facts[HOLDER_LOWER]
     lower = below.value.lower if below.value is not None and below.closed is None else None
-    estimate = estimated_exponent(numbers, lower, upper)
-    answer = Exponent(upper=upper, estimate=estimate)
-    answers = {questions.HOLDER_UPPER: answer}
-    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper), answers=answers, why=why)
+    bounds: list[Finding] = []
+    for upper, what, why, witness in sorted(_at_most(numbers), key=lambda bound: bound[0]):
+        answer = Exponent(upper=upper, estimate=None if bounds else estimated_exponent(numbers, lower, upper))
+        answers = {questions.HOLDER_UPPER: answer}
+        bounds.append(HOLDER_UPPER.proved(what + why, witness, Interval(upper=upper), answers=answers, why=why))
+    return (best_of(bounds),)
+
+
+def _at_most(numbers: ScalarNumbers) -> Iterator[tuple[float, str, str, HolderUpperWitness]]:
+    """The bounds with what they say, why, and their witnesses; of those that are equal the first one says most."""
+    k, p, product = numbers.order, numbers.p, numbers.product
+    bound = None if product is None else exponent_bound(product, p)
+    if product is not None and bound is not None and bound.upper is not None:
+        witness: HolderUpperWitness = {"difference_order": k}
+        put_product(witness, product)
+        witness["radius"] = radius_bound(product)
+        size = modulus(product.eigenvalue)
+        why = f"{product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
+        rounded = bound.exact or rounded_up(bound.upper)
+        yield bound.upper, f"α ≤ {bound.exact or _exact(numbers) or rounded}: ", why, witness
+        if numbers.radius is not None and numbers.radius.exact is not None:
+            yield bound.upper, f"α ≤ {rounded}: ", why, {**witness, "by": HOLDER_UPPER.code}
+    yield float(k), f"α ≤ {k}, ", "the sum-rule order", {"difference_order": k}
+    if (growth := numbers.growth) is not None:
+        upper = logarithmic(p, 2, growth.low).upper
+        assert upper is not None
+        mean: HolderUpperWitness = {"difference_order": k, "by": SOBOLEV.code, "length": 2, "radius": growth.low}
+        yield upper, f"α ≤ {rounded_up(upper)}, ", "the Sobolev exponent", mean
 
 
 def _exact(numbers: ScalarNumbers) -> str | None:

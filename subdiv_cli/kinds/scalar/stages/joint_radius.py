@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -14,18 +15,20 @@ from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS
+from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS, SOBOLEV
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
 from subdiv_cli.kinds.scalar.witnesses import JointRadiusWitness, ObstacleWitness, ProductWitness, RadiusWitness
 from subdiv_cli.model import Finding, Interval
 
 
 class Obstacle(NamedTuple):
-    """What keeps a stable φ from being smoother, in words: a product, or the order of the sum rules."""
+    """What keeps a stable φ from being smoother, in words: a product, the order of the sum rules, or a finding."""
 
     text: str
     product: WordProduct | None = None
     sum_rule_order: int | None = None
+    by: str | None = None
+    """The code of that finding."""
 
     def put_into(self, witness: ObstacleWitness) -> None:
         """Write the obstacle into a witness."""
@@ -33,17 +36,27 @@ class Obstacle(NamedTuple):
             witness["sum_rule_order"] = self.sum_rule_order
         if self.product is not None:
             put_product(witness, self.product)
+        if self.by is not None:
+            witness["by"] = self.by
 
 
 def obstacle_to(numbers: ScalarNumbers, m: int) -> Obstacle | None:
-    """The obstacle that keeps a stable φ of these numbers from being C^m; None where none is known.
+    """The obstacle that keeps a stable φ of these numbers from being C^m; None where none is known."""
+    return next(obstacles_to(numbers, m), None)
 
-    That is m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e. Or a product.
+
+def obstacles_to(numbers: ScalarNumbers, m: int) -> Iterator[Obstacle]:
+    """The obstacles that are known, the cheapest one first.
+
+    That is m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e. Or a product. Or
+    the Sobolev exponent s <= m, as λ >= p^(-2m) for the growth λ of the mean squares: then α <= m.
     """
     if m >= (k := numbers.order):
-        return Obstacle(f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", sum_rule_order=k)
-    of_product = product_obstacle(numbers, m)
-    return None if of_product is None else Obstacle(*of_product)
+        yield Obstacle(f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", sum_rule_order=k)
+    if (of_product := product_obstacle(numbers, m)) is not None:
+        yield Obstacle(*of_product)
+    if (growth := numbers.growth) is not None and growth.low * numbers.p ** (2 * m) >= 1:
+        yield Obstacle(f"its Sobolev exponent is at most {m}", by=SOBOLEV.code)
 
 
 def who_is_stable(numbers: ScalarNumbers) -> str:

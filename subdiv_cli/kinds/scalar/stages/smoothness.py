@@ -13,13 +13,18 @@ from subdiv_cli.kinds.scalar.rules import (
     CONTRACTIVITY,
     CONVERGENCE,
     EIGEN_CONDITION,
+    JOINT_RADIUS,
     NEXT_SMOOTHNESS,
     RESIDUE_SUMS,
     SMOOTHNESS,
+    SOBOLEV,
 )
+from subdiv_cli.kinds.scalar.stages.decay import decays, mean_decay
 from subdiv_cli.kinds.scalar.stages.joint_radius import (
+    Obstacle,
     enclosed,
     obstacle_to,
+    obstacles_to,
     product_obstacle,
     put_product,
     shown,
@@ -35,6 +40,7 @@ from subdiv_cli.kinds.scalar.witnesses import (
 )
 from subdiv_cli.model import Finding, Smoothness, Verdict
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.findings import best_of
 
 
 @asking()
@@ -118,8 +124,9 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     one.
 
     Proved by the contraction of (1/p)S_ν at any ν <= k: it makes S_(ν-1), …, S_0 converge (Theorem 3.4), and the
-    residue sums are among its hypotheses. Refuted by the residue sums (SD101), by a product of transition matrices that
-    keeps (1/p)S_1 from contracting, or by the eigen-condition (SD202).
+    residue sums are among its hypotheses. Or, where the translates of φ are stable, by a Sobolev exponent (SD321) above
+    1/2: φ is continuous then. Refuted by the residue sums (SD101), by a product of transition matrices that keeps
+    (1/p)S_1 from contracting, by the eigen-condition (SD202), or because φ is not continuous (SD302).
 
     Witness: `by`, the code of the condition that decides, with its witness.
 
@@ -128,20 +135,35 @@ def convergence(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     first = [contraction(numbers, 1)] if numbers.order else []
     conditions = (*facts.all(RESIDUE_SUMS), *first, *facts.all(EIGEN_CONDITION))
     against = next((finding for finding in conditions if finding.verdict is Verdict.REFUTED), None)
-    proof = next((finding for finding in first if finding.verdict is Verdict.PROVED), None)
-    if against is None and proof is None:
+    proofs = [finding for each in first for finding in _convergent_by(each)]
+    is_stable = numbers.reduced is numbers
+    if against is None and (is_stable or not proofs):
         later = (contraction(numbers, nu) for nu in range(2, numbers.order + 1))
-        proof = next((finding for finding in later if finding.verdict is Verdict.PROVED), None)
-    if against is not None and proof is not None:
-        raise ContradictionError(f"S converges by {proof.code} and does not by {against.code}")
-    if proof is not None:
-        why = f"the residue sums are 1 and {CONTRACTIVITY.witness_of(proof)['condition']}"
-        return (CONVERGENCE.proved(f"S converges uniformly: {why}", _witness(proof), why=why),)
+        proofs += [finding for each in later for finding in _convergent_by(each)]
+    if is_stable and numbers.order and (mean := mean_decay(numbers)) is not None and mean.proves(0):
+        why = "φ is stable, and s > 1/2"
+        proofs.append(CONVERGENCE.proved(f"S converges uniformly: {why}", {"by": SOBOLEV.code}, why=why))
+    if against is not None and proofs:
+        by = CONVERGENCE.witness_of(proofs[0])["by"]
+        raise ContradictionError(f"S converges by {by} and does not by {against.code}")
+    if proofs:
+        return (best_of(proofs),)
     if against is not None:
         limit = " to a non-zero limit" if against.code == RESIDUE_SUMS.code else ""
         statement = f"S does not converge uniformly{limit}: {against.statement}"
         return (CONVERGENCE.refuted(statement, _witness(against), why=against.statement),)
+    if (obstacle := obstacle_to(numbers.reduced, 0)) is not None:
+        why = f"φ is not continuous, as {who_is_stable(numbers)}, and {obstacle.text}"
+        return (CONVERGENCE.refuted(f"S does not converge uniformly: {why}", {"by": SMOOTHNESS.code}, why=why),)
     return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, first[0].reason or ""),)
+
+
+def _convergent_by(by: Finding) -> tuple[Finding, ...]:
+    """The finding that S converges, by a contraction that is proved; none by another."""
+    if by.verdict is not Verdict.PROVED:
+        return ()
+    why = f"the residue sums are 1 and {CONTRACTIVITY.witness_of(by)['condition']}"
+    return (CONVERGENCE.proved(f"S converges uniformly: {why}", _witness(by), why=why),)
 
 
 def _witness(by: Finding) -> ConvergenceWitness:
@@ -159,6 +181,8 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     the contraction is that of the reduced mask, whose φ0 is as smooth as φ (SD403); the limit functions Σ f_α φ(·-α)
     are so as well, where S converges (SD201). Hypotheses: those of SD301, checked there.
 
+    Or by a bound of a joint spectral radius (SD310), or a Sobolev exponent (SD321) above n + 1/2, where they give more.
+
     Refuted: φ is not continuous, where no C^0 is in reach for the stable reduced mask (SD303's theorem for m = 0).
 
     Where S converges (SD201) φ is continuous, whatever the norms of the reduced mask say.
@@ -169,22 +193,30 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """
     if not numbers.is_normalised:
         return (SMOOTHNESS.skipped(_SMOOTHNESS_QUESTION, NOT_NORMALISED),)
-    reduced = numbers.reduced
-    proved = [finding for finding in facts.all(CONTRACTIVITY) if finding.verdict is Verdict.PROVED]
-    converges = facts.verdict(CONVERGENCE)
-    if not proved and converges is Verdict.PROVED:
-        return (_proved("φ and every limit function are continuous, because ", "S converges", 0, CONVERGENCE.code),)
-    if proved:
-        contracts = CONTRACTIVITY.witness_of(proved[-1])
-        order = contracts["nu"] - 1
-        scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
-        mask = " for the reduced scheme" if reduced is not numbers else ""
-        why = f"{contracts['condition']}{mask}"
-        if converges is Verdict.REFUTED:
-            why += ", but S does not converge"
-            if reduced is numbers:
-                raise ContradictionError("a stable φ is continuous and S does not converge")
-        return (_proved(f"{scope} C^{order}: ", why, order, CONTRACTIVITY.code),)
+    reduced, converges = numbers.reduced, facts.verdict(CONVERGENCE)
+    scope = "φ and every limit function are" if converges is Verdict.PROVED else "φ is"
+    mask = " for the reduced scheme" if reduced is not numbers else ""
+    but = ", but S does not converge" if converges is Verdict.REFUTED else ""
+    proofs = []
+    for finding in facts.all(CONTRACTIVITY):
+        if finding.verdict is Verdict.PROVED:
+            contracts = CONTRACTIVITY.witness_of(finding)
+            n, why = contracts["nu"] - 1, f"{contracts['condition']}{mask}{but}"
+            proofs.append((n, _proved(f"{scope} C^{n}: ", why, {"order": n, "by": CONTRACTIVITY.code})))
+    for decay in decays(numbers, facts):
+        if decay.by in (JOINT_RADIUS, SOBOLEV) and (order := decay.order) is not None:
+            size = f"s > {order} + 1/2" if decay.by is SOBOLEV else f"{decay.shown} < {threshold(numbers.p, order)}"
+            by_decay: SmoothnessWitness = {"order": order, "by": decay.by.code}
+            if decay.by is JOINT_RADIUS:
+                by_decay["radius_of"] = decay.numbers.name
+            proofs.append((order, _proved(f"{scope} C^{order}: ", size + but, by_decay)))
+    if converges is Verdict.PROVED:
+        what = "φ and every limit function are continuous, because "
+        proofs.append((0, _proved(what, "S converges", {"order": 0, "by": CONVERGENCE.code})))
+    if proofs:
+        if converges is Verdict.REFUTED and reduced is numbers:
+            raise ContradictionError("a stable φ is continuous and S does not converge")
+        return (best_of([finding for _, finding in sorted(proofs, key=lambda pair: -pair[0])]),)
     if (obstacle := obstacle_to(reduced, 0)) is not None:
         witness: SmoothnessWitness = {}
         obstacle.put_into(witness)
@@ -193,9 +225,9 @@ def smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (SMOOTHNESS.undecided(_SMOOTHNESS_QUESTION, "the norms do not prove that φ is continuous"),)
 
 
-def _proved(what: str, why: str, order: int, by: str) -> Finding:
-    answers = {questions.SMOOTHNESS: Smoothness(order)}
-    return SMOOTHNESS.proved(what + why, {"order": order, "by": by}, answers=answers, why=why)
+def _proved(what: str, why: str, witness: SmoothnessWitness) -> Finding:
+    answers = {questions.SMOOTHNESS: Smoothness(witness["order"])}
+    return SMOOTHNESS.proved(what + why, witness, answers=answers, why=why)
 
 
 _NEXT_SMOOTHNESS_QUESTION = "is φ smoother than proved?"
@@ -207,11 +239,12 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
 
     Theorem (Cavaretta, Dahmen & Micchelli 1991; Dyn 1992, 5.3 for interpolatory schemes): for stable φ, φ ∈ C^m iff α >
     m, where α = -log_p ρ and ρ is the joint spectral radius of the transition matrices of D = S_(Δ^k). So C^m is
-    refuted by m >= k, because α <= k always, and by a product of ℓ matrices with an eigenvalue |λ| >= p^(-mℓ). φ is
-    itself the limit function of the data δ, so a refutation for φ is one for the scheme. Hypothesis, stability: an
-    unstable mask is reduced first (SD403), and the numbers are those of the stable reduced mask.
+    refuted by m >= k, because α <= k always, by a product of ℓ matrices with an eigenvalue |λ| >= p^(-mℓ), and by a
+    Sobolev exponent s <= m (SD321), because α <= s. φ is itself the limit function of the data δ, so a refutation for φ
+    is one for the scheme. Hypothesis, stability: an unstable mask is reduced first (SD403), and the numbers are those
+    of the stable reduced mask.
 
-    Witness: `order`, n+1, and either `sum_rule_order`, k, or the product (see obstacles.py).
+    Witness: `order`, n+1, and either `sum_rule_order`, k, or the product (see obstacles.py), or `by`, SD321.
 
     Raises ContradictionError where C^(n+1) is proved and refuted.
     """
@@ -220,11 +253,15 @@ def next_smoothness(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]
     reduced, proved = numbers.reduced, facts.witness(SMOOTHNESS)["order"]
     if obstacle_to(reduced, proved) is not None:
         raise ContradictionError(f"C^{proved} is proved and refuted")
-    obstacle = obstacle_to(reduced, proved + 1)
-    if obstacle is None:
+    obstacles = [_not_smoother(numbers, proved + 1, obstacle) for obstacle in obstacles_to(reduced, proved + 1)]
+    if not obstacles:
         reason = "no norm proves it and no short product of transition matrices excludes it; a higher effort may decide"
         return (NEXT_SMOOTHNESS.undecided(f"is φ C^{proved + 1}?", reason),)
+    return (best_of(obstacles),)
+
+
+def _not_smoother(numbers: ScalarNumbers, m: int, obstacle: Obstacle) -> Finding:
     why = f"{who_is_stable(numbers)}, and {obstacle.text}"
-    witness: NextSmoothnessWitness = {"order": proved + 1}
+    witness: NextSmoothnessWitness = {"order": m}
     obstacle.put_into(witness)
-    return (NEXT_SMOOTHNESS.refuted(f"φ is not C^{proved + 1}: {why}", witness, why=why),)
+    return NEXT_SMOOTHNESS.refuted(f"φ is not C^{m}: {why}", witness, why=why)
