@@ -130,7 +130,7 @@ def _verified(proofs: Proofs, effort: Effort) -> Certificate | None:
 def _outcome(document: Mapping[str, Any], effort: Effort) -> Outcome:
     """The checker's outcome: verified, or too much work. Raises DisagreementError where the checker says no."""
     watch.begin("checker")
-    outcome = check_document(document, lambda: effort.seconds_left() != 0)
+    outcome = check_document(document, effort.time_to_check())
     if not outcome.verified and not outcome.exhausted:
         raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
     return outcome

@@ -131,8 +131,8 @@ class Result:
 DEFAULT_EFFORT = 20_000
 
 
-SEARCH = 0.6
-"""The share of the seconds that is for the search; the rest is for what the checker does."""
+SEARCH, LEAST = 0.6, 0.3
+"""The share of the seconds that is for the search, and the least share for the checker, also after a long step."""
 HALF = 0.5
 """The share of the time left that one long step may take: what is asked after it has the other half."""
 
@@ -162,7 +162,7 @@ class Effort:
         """Whether the clock has cut something off."""
         now = time.monotonic()
         self._ends = None if seconds is None else now + SEARCH * seconds
-        self._last = None if seconds is None else now + seconds
+        self._seconds, self._last = seconds, now + (seconds or 0)
         self._over = False
         self._whole: Effort | None = None
 
@@ -208,8 +208,19 @@ class Effort:
             return None
 
     def seconds_left(self) -> float | None:
-        """The seconds that are left of all, for the checker; None without a clock."""
-        return None if self._last is None else max(0.0, self._last - time.monotonic())
+        """The seconds that the checker has: what is left of all, at least the least share; None without a clock."""
+        return None if self._seconds is None else max(LEAST * self._seconds, self._last - time.monotonic())
+
+    def time_to_check(self) -> Callable[[], bool]:
+        """Whether the checker has time left: a function to ask; its seconds begin when it is asked first."""
+        ends: list[float] = []
+
+        def goes_on() -> bool:
+            if not ends and (seconds := self.seconds_left()) is not None:
+                ends.append(time.monotonic() + seconds)
+            return not ends or time.monotonic() <= ends[0]
+
+        return goes_on
 
 
 UNHURRIED = Effort()
