@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TypeVar
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import multiplied
-from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.spaces.lattice import Index, IntMatrix, Lattice
 
 DILATIONS: tuple[IntMatrix, ...] = (
     ((2, 0), (0, 2)),

@@ -15,9 +15,9 @@ from random_masks import random_multivariate, random_scalar
 from support import answer, cases, findings, four_point, multivariate_scheme, scheme, seeded, shipped_results
 
 from subdiv_cli.certificate import claims
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Verdict
+from subdiv_cli.spaces.lattice import Lattice
 
 NEAR = 1e-9
 

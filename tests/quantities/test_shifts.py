@@ -6,9 +6,9 @@ import pytest
 from random_masks import moved, random_multivariate, random_scalar
 from support import answer, cases, seeded, shipped_multivariate
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.difference_space import difference_space
 from subdiv_cli.model import Effort, Verdict
+from subdiv_cli.spaces.lattice import Lattice
 
 EFFORT = 1000
 OF_THE_PLACE = {"SD202", "SD304"}

@@ -8,10 +8,10 @@ import pytest
 from random_masks import random_multivariate
 from support import answer, cases, findings, multivariate_scheme, seeded
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated
 from subdiv_cli.kinds.multivariate.numbers.sublattice import sublattice
 from subdiv_cli.model import Verdict
+from subdiv_cli.spaces.lattice import Lattice
 
 QUINCUNX, TWO = ((1, -1), (1, 1)), ((2, 0), (0, 2))
 

@@ -8,9 +8,9 @@ As those of scalar schemes: `rules.py` says which rule has which witness, the do
 from fractions import Fraction
 from typing import NotRequired, TypedDict
 
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.scalar.witnesses import RadiusWitness
 from subdiv_cli.model.proofs import RadiusProof, RootData
+from subdiv_cli.spaces.lattice import Index
 
 Numbers = tuple[Fraction, ...]
 Integers = tuple[int, ...]

@@ -7,11 +7,11 @@ from math import prod
 from subdiv_cli.certificate.claims import Claims, Json
 from subdiv_cli.certificate.radius import spelled
 from subdiv_cli.kinds.multivariate import rules
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.multivariate.witnesses import GramProof, MatrixNormsProof, PlacedNumbers, QuotientsProof
 from subdiv_cli.model import Finding
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import proof_of
+from subdiv_cli.spaces.lattice import Index
 
 
 def matrix_norm(claims: Claims, finding: Finding, sum_rules: int) -> int:

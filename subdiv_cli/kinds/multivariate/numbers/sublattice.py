@@ -22,8 +22,8 @@ from typing import NamedTuple
 
 from flint import fmpq_mat, fmpz_mat, nmod_mat
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.spaces.lattice import Index, Lattice
 
 _LARGEST = 1_000_000
 """The largest modulus: certificates have no larger numbers here."""

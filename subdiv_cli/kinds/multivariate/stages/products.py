@@ -11,7 +11,6 @@ from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import Facts, Part, asking
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import BOX_SPLINE, TENSOR_PRODUCT
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.multivariate.witnesses import (
     BoxSplineWitness,
     ExponentWitness,
@@ -21,6 +20,7 @@ from subdiv_cli.kinds.multivariate.witnesses import (
 )
 from subdiv_cli.kinds.scalar.stages.wording import series
 from subdiv_cli.model import Finding, Question, Rule, Verdict
+from subdiv_cli.spaces.lattice import Index
 
 
 @asking()

@@ -11,7 +11,6 @@ from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.polynomials import Point, QuasiInterpolation
 from subdiv_cli.kinds.multivariate.rules import CONVERGENCE, COSET_SUMS, QUASI_INTERPOLATION, REPRODUCTION, SUM_RULES
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.multivariate.witnesses import (
     CosetSumsWitness,
     MultivariateQuasiInterpolationWitness,
@@ -21,6 +20,7 @@ from subdiv_cli.kinds.multivariate.witnesses import (
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import near_one, partial_operator
+from subdiv_cli.spaces.lattice import Index
 
 
 @asking()
