@@ -20,11 +20,12 @@ from subdiv_cli.catalog.run import check_all
 from subdiv_cli.cli import main
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import Scheme
-from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import Effort, Finding, Result
 from subdiv_cli.pipeline import check
+from subdiv_cli.spaces.lattice import IntMatrix
 
 
 class Run:

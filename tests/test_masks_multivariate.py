@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from subdiv_cli.exact.closed import closed_interval
-from subdiv_cli.kinds.multivariate.scheme import characteristic_polynomial, is_expanding
 from subdiv_cli.kinds.reading import read_path, read_text
 from subdiv_cli.kinds.writing import from_scheme, write
+from subdiv_cli.spaces.lattice import characteristic_polynomial, is_expanding
 
 HERE = Path(__file__).parent
 MASKS = HERE.parent / "masks" / "multivariate"

@@ -8,12 +8,12 @@ from support import cases, multivariate_scheme, seeded, shipped_answer, shipped_
 from test_multivariate_float import NAMES, subdivided_deltas
 
 from subdiv_cli.checker import check_document
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.gram import gram_sequence, positive_tree, torsion_zero
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import check
+from subdiv_cli.spaces.lattice import Lattice
 
 EFFORT = Effort()
 COUNTEREXAMPLES = {name for name in NAMES if "/" in name}

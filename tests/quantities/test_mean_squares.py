@@ -12,7 +12,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from subdiv_cli.kinds.kind import Facts
-from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.mean_squares import autocorrelation, mean_squares
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.polynomials import reproduction, sum_rule_order
@@ -22,6 +21,7 @@ from subdiv_cli.kinds.multivariate.stages.exponents import sobolev
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.pipeline import check
+from subdiv_cli.spaces.lattice import Lattice, indices_of_degree
 
 ROOT = Path(__file__).parents[2]
 ROWS = json.loads((ROOT / "tests" / "data" / "reference_multivariate.json").read_text(encoding="utf-8"))

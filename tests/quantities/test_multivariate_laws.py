@@ -9,10 +9,10 @@ import pytest
 from support import answer, b_spline, four_point, multivariate_scheme, scheme, shipped_answer, shipped_multivariate
 
 from subdiv_cli.exact.closed import closed_interval
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import box_spline, iterated
 from subdiv_cli.kinds.multivariate.numbers.difference_space import difference_space
 from subdiv_cli.model import Verdict
+from subdiv_cli.spaces.lattice import Lattice
 
 F = Fraction
 DE_RHAM = scheme([1, 4, 4, 1], start=-1, over=5)

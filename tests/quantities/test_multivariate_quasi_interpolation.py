@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from support import answer, findings, multivariate_scheme, shipped_answer, shipped_multivariate
 
 from subdiv_cli.catalog import masks_directory
-from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.polynomials import expansion, inverse, quasi_interpolation
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
@@ -22,6 +21,7 @@ from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_integers as at_integers_of_curves
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import Effort, Verdict
+from subdiv_cli.spaces.lattice import Lattice, indices_of_degree
 
 F = Fraction
 MASKS = masks_directory() / "multivariate"

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers import values as multivariate_values
 from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError, at_fractions, at_integers, support_box
 from subdiv_cli.kinds.option import from_option
 from subdiv_cli.kinds.reading import read_path
+from subdiv_cli.spaces.lattice import Lattice
 
 F = Fraction
 MASKS = Path(__file__).parents[2] / "masks" / "multivariate"

@@ -13,12 +13,12 @@ from subdiv_cli.catalog.trust import trusted
 from subdiv_cli.checker import check_document
 from subdiv_cli.exact.closed import compare
 from subdiv_cli.kinds.multivariate import stages
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.tensor import tensor_factors
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort, Log, Verdict
 from subdiv_cli.model.findings import UNWRITTEN
 from subdiv_cli.pipeline import check
+from subdiv_cli.spaces.lattice import Lattice
 
 HAT, HAT3 = scheme(["1/2", 1, "1/2"], start=-1), scheme(["1/3", "2/3", 1, "2/3", "1/3"], arity=3, start=-2)
 CUBIC = scheme(["1/8", "1/2", "3/4", "1/2", "1/8"], start=-2)

@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.portrait.stencils import stencil_blocks, stencils
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.model import Result
@@ -18,6 +17,7 @@ from subdiv_cli.report.blocks import put
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.page import Page, paint
+from subdiv_cli.spaces.lattice import Lattice
 
 GOLDEN = Path(__file__).with_name("golden") / "stencils"
 MASKS = Path(__file__).parents[2] / "masks" / "multivariate"

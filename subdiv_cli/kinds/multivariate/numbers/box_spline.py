@@ -18,8 +18,8 @@ from typing import NamedTuple
 
 from flint import fmpq_mat
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.spaces.lattice import Index, Lattice
 
 _MOST_TERMS = 20_000
 """The most terms of the mask of S^r."""

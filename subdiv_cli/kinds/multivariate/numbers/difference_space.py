@@ -24,8 +24,8 @@ from math import lcm
 from flint import fmpq_mat, fmpz_mat
 
 from subdiv_cli.exact.linalg import reduced
-from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.spaces.lattice import Index, Lattice, indices_of_degree
 
 LARGEST_WINDOW = 1000
 LARGEST_DIMENSION = 120

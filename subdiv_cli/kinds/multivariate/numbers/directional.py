@@ -18,10 +18,10 @@ from typing import NamedTuple
 
 from flint import fmpq_mat
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice, box
 from subdiv_cli.kinds.multivariate.numbers.box_spline import divided, multiplied
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort
+from subdiv_cli.spaces.lattice import Index, Lattice, box
 
 HIGHEST_LEVEL = 6
 _MOST_DIRECTIONS = 2000

@@ -19,10 +19,10 @@ from typing import NamedTuple
 
 from flint import fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.mean_squares import autocorrelation, correlation_operator
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort
+from subdiv_cli.spaces.lattice import Index, Lattice
 
 LARGEST_SYSTEM = 600
 """The most unknowns g_α, those of -α left out."""

@@ -33,11 +33,11 @@ from math import lcm, prod
 from typing import NamedTuple
 
 from subdiv_cli.exact.linalg import Combination, combinations
-from subdiv_cli.kinds.multivariate.lattice import Lattice, box, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated, multiplied
 from subdiv_cli.kinds.multivariate.numbers.difference_space import difference
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme, times
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort
+from subdiv_cli.spaces.lattice import Index, Lattice, box, indices_of_degree, times
 
 Terms = dict[Index, Fraction]
 Shifted = tuple[Index, Index]

@@ -23,11 +23,11 @@ from typing import NamedTuple
 
 from flint import fmpq, fmpq_mat, fmpq_poly
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import multiplied
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth, simple_growth
 from subdiv_cli.model import Effort
+from subdiv_cli.spaces.lattice import Index, Lattice
 
 LARGEST_WINDOW = 4000
 LARGEST_DEGREE = 120

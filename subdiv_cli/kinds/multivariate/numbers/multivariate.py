@@ -10,7 +10,6 @@ from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Part
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import BoxSpline, box_spline
 from subdiv_cli.kinds.multivariate.numbers.difference_space import DifferenceSpace, difference_space
 from subdiv_cli.kinds.multivariate.numbers.directional import (
@@ -31,8 +30,9 @@ from subdiv_cli.kinds.multivariate.numbers.polynomials import (
     sum_rule_order,
 )
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
-from subdiv_cli.kinds.multivariate.scheme import IntMatrix, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort
+from subdiv_cli.spaces.lattice import IntMatrix, Lattice
 
 
 class MultivariateNumbers:

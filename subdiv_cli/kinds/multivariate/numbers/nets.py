@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from fractions import Fraction
 from math import lcm
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.directional import directional_factors
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
 from subdiv_cli.kinds.multivariate.numbers.values import MOST_PRODUCTS, NoValuesError
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.spaces.lattice import Index, Lattice
 
 Vertices = Mapping[Index, tuple[Fraction, ...]]
 

@@ -19,9 +19,9 @@ from operator import mul
 from typing import NamedTuple
 
 from subdiv_cli.exact.linalg import matrix, solution
-from subdiv_cli.kinds.multivariate.lattice import Lattice, indices_of_degree
 from subdiv_cli.kinds.multivariate.numbers.symmetries import generated
-from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme, multiple_of_identity, times
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.spaces.lattice import Index, IntMatrix, Lattice, indices_of_degree, multiple_of_identity, times
 
 HIGHEST_ORDER = 40
 """The highest order of sum rules that is tried."""

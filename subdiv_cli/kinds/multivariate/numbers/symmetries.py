@@ -7,14 +7,9 @@ from itertools import permutations, product
 from operator import mul
 from typing import TYPE_CHECKING
 
-from subdiv_cli.kinds.multivariate.scheme import (
-    IntMatrix,
-    MultivariateScheme,
-    characteristic_polynomial,
-    multiple_of_identity,
-    times,
-)
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Data
+from subdiv_cli.spaces.lattice import IntMatrix, characteristic_polynomial, multiple_of_identity, times
 
 if TYPE_CHECKING:
     from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers

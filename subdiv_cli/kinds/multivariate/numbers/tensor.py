@@ -11,9 +11,9 @@ from fractions import Fraction
 from itertools import combinations
 from typing import NamedTuple
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
+from subdiv_cli.spaces.lattice import Index, Lattice
 
 Variables = tuple[int, ...]
 Terms = Mapping[Index, Fraction]

@@ -11,9 +11,9 @@ from itertools import product
 from math import ceil, floor, lcm, prod
 
 from subdiv_cli.exact.linalg import eigenvectors
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.difference_space import transition_matrix
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.spaces.lattice import Index, Lattice
 
 LARGEST_WINDOW = 500
 """The most integers of the support."""

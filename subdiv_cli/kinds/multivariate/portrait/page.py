@@ -19,10 +19,10 @@ from subdiv_cli.kinds.multivariate.portrait.stencils import (
     stencils,
     value_blocks,
 )
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.model import Data, Result
 from subdiv_cli.model.blocks import Block, Formula, Heights, Portrait, Statements, Text, Words, sections
 from subdiv_cli.model.formulas import brief, combination, partial_operator, point, power, rising
+from subdiv_cli.spaces.lattice import Index
 
 _POINTS = 5_000
 """The number of points of φ, when it is drawn in letters."""

@@ -7,15 +7,15 @@ from itertools import product
 
 from subdiv_cli.exact.linalg import matrix, solution
 from subdiv_cli.kinds.kind import Analysis, Certify, NotDrawnError, Options
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.nets import Vertices, diagonal, refined
 from subdiv_cli.kinds.multivariate.numbers.values import NoValuesError, at_fractions, at_integers, support_box
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme, multiple_of_identity
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort, Result, Verdict
 from subdiv_cli.model.blocks import Drawing, Heights, Net
 from subdiv_cli.model.findings import SMOOTHNESS, answering
+from subdiv_cli.spaces.lattice import Index, Lattice, multiple_of_identity
 
 MOST_POINTS = 50_000
 """The most points of a surface, about."""

@@ -11,13 +11,13 @@ from itertools import groupby, islice
 from math import lcm
 from typing import Any, NamedTuple
 
-from subdiv_cli.kinds.multivariate.lattice import Lattice
-from subdiv_cli.kinds.multivariate.scheme import Index, MultivariateScheme
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Finding, Result, Verdict
 from subdiv_cli.model.blocks import Block, Plane, Planes, Section, Text
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import QUASI_INTERPOLATION, answering
 from subdiv_cli.model.formulas import point
+from subdiv_cli.spaces.lattice import Index, Lattice
 
 MOST_COSETS = 16
 """The most cosets of a mask whose stencils are drawn."""

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from subdiv_cli.kinds.kind import Analysis, Part, Stage, run_stages
-from subdiv_cli.kinds.multivariate.lattice import Lattice
 from subdiv_cli.kinds.multivariate.numbers.box_spline import box_spline
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.symmetries import facts
@@ -16,6 +15,7 @@ from subdiv_cli.kinds.multivariate.stages import exponents, norms, products, smo
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.scalar.stages import analyse as analyse_univariate
 from subdiv_cli.model import Effort
+from subdiv_cli.spaces.lattice import Lattice
 
 STAGES: tuple[Stage, ...] = (
     sum_rules.coset_sums,

@@ -11,9 +11,9 @@ from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import Facts, Part
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import BOX_SPLINE, TENSOR_PRODUCT
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.scalar.stages.wording import series
 from subdiv_cli.model import Data, Finding, Question, Rule, Verdict
+from subdiv_cli.spaces.lattice import Index
 
 
 def box_spline(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

@@ -11,11 +11,11 @@ from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.polynomials import Point, QuasiInterpolation
 from subdiv_cli.kinds.multivariate.rules import CONVERGENCE, COSET_SUMS, QUASI_INTERPOLATION, REPRODUCTION, SUM_RULES
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.scalar.stages.wording import series
 from subdiv_cli.model import Data, Finding, Verdict
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import partial_operator
+from subdiv_cli.spaces.lattice import Index
 
 
 def coset_sums(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:

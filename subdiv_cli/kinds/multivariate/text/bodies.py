@@ -8,7 +8,7 @@ from itertools import product
 from math import prod
 from typing import NamedTuple
 
-from subdiv_cli.kinds.multivariate.scheme import Index, IntMatrix, MultivariateScheme, multiple_of_identity
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.scalar.text import Coefficients, Symbol
 from subdiv_cli.maskfile import laurent
 from subdiv_cli.maskfile import rules as faults
@@ -17,6 +17,7 @@ from subdiv_cli.maskfile.expressions import Expression, number_of, polynomial_of
 from subdiv_cli.maskfile.laurent import BoundedLaurent, TooLargeError, Work, packed
 from subdiv_cli.maskfile.mask import too_precise, zero_mask
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
+from subdiv_cli.spaces.lattice import Index, IntMatrix, multiple_of_identity
 
 Nested = tuple["Expression | Nested", ...]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.multivariate.text.bodies import BoxSplineMask
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.integers import integer_list
@@ -13,6 +12,7 @@ from subdiv_cli.maskfile.bounds import MAX_DIMENSION, MAX_FACTORS
 from subdiv_cli.maskfile.entries import Table
 from subdiv_cli.maskfile.problems import Fault
 from subdiv_cli.maskfile.values import described
+from subdiv_cli.spaces.lattice import Index
 
 _HELP = "write box_spline = {directions = [[1,0],[0,1],[1,1]], multiplicities = [2,2,2]}"
 

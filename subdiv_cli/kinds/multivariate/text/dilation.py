@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from subdiv_cli.kinds.multivariate.scheme import (
-    IntMatrix,
-    characteristic_polynomial,
-    is_expanding,
-    multiple_of_identity,
-)
 from subdiv_cli.kinds.multivariate.text.integers import integer_list
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_COSETS, MAX_DIMENSION
 from subdiv_cli.maskfile.entries import Table
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
 from subdiv_cli.maskfile.values import described
+from subdiv_cli.spaces.lattice import IntMatrix, characteristic_polynomial, is_expanding, multiple_of_identity
 
 HELP = "write dilation = 2, or a matrix by rows: dilation = [[1, 1], [1, -1]]"
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.kinds.multivariate.text.bodies import CoefficientGrid, Nested, Terms
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
 from subdiv_cli.kinds.multivariate.text.integers import index_of_key, integer_list
@@ -15,6 +14,7 @@ from subdiv_cli.maskfile.expressions import Expression
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
 from subdiv_cli.maskfile.values import described
+from subdiv_cli.spaces.lattice import Index
 
 _NESTED = 'write a list of rows: coefficients = [["1/4", "1/2"], ["1/2", 1]]'
 

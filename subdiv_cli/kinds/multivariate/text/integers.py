@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
-from subdiv_cli.kinds.multivariate.scheme import Index
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_DIMENSION, MAX_INDEX
 from subdiv_cli.maskfile.characters import mended
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, shown
 from subdiv_cli.maskfile.values import described
+from subdiv_cli.spaces.lattice import Index
 
 _INDEX = re.compile(r"\s*[+-]?[0-9]{1,9}\s*(,\s*[+-]?[0-9]{1,9}\s*)*")
 

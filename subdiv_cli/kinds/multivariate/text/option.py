@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from math import prod
 
-from subdiv_cli.kinds.multivariate.scheme import IntMatrix, multiple_of_identity
 from subdiv_cli.kinds.multivariate.text.bodies import CoefficientGrid, LaurentSymbol, Nested
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_COSETS, MAX_DIMENSION, MAX_GRID, MAX_INDEX
@@ -13,6 +12,7 @@ from subdiv_cli.maskfile.expressions import Expression, names_in
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import VARIABLES
 from subdiv_cli.maskfile.problems import Fault
+from subdiv_cli.spaces.lattice import IntMatrix, multiple_of_identity
 
 
 def symbol(text: str, arity: int, names: Collection[str]) -> LaurentSymbol:

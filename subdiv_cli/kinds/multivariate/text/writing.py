@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme, multiple_of_identity
+from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.multivariate.text.bodies import BoxSplineMask, CoefficientGrid, LaurentSymbol, Tensor, Terms
 from subdiv_cli.kinds.scalar.text import spelled_entries
 from subdiv_cli.maskfile.expressions import literal
 from subdiv_cli.maskfile.spelling import listed, nested, number, quoted
 from subdiv_cli.model.closed import rational
+from subdiv_cli.spaces.lattice import multiple_of_identity
 
 
 def body_of(scheme: MultivariateScheme) -> Terms:

@@ -1,19 +1,15 @@
-"""The lattice M Z^s of a dilation matrix, in integers: its cosets, and division by M."""
+"""Integer matrices, and the lattice M Z^s of a dilation matrix: its cosets, and division by M."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import count, product
+from operator import mul
 
-from subdiv_cli.kinds.multivariate.scheme import (
-    Index,
-    IntMatrix,
-    characteristic_polynomial,
-    multiple_of_identity,
-    times,
-)
+Index = tuple[int, ...]
+IntMatrix = tuple[tuple[int, ...], ...]
 
 MOST_PERIODS = 24
 """The most powers of M that are looked at for a multiple of the identity."""
@@ -138,3 +134,45 @@ def _minor(matrix: IntMatrix, row: int, column: int) -> int:
 def box(lowest: Index, highest: Index) -> Iterator[Index]:
     """All indices between two corners, in lexicographic order."""
     return product(*(range(a, b + 1) for a, b in zip(lowest, highest, strict=True)))
+
+
+def multiple_of_identity(factor: int, dimension: int) -> IntMatrix:
+    """The rows of the s×s matrix cI."""
+    return tuple(tuple(factor * (i == j) for j in range(dimension)) for i in range(dimension))
+
+
+def times(g: IntMatrix, f: IntMatrix) -> IntMatrix:
+    """g f."""
+    columns = list(zip(*f, strict=True))
+    return tuple([tuple([sum(map(mul, row, column)) for column in columns]) for row in g])
+
+
+def is_expanding(matrix: Sequence[Sequence[int]]) -> bool:
+    """Whether a square integer matrix has all its eigenvalues in |z| > 1."""
+    if not matrix or any(len(row) != len(matrix) for row in matrix):
+        return False
+    return _roots_lie_outside(characteristic_polynomial(matrix))
+
+
+def characteristic_polynomial(matrix: Sequence[Sequence[int]]) -> list[int]:
+    """The coefficients of det(z - M), lowest power first (Faddeev & LeVerrier: all divisions are exact)."""
+    n = len(matrix)
+    product = [[int(i == j) for j in range(n)] for i in range(n)]
+    coefficients = [1]
+    for k in range(1, n + 1):
+        product = [[sum(row[i] * product[i][j] for i in range(n)) for j in range(n)] for row in matrix]
+        coefficients.append(-sum(product[i][i] for i in range(n)) // k)
+        for i in range(n):
+            product[i][i] += coefficients[-1]
+    return coefficients[::-1]
+
+
+def _roots_lie_outside(f: Sequence[int]) -> bool:
+    """Whether all zeros of f lie in |z| > 1: then those of the reverse lie inside (Schur & Cohn)."""
+    g = list(f)[::-1]
+    while len(g) > 1:
+        low, top = g[0], g[-1]
+        if abs(low) >= abs(top):
+            return False
+        g = [top * x - low * y for x, y in zip(g[1:], g[-2::-1], strict=True)]
+    return True
