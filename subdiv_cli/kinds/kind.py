@@ -166,13 +166,14 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         linearly_independent=verdict(questions.INDEPENDENCE),
         generation=degree(questions.GENERATION),
         reproduction=degree(questions.REPRODUCTION),
+        dimension=degree(questions.DIMENSION),
         findings=findings,
     )
 
 
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
-    "generation", "reproduction",
+    "generation", "reproduction", "dimension",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 
@@ -258,6 +259,10 @@ class Kind:
     name: str
     keys: tuple[str, ...] = ("mask",)
     """The keys at the top of its files, besides those that all files have."""
+    expects: tuple[str, ...] = (
+        "convergent", "smoothness", "holder", "sobolev", "stable", "generation", "reproduction",
+    )  # fmt: skip
+    """The keys of [expect] that its findings answer."""
     read: Read
     """Reads a mask: from a file's top table, the names of its parameters and a collector of problems to the body.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
@@ -95,7 +95,7 @@ def read_text(text: str, *, file: str, wanted: str | None = None, capability: st
     name, reference = text_at(top, "name"), text_at(top, "reference")
     parameters = read_parameters(top.table("parameters"), problems)
     body = kind.read(top, parameters, problems)
-    expectations = _expectations(top.table("expect"), problems)
+    expectations = _expectations(top.table("expect"), kind.expects, problems)
     if body is not None:
         check_fixed_mask(body, problems)
     problems.raise_any()
@@ -127,7 +127,11 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
     kind = document.get("kind", "matrices" if "matrices" in document and "mask" not in document else "scalar")
     where = ("kind" if "kind" in document else "mask" if "mask" in document else "matrices",)
     known = ", ".join(kinds_that(capability))
-    if not isinstance(kind, str):
+    if "kind" not in document and _has_matrices(document.get("mask")):
+        help = 'write kind = "vector" at the top, or kind = "hermite" where the data are a function and its derivatives'
+        unsaid = "the coefficients are matrices, and the file does not say of which kind the mask is"
+        problems.add(Fault(faults.MISSING_KEY, unsaid, help), ("mask", "coefficients"))
+    elif not isinstance(kind, str):
         problems.add(
             Fault(faults.WRONG_TYPE, f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'), where
         )
@@ -150,6 +154,16 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
         return kind
     problems.raise_any()
     raise AssertionError("unreachable: there is a problem")
+
+
+def _has_matrices(mask: object) -> bool:
+    """Whether the coefficients of a mask in one variable are lists of lists of numbers."""
+    if not isinstance(mask, dict) or isinstance(mask.get("start"), list) or "dilation" in mask:
+        return False
+    first, depth = mask.get("coefficients"), 0
+    while isinstance(first, list) and first:
+        first, depth = first[0], depth + 1
+    return depth == 3
 
 
 def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
@@ -178,12 +192,12 @@ def _format(document: Mapping[str, object], problems: Collector) -> None:
         problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {said}", help), ("format",))
 
 
-def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation, ...]:
-    """The expectations of [expect]; what is wrong with them is recorded."""
+def _expectations(table: Table | None, keys: Sequence[str], problems: Collector) -> tuple[Expectation, ...]:
+    """The expectations of [expect], with keys that the kind answers; what is wrong with them is recorded."""
     found: list[Expectation] = []
     for key, value in table.data.items() if table else ():
         try:
-            found.append(expectation(key, value))
+            found.append(expectation(key, value, keys))
         except Fault as fault:
             problems.add(fault, ("expect", key), of_key=fault.rule is faults.UNKNOWN_KEY)
     for later, contradiction in contradictions(found):

@@ -20,6 +20,8 @@ from subdiv_cli.model.closed import rational
 _HELP = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
 
 Matrix = tuple[tuple[Fraction, ...], ...]
+Expressions = tuple[tuple[tuple[Expression, ...], ...], ...]
+"""Matrices by rows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,19 +39,25 @@ class MatrixFamily:
 class Matrices(NamedTuple):
     """The matrices of a file, all square and of one order."""
 
-    matrices: tuple[tuple[tuple[Expression, ...], ...], ...]
+    matrices: Expressions
 
     def expressions(self) -> Iterable[Expression]:
         return (entry for matrix in self.matrices for row in matrix for entry in row)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MatrixFamily | None:
         """The family with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
-        found = [
-            [[number_of(entry, values, problems, work) for entry in row] for row in matrix] for matrix in self.matrices
-        ]
-        if any(entry is None for matrix in found for row in matrix for entry in row):
-            return None
-        return MatrixFamily(tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in found))
+        found = numbers_of(self.matrices, values, problems, work)
+        return None if found is None else MatrixFamily(found)
+
+
+def numbers_of(
+    matrices: Expressions, values: Mapping[str, Fraction], problems: Collector, work: Work
+) -> tuple[Matrix, ...] | None:
+    """The matrices with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
+    found = [[[number_of(entry, values, problems, work) for entry in row] for row in matrix] for matrix in matrices]
+    if any(entry is None for matrix in found for row in matrix for entry in row):
+        return None
+    return tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in found)
 
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
@@ -57,13 +65,18 @@ def read(top: Table, parameters: Collection[str], problems: Collector) -> Matric
     if "matrices" not in top.data:
         top.missing("matrices", "matrices are missing", _HELP)
         return None
-    found = _Reader(parameters, problems).family(top.data["matrices"], ("matrices",))
+    found = MatrixReader(_FAMILY, parameters, problems).matrices(top.data["matrices"], ("matrices",))
     return None if found is None else Matrices(found)
 
 
 def body_of(family: MatrixFamily) -> Matrices:
     """The literal entries of a family."""
-    return Matrices(tuple(tuple(tuple(map(literal, row)) for row in matrix) for matrix in family.matrices))
+    return Matrices(literals(family.matrices))
+
+
+def literals(matrices: Iterable[Matrix]) -> Expressions:
+    """Matrices as literal numbers."""
+    return tuple(tuple(tuple(map(literal, row)) for row in matrix) for matrix in matrices)
 
 
 def spell(body: Matrices) -> list[str]:
@@ -73,61 +86,85 @@ def spell(body: Matrices) -> list[str]:
 
 def canonical(family: MatrixFamily) -> Mapping[str, Any]:
     """The family as certificates embed it."""
-    rows = [[[rational(x) for x in row] for row in matrix] for matrix in family.matrices]
-    return {"kind": family.kind, "matrices": rows}
+    return {"kind": family.kind, "matrices": rationals(family.matrices)}
 
 
-class _Reader:
-    """A reader of lists of lists of lists; what is wrong is recorded."""
+def rationals(matrices: Iterable[Matrix]) -> list[list[list[str]]]:
+    """Matrices as certificates have them, each entry as `p/q`."""
+    return [[[rational(x) for x in row] for row in matrix] for matrix in matrices]
 
-    def __init__(self, names: Collection[str], problems: Collector) -> None:
-        self._names, self._problems, self._work = names, problems, Work()
 
-    def family(self, value: object, path: KeyPath) -> tuple[tuple[tuple[Expression, ...], ...], ...] | None:
-        """The matrices; None where there is no list of them. The family is complete where nothing is recorded."""
-        matrices = self._list(value, path, "matrices", MAX_MATRICES)
+class Shape(NamedTuple):
+    """What a list of matrices is called in a file, how long and how large it may be, and how it is written."""
+
+    name: str
+    most: int
+    """The most matrices."""
+    order: int
+    """The largest order of a matrix."""
+    help: str
+    square: str
+    """The help where a matrix is not square."""
+
+
+_FAMILY = Shape("matrices", MAX_MATRICES, MAX_MATRIX_ORDER, _HELP, "a joint spectral radius is of square matrices")
+
+
+class MatrixReader:
+    """A reader of lists of square matrices of one order, each a list of rows; what is wrong is recorded."""
+
+    def __init__(self, shape: Shape, names: Collection[str], problems: Collector) -> None:
+        self._shape, self._names, self._problems, self._work = shape, names, problems, Work()
+
+    def matrices(self, value: object, path: KeyPath) -> Expressions | None:
+        """The matrices; None where there is no list of them. They are complete where nothing is recorded."""
+        matrices = self._list(value, path, self._shape.name, self._shape.most)
         if matrices is None:
             return None
         found = [self._matrix(matrix, (*path, i)) for i, matrix in enumerate(matrices)]
-        orders = {len(matrix) for matrix in found if matrix is not None}
-        if len(orders) > 1:
-            sizes = " and ".join(map(str, sorted(orders)))
-            fault = Fault(faults.WRONG_TYPE, f"the matrices must be of one order, and there are orders {sizes}", _HELP)
-            self._problems.add(fault, path)
+        orders = [None if matrix is None else len(matrix) for matrix in found]
+        first = next((order for order in orders if order is not None), None)
+        other = next((i for i, order in enumerate(orders) if order not in (None, first)), None)
+        if other is not None:
+            sizes = f"{first}×{first}, and this one is {orders[other]}×{orders[other]}"
+            message = f"all matrices must be of one size: the first is {sizes}"
+            self._problems.add(Fault(faults.BAD_SHAPE, message, self._shape.help), (*path, other))
         return tuple(matrix for matrix in found if matrix is not None)
 
     def _matrix(self, value: object, path: KeyPath) -> tuple[tuple[Expression, ...], ...] | None:
         """The rows of a square matrix; None where it is none."""
-        rows = self._list(value, path, "a matrix", MAX_MATRIX_ORDER)
+        rows = self._list(value, path, "a matrix", self._shape.order)
         if rows is None:
             return None
         found = []
         for i, row in enumerate(rows):
-            entries = self._list(row, (*path, i), "a row", MAX_MATRIX_ORDER)
+            entries = self._list(row, (*path, i), "a row", self._shape.order)
             if entries is None:
                 return None
             if len(entries) != len(rows):
                 message = f"the matrix is not square: rows {len(rows)}, entries of this row {len(entries)}"
-                self._problems.add(
-                    Fault(faults.WRONG_TYPE, message, "a joint spectral radius is of square matrices"), (*path, i)
-                )
+                self._problems.add(Fault(faults.WRONG_TYPE, message, self._shape.square), (*path, i))
                 return None
             found.append(tuple(self._entry(x, (*path, i, j)) for j, x in enumerate(entries)))
         return tuple(found)
 
     def _entry(self, value: object, path: KeyPath) -> Expression:
         """The entry; zero where it is wrong."""
+        if isinstance(value, list):
+            message = "a number was expected, not a list: a matrix is a list of rows, a row one of numbers"
+            self._problems.add(Fault(faults.WRONG_TYPE, message, self._shape.help), path)
+            return literal(Fraction(0))
         return read_number(value, path, self._names, self._problems, self._work) or literal(Fraction(0))
 
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
         """The value, where it is a list of 1 to `most` entries; else None."""
+        help = self._shape.help
         if not isinstance(value, list) or not value:
             said = "an empty list" if value == [] else described(value)
-            self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {said}", _HELP), path)
+            self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {said}", help), path)
             return None
         if len(value) > most:
-            self._problems.add(
-                Fault(faults.OUT_OF_BOUNDS, f"{what}: {len(value)} entries; the limit is {most}", _HELP), path
-            )
+            message = f"{what}: {len(value)} entries; the limit is {most}"
+            self._problems.add(Fault(faults.OUT_OF_BOUNDS, message, help), path)
             return None
         return value
