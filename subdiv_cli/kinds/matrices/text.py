@@ -117,7 +117,7 @@ class MatrixReader:
         self._shape, self._names, self._problems, self._work = shape, names, problems, Work()
 
     def matrices(self, value: object, path: KeyPath) -> Expressions | None:
-        """The matrices; None where there is no list of them. They are complete where nothing is recorded."""
+        """The matrices; None where anything about them is wrong."""
         matrices = self._list(value, path, self._shape.name, self._shape.most)
         if matrices is None:
             return None
@@ -129,10 +129,11 @@ class MatrixReader:
             sizes = f"{first}×{first}, and this one is {orders[other]}×{orders[other]}"
             message = f"all matrices must be of one size: the first is {sizes}"
             self._problems.add(Fault(faults.BAD_SHAPE, message, self._shape.help), (*path, other))
-        return tuple(matrix for matrix in found if matrix is not None)
+        right = tuple(matrix for matrix in found if matrix is not None)
+        return right if len(right) == len(found) and other is None else None
 
     def _matrix(self, value: object, path: KeyPath) -> tuple[tuple[Expression, ...], ...] | None:
-        """The rows of a square matrix; None where it is none."""
+        """The rows of a square matrix; None where it is none, or an entry is wrong."""
         rows = self._list(value, path, "a matrix", self._shape.order)
         if rows is None:
             return None
@@ -145,16 +146,17 @@ class MatrixReader:
                 message = f"the matrix is not square: rows {len(rows)}, entries of this row {len(entries)}"
                 self._problems.add(Fault(faults.WRONG_TYPE, message, self._shape.square), (*path, i))
                 return None
-            found.append(tuple(self._entry(x, (*path, i, j)) for j, x in enumerate(entries)))
-        return tuple(found)
+            found.append([self._entry(x, (*path, i, j)) for j, x in enumerate(entries)])
+        right = tuple(tuple(x for x in row if x is not None) for row in found)
+        return right if all(len(row) == len(rows) for row in right) else None
 
-    def _entry(self, value: object, path: KeyPath) -> Expression:
-        """The entry; zero where it is wrong."""
+    def _entry(self, value: object, path: KeyPath) -> Expression | None:
+        """The entry; None where it is wrong."""
         if isinstance(value, list):
             message = "a number was expected, not a list: a matrix is a list of rows, a row one of numbers"
             self._problems.add(Fault(faults.WRONG_TYPE, message, self._shape.help), path)
-            return literal(Fraction(0))
-        return read_number(value, path, self._names, self._problems, self._work) or literal(Fraction(0))
+            return None
+        return read_number(value, path, self._names, self._problems, self._work)
 
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
         """The value, where it is a list of 1 to `most` entries; else None."""

@@ -74,7 +74,7 @@ def read(top: Table, parameters: Collection[str], problems: Collector) -> Matrix
     matrices = MatrixReader(_SHAPE, parameters, problems).matrices(table.data["coefficients"], path)
     if matrices is None or arity is None or start is None:
         return None
-    if (count := len(matrices) * len(matrices[0]) ** 2 if matrices else 0) > MAX_GRID:
+    if (count := len(matrices) * len(matrices[0]) ** 2) > MAX_GRID:
         message = f"the matrices have {count} entries, zeros included; the limit is {MAX_GRID}"
         problems.add(Fault(faults.OUT_OF_BOUNDS, message, "use a smaller mask"), path)
         return None
