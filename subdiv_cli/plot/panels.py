@@ -42,11 +42,8 @@ def panels(masks: Sequence[Drawn]) -> list[Panel | Map]:
     for mask in masks:
         for block in mask.blocks:
             if isinstance(block, Curve):
-                label = (
-                    block.label
-                    if alone is not None and block.label
-                    else ", ".join(filter(None, (mask.label, block.label)))
-                )
+                names = (block.label or mask.label,) if alone is not None else (mask.label, block.label)
+                label = ", ".join(filter(None, names))
                 functions.setdefault(derivative(block.name, block.order), []).append(graph(block, label))
             elif isinstance(block, Polygon):
                 polygons.append(plane(block, mask.label))

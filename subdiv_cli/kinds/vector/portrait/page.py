@@ -141,7 +141,9 @@ class _VectorPage:
 
     def limits(self) -> Iterator[Block]:
         """The blocks of the limits at the integers, and of their curves."""
-        yield from self.curves[:_LONGEST]
+        for curve in self.curves[:_LONGEST]:
+            yield Text(f"{curve.name}, for the data {curve.label or 'δ'} at 0")
+            yield curve
         if self.stencils is not None:
             yield _limit(self.stencils)
             basis = [point(u) for u in self.numbers.constants]
