@@ -16,7 +16,7 @@ from subdiv_cli.checker.vector.sequences import check_constants
 def derived(c: Claim) -> MatrixMask:
     """Δ_r S_Ā = (1/p) S_B Δ_r for Ā_i = R^-1 A_i R: B, the n-th derived mask, A the one before or that of the document.
 
-    Δ_r = diag(Δ I_r, I), and the first r columns of R are a basis of E_A.
+    Δ_r = diag(Δ I_r, I), and the first r columns of R are a basis of E_A. Raises Rejected where it is not so.
     """
     n, r = c.statement["order"], c.witness["dimension"]
     require(n >= 1, "the order is not positive")

@@ -9,11 +9,11 @@ from subdiv_cli.certificate.claims import Proofs, proofs
 from subdiv_cli.kinds.kind import Analysis
 from subdiv_cli.kinds.vector import rules
 from subdiv_cli.kinds.vector.claims import conclusions
-from subdiv_cli.kinds.vector.claims.proof import Proof
+from subdiv_cli.kinds.vector.claims.proof import VectorProof
 from subdiv_cli.kinds.vector.text import canonical
 from subdiv_cli.model import Finding
 
-CLAIMS: dict[str, Callable[[Proof, Finding], list[int]]] = {
+CLAIMS: dict[str, Callable[[VectorProof, Finding], list[int]]] = {
     rules.CONSTANTS.code: lambda proof, _: [proof.constants()],
     rules.EIGEN_SEQUENCES.code: conclusions.eigen_sequences,
     rules.MEAN_MATRIX.code: conclusions.mean_matrix,
@@ -34,5 +34,5 @@ CLAIMS: dict[str, Callable[[Proof, Finding], list[int]]] = {
 def claims_of(analysis: Analysis) -> Proofs:
     """The claims that prove what was found of a mask of matrices."""
     mask: dict[str, Any] = dict(canonical(analysis.scheme))
-    proof = Proof(mask, analysis.findings)
+    proof = VectorProof(mask, analysis.findings)
     return proofs(proof.claims, mask, analysis.findings, lambda finding: CLAIMS[finding.code](proof, finding))

@@ -9,12 +9,12 @@ from subdiv_cli.certificate.claims import Json
 from subdiv_cli.certificate.radius import root_fields
 from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple, as_word
 from subdiv_cli.kinds.vector import rules
-from subdiv_cli.kinds.vector.claims.proof import Map, Proof, rationals
+from subdiv_cli.kinds.vector.claims.proof import Map, VectorProof, rationals
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model.closed import rational
 
 
-def eigen_sequences(proof: Proof, finding: Finding) -> list[int]:
+def eigen_sequences(proof: VectorProof, finding: Finding) -> list[int]:
     """The claims of SD702: the order of the eigen-sequences, and the degree of generation."""
     k, r, p, m = as_integer(finding.witness["order"]), proof.dimension, proof.p, proof.size
     uses = [proof.constants()]
@@ -32,14 +32,14 @@ def eigen_sequences(proof: Proof, finding: Finding) -> list[int]:
     return [claim, proof.claims.prove("generation", {"degree": k - 1}, uses=[claim])]
 
 
-def mean_matrix(proof: Proof, finding: Finding) -> list[int]:
+def mean_matrix(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD703."""
     statement = {"holds": finding.verdict is Verdict.PROVED}
     work = proof.entries + proof.size**4
     return [proof.claims.prove("mean-matrix", statement, uses=[proof.constants()], work=work)]
 
 
-def smoothness(proof: Proof, finding: Finding) -> list[int]:
+def smoothness(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD708: all limits are C^n."""
     n, uses = as_integer(finding.witness["order"]), [proof.convergent()]
     if finding.witness["by"] == rules.CONVERGENCE.code:
@@ -47,7 +47,7 @@ def smoothness(proof: Proof, finding: Finding) -> list[int]:
     return [proof.claims.prove("smooth", {"order": n}, uses=[*uses, *proof.growth()])]
 
 
-def next_smoothness(proof: Proof, finding: Finding) -> list[int]:
+def next_smoothness(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD709: not all limits are C^n."""
     n, word = as_integer(finding.witness["order"]), as_word(finding.witness)
     found = proof.found[rules.STENCIL_RADIUS]
@@ -65,7 +65,7 @@ def next_smoothness(proof: Proof, finding: Finding) -> list[int]:
     return [proof.claims.prove("not-smooth", {"order": n}, uses=[*uses, *below])]
 
 
-def holder_lower(proof: Proof, finding: Finding) -> list[int]:
+def holder_lower(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD710: the Hölder exponent from below, or what it is where the radius is known."""
     if "root" in finding.witness:
         return [_exponent(proof)]
@@ -73,7 +73,7 @@ def holder_lower(proof: Proof, finding: Finding) -> list[int]:
     return [proof.claims.prove("holder-lower", statement, uses=[proof.convergent(), *proof.growth()])]
 
 
-def holder_upper(proof: Proof, finding: Finding) -> list[int]:
+def holder_upper(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD711: the Hölder exponent from above."""
     if "root" in proof.found[rules.HOLDER_LOWER].witness:
         return [_exponent(proof)]
@@ -86,14 +86,14 @@ def holder_upper(proof: Proof, finding: Finding) -> list[int]:
     return [proof.claims.prove("holder-upper", statement, uses=[proof.convergent(), *below])]
 
 
-def _exponent(proof: Proof) -> int:
+def _exponent(proof: VectorProof) -> int:
     """The claim that says what α is."""
     found = proof.found[rules.HOLDER_LOWER].witness
     statement = {"length": found["length"], **root_fields(cast(Map, found["root"]))}
     return proof.claims.prove("holder-root", statement, uses=[proof.convergent(), *proof.growth()])
 
 
-def attained(proof: Proof, finding: Finding) -> list[int]:
+def attained(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD712: the Hölder exponent is attained, or is not."""
     k, space = as_integer(finding.witness["order"]), cast(Map, finding.proof["space"])
     holds = finding.verdict is Verdict.PROVED
@@ -105,7 +105,7 @@ def attained(proof: Proof, finding: Finding) -> list[int]:
     return [proof.claims.prove("attained", statement, uses=[*bounded, _exponent(proof)])]
 
 
-def derived_schemes(proof: Proof, finding: Finding) -> list[int]:
+def derived_schemes(proof: VectorProof, finding: Finding) -> list[int]:
     """The claims of SD713: derived schemes one after the other, the norm of the last one, and what follows."""
     found, m, p = finding.proof, proof.size, proof.p
     keys = ("transformations", "dimensions", "starts", "masks")

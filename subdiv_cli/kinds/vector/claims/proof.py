@@ -17,7 +17,7 @@ from subdiv_cli.model.closed import rational
 Map = Mapping[str, Data]
 
 
-class Proof:
+class VectorProof:
     """A certificate under construction: each method returns the numbers of claims, made if there are none yet."""
 
     def __init__(self, mask: Json, findings: Sequence[Finding]) -> None:

@@ -30,7 +30,7 @@ _WORK = 4000
 """The most work for the norms of one scheme."""
 
 
-class Step(NamedTuple):
+class DerivedScheme(NamedTuple):
     """A mask that is derived from the one before."""
 
     transformation: fmpq_mat
@@ -45,7 +45,7 @@ class Step(NamedTuple):
 class Derivation(NamedTuple):
     """Masks derived one from the other: S is C^(n-1) if the n-th one contracts."""
 
-    steps: tuple[Step, ...]
+    steps: tuple[DerivedScheme, ...]
 
     @property
     def contracting(self) -> int:
@@ -55,11 +55,11 @@ class Derivation(NamedTuple):
 
 def derivation(p: int, terms: Terms, most: int, effort: Effort) -> Derivation:
     """The derived schemes, at most so many, up to the first that is not seen to contract."""
-    steps: list[Step] = []
+    steps: list[DerivedScheme] = []
     while len(steps) < most and (r := canonical_transformation(p, terms)) is not None:
         transformation, constants = r
         terms = derived(p, terms, transformation, constants)
-        steps.append(Step(transformation, constants, terms, contraction(p, terms, effort.limited(_WORK))))
+        steps.append(DerivedScheme(transformation, constants, terms, contraction(p, terms, effort.limited(_WORK))))
         if steps[-1].norm is None:
             break
     return Derivation(tuple(steps))

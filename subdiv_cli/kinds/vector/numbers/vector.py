@@ -25,7 +25,7 @@ LARGEST_WINDOW = 400
 _TIE = 1e-6
 
 
-class Growth(NamedTuple):
+class SequenceGrowth(NamedTuple):
     """An invariant space of sequences, and the joint spectral radius of the transition operators on it."""
 
     order: int
@@ -102,12 +102,12 @@ class VectorNumbers:
         return self.spaces.stencils if self.is_small else None
 
     @cached_property
-    def decay(self) -> Growth | None:
+    def decay(self) -> SequenceGrowth | None:
         """The growth on the sequences that die out if the scheme converges: it does iff the radius is below 1."""
         return self._growth(0, self.spaces.decay) if self.is_small and self.constants else None
 
     @cached_property
-    def growth(self) -> Growth | None:
+    def growth(self) -> SequenceGrowth | None:
         """The growth on V_k(w) of a scheme that converges, with k above the Hölder exponent; None where it is unknown.
 
         No k above the number of coordinates of the window is tried, as 1, p^-1, …, p^-n are eigenvalues of T_0 where
@@ -124,11 +124,11 @@ class VectorNumbers:
                 return self._growth(k, found)
         return None
 
-    def growth_of(self, k: int) -> Growth | None:
+    def growth_of(self, k: int) -> SequenceGrowth | None:
         """The growth on V_k(w) for this k."""
         return self._growth(k, self.spaces.differences(k))
 
-    def bounded(self, growth: Growth) -> Radius | None:
+    def bounded(self, growth: SequenceGrowth) -> Radius | None:
         """The radius of a growth, where its products are proved to be bounded by its powers; None elsewhere."""
         from subdiv_cli.jsr.irreducible import closed_radius  # numpy comes with it
 
@@ -143,7 +143,7 @@ class VectorNumbers:
         rate = candidates(family, 2)[0]
         return rate > 0 and math.log2(rate) + math.log2(family.unit) > -(k - _TIE) * math.log2(self.p)
 
-    def _growth(self, k: int, found: SequenceSpace | None) -> Growth | None:
+    def _growth(self, k: int, found: SequenceSpace | None) -> SequenceGrowth | None:
         from subdiv_cli.jsr.radius import joint_spectral_radius  # numpy comes with it
 
         if found is None or not found.space.dimension:
@@ -153,7 +153,7 @@ class VectorNumbers:
         if radius is None:
             return None
         product = None if radius.word is None else WordProduct.of_word(matrices, radius.word)
-        return Growth(k, found, radius, product)
+        return SequenceGrowth(k, found, radius, product)
 
     def derivation(self, most: int) -> Derivation:
         """The derived schemes of Moosmüller & Dyn, at most so many, and the norms by which they contract."""

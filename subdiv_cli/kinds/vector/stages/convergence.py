@@ -14,7 +14,7 @@ from subdiv_cli.exact.text import modulus, number, rounded_up
 from subdiv_cli.kinds.kind import ContradictionError, Facts
 from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
-from subdiv_cli.kinds.vector.numbers.vector import Growth, VectorNumbers
+from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
 from subdiv_cli.kinds.vector.rules import (
     CONSTANTS,
     CONVERGENCE,
@@ -143,7 +143,7 @@ def _ended(numbers: VectorNumbers) -> str:
     return "the time budget ended before a bound" if numbers.effort.struck else TOO_LARGE
 
 
-def radius_finding(rule: Rule, growth: Growth, name: str) -> Finding:
+def radius_finding(rule: Rule, growth: SequenceGrowth, name: str) -> Finding:
     """The finding of a joint spectral radius on an invariant space of sequences."""
     radius, dimension = growth.radius, growth.found.space.dimension
     witness: dict[str, Data] = {"order": growth.order, "dimension": dimension, "method": radius.method}
@@ -245,6 +245,8 @@ def limit_stencils(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     that are those of the mask, moved by start/(p-1). Hypothesis, convergence (SD705): checked.
 
     Witness: `start`, and `rows`, the entries of each w_i.
+
+    Raises ContradictionError where there are not as many as the theorem says.
     """
     question = "what are the limit stencils?"
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:

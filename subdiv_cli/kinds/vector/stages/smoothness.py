@@ -20,7 +20,7 @@ from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.stages.holder import defect
 from subdiv_cli.kinds.scalar.stages.joint_radius import shown, threshold
 from subdiv_cli.kinds.scalar.stages.wording import product_name
-from subdiv_cli.kinds.vector.numbers.vector import Growth, VectorNumbers
+from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
 from subdiv_cli.kinds.vector.rules import (
     CONVERGENCE,
     DERIVED_SCHEMES,
@@ -93,7 +93,7 @@ def smoothness(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (first, NEXT_SMOOTHNESS.refuted(statement, witness))
 
 
-def _known(numbers: VectorNumbers, facts: Facts) -> Growth | None:
+def _known(numbers: VectorNumbers, facts: Facts) -> SequenceGrowth | None:
     return numbers.growth if facts.verdict(STENCIL_RADIUS) is Verdict.PROVED else None
 
 
@@ -128,7 +128,7 @@ def holder(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (_lower(numbers, growth), _upper(numbers, growth))
 
 
-def is_exponent(growth: Growth, p: int) -> bool:
+def is_exponent(growth: SequenceGrowth, p: int) -> bool:
     """Whether the radius is known and proved to be above p^-k: then -log_p of it is the exponent."""
     if growth.radius.exact is None:
         return False
@@ -136,7 +136,7 @@ def is_exponent(growth: Growth, p: int) -> bool:
     return root.low > Fraction(1, p ** (growth.order * length))
 
 
-def _lower(numbers: VectorNumbers, growth: Growth) -> Finding:
+def _lower(numbers: VectorNumbers, growth: SequenceGrowth) -> Finding:
     radius, p, k = growth.radius, numbers.p, growth.order
     if radius.exact is not None and is_exponent(growth, p):
         found = exponent(p, *radius.exact)
@@ -152,7 +152,7 @@ def _lower(numbers: VectorNumbers, growth: Growth) -> Finding:
     return HOLDER_LOWER.proved(statement, {"length": length, "bound": bound}, Interval(lower=lower))
 
 
-def _upper(numbers: VectorNumbers, growth: Growth) -> Finding:
+def _upper(numbers: VectorNumbers, growth: SequenceGrowth) -> Finding:
     product, p, k = growth.product, numbers.p, growth.order
     if product is None or product.compare(Fraction(1, p**k)) <= 0:
         return HOLDER_UPPER.undecided(_ABOVE, f"no product is known that keeps ρ_{k} above {p}^-{k}")
@@ -202,7 +202,9 @@ def holder_attained(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
     return (_attained(numbers, growth, None, "α is attained", "α is not attained"),)
 
 
-def _attained(numbers: VectorNumbers, growth: Growth | None, radius: Fraction | None, yes: str, no: str) -> Finding:
+def _attained(
+    numbers: VectorNumbers, growth: SequenceGrowth | None, radius: Fraction | None, yes: str, no: str
+) -> Finding:
     """The finding by the products on a space whose radius is p^-α; `radius` is that where it is rational."""
     unknown = "boundedness of the products at the radius is not decided"
     if growth is None or growth.radius.exact is None:
@@ -233,7 +235,7 @@ def _same(one: tuple[int, Root], other: tuple[int, Root]) -> bool:
     return one == other or (rational and one[1].low ** other[0] == other[1].low ** one[0])
 
 
-def _defect(growth: Growth, radius: Fraction) -> tuple[Word, int, Fraction, tuple[Fraction, ...]] | None:
+def _defect(growth: SequenceGrowth, radius: Fraction) -> tuple[Word, int, Fraction, tuple[Fraction, ...]] | None:
     matrices = growth.found.space.matrices
     for word in _words(growth, len(matrices)):
         if (found := defect(WordProduct.of_word(matrices, word).matrix, radius ** len(word))) is not None:
@@ -241,7 +243,7 @@ def _defect(growth: Growth, radius: Fraction) -> tuple[Word, int, Fraction, tupl
     return None
 
 
-def _words(growth: Growth, letters: int) -> Iterator[Word]:
+def _words(growth: SequenceGrowth, letters: int) -> Iterator[Word]:
     yield from islice(lyndon_words(letters), _WORDS)
     if growth.radius.word is not None:
         yield growth.radius.word
