@@ -259,10 +259,6 @@ class Kind:
     name: str
     keys: tuple[str, ...] = ("mask",)
     """The keys at the top of its files, besides those that all files have."""
-    expects: tuple[str, ...] = (
-        "convergent", "smoothness", "holder", "sobolev", "stable", "generation", "reproduction",
-    )  # fmt: skip
-    """The keys of [expect] that its findings answer."""
     read: Read
     """Reads a mask: from a file's top table, the names of its parameters and a collector of problems to the body.
 

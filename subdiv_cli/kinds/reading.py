@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
+from subdiv_cli.kinds.kind import Kind
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES, at_most
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
@@ -16,6 +17,7 @@ from subdiv_cli.maskfile.recognise import MARKS
 from subdiv_cli.maskfile.toml import load
 from subdiv_cli.maskfile.values import described
 from subdiv_cli.model import Expectation, Problem
+from subdiv_cli.model.properties import PROPERTIES
 
 _TOP = ("format", "name", "reference", "kind", "parameters", "expect")
 """The keys that files of every kind may have."""
@@ -95,7 +97,7 @@ def read_text(text: str, *, file: str, wanted: str | None = None, capability: st
     name, reference = text_at(top, "name"), text_at(top, "reference")
     parameters = read_parameters(top.table("parameters"), problems)
     body = kind.read(top, parameters, problems)
-    expectations = _expectations(top.table("expect"), kind.expects, problems)
+    expectations = _expectations(top.table("expect"), kind, problems)
     if body is not None:
         check_fixed_mask(body, problems)
     problems.raise_any()
@@ -156,6 +158,12 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
     raise AssertionError("unreachable: there is a problem")
 
 
+def _answered(kind: Kind) -> tuple[str, ...]:
+    """The keys of [expect] that findings of a kind answer."""
+    questions = {question for rule in kind.rules().values() for question in rule.answers}
+    return tuple(row.key for row in PROPERTIES if row.expected and row.question in questions)
+
+
 def _has_matrices(mask: object) -> bool:
     """Whether the coefficients of a mask in one variable are lists of lists of numbers."""
     if not isinstance(mask, dict) or isinstance(mask.get("start"), list) or "dilation" in mask:
@@ -192,12 +200,15 @@ def _format(document: Mapping[str, object], problems: Collector) -> None:
         problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {said}", help), ("format",))
 
 
-def _expectations(table: Table | None, keys: Sequence[str], problems: Collector) -> tuple[Expectation, ...]:
-    """The expectations of [expect], with keys that the kind answers; what is wrong with them is recorded."""
+def _expectations(table: Table | None, kind: Kind, problems: Collector) -> tuple[Expectation, ...]:
+    """The expectations of [expect]; what is wrong with them, or not answered by the kind, is recorded."""
     found: list[Expectation] = []
     for key, value in table.data.items() if table else ():
         try:
-            found.append(expectation(key, value, keys))
+            found.append(expectation(key, value))
+            if key not in (answered := _answered(kind)):
+                help = f"properties of this kind: {', '.join(answered)}"
+                raise Fault(faults.UNKNOWN_KEY, f"masks of kind {kind.name} have no property {key}", help)
         except Fault as fault:
             problems.add(fault, ("expect", key), of_key=fault.rule is faults.UNKNOWN_KEY)
     for later, contradiction in contradictions(found):

@@ -26,19 +26,16 @@ _ORDER = re.compile(r"[Cc]\s*\^?\s*\(?([0-9]{1,4})\)?")
 ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree", "dimension"))
 
 
-def expectation(key: str, value: object, keys: Sequence[str] = KEYS) -> Expectation:
+def expectation(key: str, value: object) -> Expectation:
     """The expectation `key = value` of a file, value as TOML gives it (`Decimal` for a float).
-
-    `keys`: those that the kind of the mask answers.
 
     Raises Fault: SD004 for an unknown key, SD006 for a type, SD010 for a size, SD012 for the rest; its offset counts
     in the string that value is.
     """
-    if key not in keys:
-        guess = None if key in KEYS else near(key, keys)
-        help = f"did you mean {guess}?" if guess else "properties: " + ", ".join(keys)
-        what = f"masks of this kind have no property {key}" if key in KEYS else f'there is no property "{shown(key)}"'
-        raise Fault(faults.UNKNOWN_KEY, what, help)
+    if key not in KEYS:
+        guess = near(key, KEYS)
+        help = f"did you mean {guess}?" if guess else "properties: " + ", ".join(KEYS)
+        raise Fault(faults.UNKNOWN_KEY, f'there is no property "{shown(key)}"', help)
     if key in TRUTHS:
         if isinstance(value, bool):
             return Expectation(key=key, text=str(value).lower(), lower=value, upper=value)

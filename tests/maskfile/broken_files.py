@@ -174,8 +174,8 @@ STRUCTURE = [
     one("vector-long", VECTOR + f"{[[[1]]] * 201}\n", "SD010", "201 entries; the limit is 200", "mask.coefficients", 4, 16, "a list of matrices"),
     one("vector-missing", 'kind = "vector"\n[mask]\nstart = 0\n', "SD005", "a list of m×m matrices", "mask.coefficients", 2, 2, "a list of matrices"),
     one("vector-symbol", VECTOR + '[[[1]]]\nsymbol = "1+z"\n', "SD004", 'unknown key "symbol"', "mask.symbol", 5, 1, "no symbol"),
-    one("vector-stable", VECTOR + "[[[1]]]\n[expect]\nstable = true\n", "SD004", "no property stable", "expect.stable", 6, 1, "convergent, smoothness, holder, generation, dimension"),
-    one("scalar-dimension", MASK + "[expect]\ndimension = 1\n", "SD004", "no property dimension", "expect.dimension", 5, 1, "convergent, smoothness"),
+    one("vector-stable", VECTOR + "[[[1]]]\n[expect]\nstable = true\n", "SD004", "masks of kind vector have no property stable", "expect.stable", 6, 1, "convergent, smoothness, holder, generation, dimension"),
+    one("scalar-dimension", MASK + "[expect]\ndimension = 1\n", "SD004", "masks of kind scalar have no property dimension", "expect.dimension", 5, 1, "convergent, smoothness"),
     one("format-2", "format = 2\n" + MASK, "SD006", "format must be 1, not 2", "format", 1, 10, "newer subdiv"),
     one("format-text", 'format = "1"\n' + MASK, "SD006", "format must be 1, not a string", "format", 1, 11, "format = 1"),
     several(
