@@ -255,7 +255,7 @@ def limit_stencils(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
         raise ContradictionError("S converges and has not as many limit stencils as constants")
     r, m = len(numbers.stencils), numbers.size
     start, rows = sequence_rows(numbers.stencils, m)
-    count = len(rows[0]) // m
-    said = f"the limit stencil has {count}" if r == 1 else f"{r} limit stencils have {count} indices each,"
-    statement = f"{said} {'indices, ' if r == 1 else ''}from {start}, of {m} components"
+    last = start + len(rows[0]) // m - 1
+    where = f"the index {start}" if start == last else f"the indices {start} … {last}"
+    statement = f"limits have {'a stencil' if r == 1 else f'{r} stencils'} on {where}"
     return (LIMIT_STENCILS.proved(statement, {"start": start, "rows": rows}),)

@@ -189,15 +189,9 @@ def holder_attained(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
         return (HOLDER_ATTAINED.skipped(_ATTAINED_QUESTION, "α is not known exactly"),)
     if isinstance(exact, Fraction) and exact.denominator == 1:
         m = int(exact)
-        what = {1: "they are", 2: "their derivatives are", 3: "their second derivatives are"}
-        of = (
-            what.get(m, f"their derivatives of order {m - 1} are"),
-            what.get(m, f"the derivatives of order {m - 1} are"),
-        )
-        yes, no = (
-            f"α = {m} is attained: {of[0]} Lipschitz",
-            f"α = {m} is not attained: not all of {of[1][:-4]} Lipschitz",
-        )
+        of = {1: "limits", 2: "derivatives of limits", 3: "second derivatives of limits"}
+        what = f"{of.get(m, f'derivatives of order {m - 1} of limits')} are Lipschitz"
+        yes, no = f"α = {m} is attained: all {what}", f"α = {m} is not attained: not all {what}"
         return (_attained(numbers, numbers.growth_of(m), Fraction(1, numbers.p**m), yes, no),)
     return (_attained(numbers, growth, None, "α is attained", "α is not attained"),)
 
