@@ -14,10 +14,11 @@ ARROWS = {
     "model": set(),
     "checker": set(),
     "exact": {"model"},
+    "spaces": {"exact", "model"},
     "jsr": {"exact", "model"},
     "maskfile": {"model"},
     "certificate": {"model"},
-    "kinds": {"maskfile", "certificate", "jsr", "exact", "model"},
+    "kinds": {"spaces", "maskfile", "certificate", "jsr", "exact", "model"},
     "pipeline": {"kinds", "certificate", "checker", "jsr", "exact", "model"},
     "catalog": {"pipeline", "kinds", "maskfile", "checker", "model"},
     "report": {"model"},
@@ -28,11 +29,11 @@ ARROWS = {
     "__init__": set(),
 }
 """Room -> the rooms it may import."""
-BETWEEN_KINDS = {"scalar": set(), "matrices": set(), "multivariate": {"scalar"}}
+BETWEEN_KINDS = {"scalar": set(), "matrices": set(), "multivariate": {"scalar"}, "vector": {"scalar", "matrices"}}
 """Kind -> the kinds below it. All of them may import the hallway of kinds, the files beside their folders."""
 TERMINAL = {"click", "rich"}
 TO_TERMINALS = {"cli", "report", "__main__"}
-FLINT = {"exact", "jsr", "kinds"}
+FLINT = {"exact", "spaces", "jsr", "kinds"}
 PICTURES = {"figure.py", "reliefs.py"}
 """Files of plot/ that may load matplotlib, and numpy with it."""
 

@@ -74,7 +74,7 @@ def _same(file: str) -> str:
 
 def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
     for row in PROPERTIES:
-        before, now = old[row.key], getattr(result, row.key)
+        before, now = _value(old, row.key), getattr(result, row.key)
         match row.form:
             case "verdict":
                 yield from _verdict(row.phrase, before["verdict"], now)
@@ -82,11 +82,16 @@ def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
                 yield from _number(row.phrase, before["order"], now.order)
             case "exponent":
                 yield from _enclosure(row.phrase, before, now)
-            case "order" | "degree":
+            case "order" | "degree" | "dimension":
                 yield from _number(row.phrase, before, now)
     judged_before = {(e["key"], e["expected"]): e["verdict"] for e in old["expectations"]}
     for judged in result.expectations:
         yield from _expectation(judged, judged_before.get((judged.expectation.key, judged.expectation.text)))
+
+
+def _value(old: Mapping[str, Any], key: str) -> Any:
+    """The value of a property in a report; None in one that is older than the property."""
+    return old.get(key)
 
 
 def _verdict(name: str, old: str, new: Verdict) -> Iterator[str]:

@@ -175,6 +175,7 @@ def _result(data: Mapping[str, Any]) -> Result:
         linearly_independent=Verdict(data["linearly_independent"]["verdict"]),
         generation=data["generation"],
         reproduction=data["reproduction"],
+        dimension=data.get("dimension"),
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),

@@ -130,11 +130,13 @@ def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator
             next_order = 0 if smooth.order is None else smooth.order + 1
             yield any(order <= next_order for order in orders(asked, "not-smooth"))
     if result.sum_rule_order:
-        rules = ("sum-rules", "total-sum-rules")
+        rules = ("sum-rules", "total-sum-rules", "eigen-sequences")
         yield any(result.sum_rule_order in orders(SUM_RULES, name) for name in rules)
     for name, degree in (("generation", result.generation), ("reproduction", result.reproduction)):
         if degree is not None:
             yield any(s["property"] == name and s["degree"] == degree for s in statements)
+    if result.dimension is not None:
+        yield any(s["property"] == "constants" and s["dimension"] == result.dimension for s in statements)
 
 
 def _judged(result: Result) -> bool:

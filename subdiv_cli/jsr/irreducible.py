@@ -35,6 +35,8 @@ _QUICK, _DEEP = 10, 24
 """The lengths of products in the first and in the second search."""
 _QUICK_WORK = 1000
 """Gauges that are computed in the first polytope."""
+_BRIEF_WORK = 100
+"""Gauges for a polytope that nothing but boundedness depends on."""
 _LONGEST_ROOT = 60_000
 """The most bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
 _ROUNDING = 1e-9
@@ -125,6 +127,16 @@ def _best_bound(family: Family, states: Sequence[tuple[Fraction, Grown]], effort
                 return bound
             largest = state.body.size // 2 if part.struck else largest
     return None
+
+
+def closed_radius(family: Family, effort: Effort) -> Radius | None:
+    """The radius of a family, irreducible or not, where a polytope of all of it closes quickly; None otherwise.
+
+    The products are then bounded by powers of the radius, which that of diagonal blocks does not tell.
+    """
+    if not family.size or family.order > LARGEST_BLOCK or not (found := candidates(family, _QUICK)[1]):
+        return None
+    return _Attempt(family, _affordable(family, found)).closed(effort.limited(_BRIEF_WORK))
 
 
 def _of_distinct(family: Family, effort: Effort) -> Radius | None:

@@ -17,9 +17,10 @@ KINDS = {
     "scalar": "subdiv_cli.kinds.scalar",
     "multivariate": "subdiv_cli.kinds.multivariate",
     "matrices": "subdiv_cli.kinds.matrices",
+    "vector": "subdiv_cli.kinds.vector",
 }
 """The module that has each kind as `KIND`, by the name of the kind."""
-PLANNED = ("vector", "hermite", "piecewise")
+PLANNED = ("hermite", "piecewise")
 """Kinds that a file may name and no module decides yet."""
 
 

@@ -209,13 +209,14 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         linearly_independent=verdict(questions.INDEPENDENCE),
         generation=degree(questions.GENERATION),
         reproduction=degree(questions.REPRODUCTION),
+        dimension=degree(questions.DIMENSION),
         findings=findings,
     )
 
 
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
-    "generation", "reproduction",
+    "generation", "reproduction", "dimension",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
+from subdiv_cli.kinds.kind import Kind
 from subdiv_cli.kinds.option import from_given
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES, at_most
@@ -19,6 +20,7 @@ from subdiv_cli.maskfile.recognise import MARKS
 from subdiv_cli.maskfile.toml import load
 from subdiv_cli.maskfile.values import described
 from subdiv_cli.model import Expectation, Problem
+from subdiv_cli.model.properties import PROPERTIES
 
 _TOP = ("format", "name", "reference", "kind", "parameters", "expect")
 """The keys that files of every kind may have."""
@@ -116,7 +118,7 @@ def read_text(
     name, reference = text_at(top, "name"), text_at(top, "reference")
     parameters = read_parameters(top.table("parameters"), problems)
     body = kind.read(top, parameters, problems)
-    expectations = _expectations(top.table("expect"), problems)
+    expectations = _expectations(top.table("expect"), kind, problems)
     if body is not None:
         check_fixed_mask(body, problems)
     problems.raise_any()
@@ -148,7 +150,11 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
     kind = document.get("kind", "matrices" if "matrices" in document and "mask" not in document else "scalar")
     where = ("kind" if "kind" in document else "mask" if "mask" in document else "matrices",)
     known = ", ".join(kinds_that(capability))
-    if not isinstance(kind, str):
+    if "kind" not in document and _has_matrices(document.get("mask")):
+        help = 'write kind = "vector" at the top, or kind = "hermite" where the data are a function and its derivatives'
+        unsaid = "the coefficients are matrices, and the file does not say of which kind the mask is"
+        problems.add(Fault(faults.MISSING_KEY, unsaid, help), ("mask", "coefficients"))
+    elif not isinstance(kind, str):
         problems.add(
             Fault(faults.WRONG_TYPE, f"kind must be a string, not {described(kind)}", 'write kind = "scalar"'), where
         )
@@ -171,6 +177,22 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
         return kind
     problems.raise_any()
     raise AssertionError("unreachable: there is a problem")
+
+
+def _answered(kind: Kind) -> tuple[str, ...]:
+    """The keys of [expect] that findings of a kind answer."""
+    questions = {question for rule in kind.rules().values() for question in rule.answers}
+    return tuple(row.key for row in PROPERTIES if row.expected and row.question in questions)
+
+
+def _has_matrices(mask: object) -> bool:
+    """Whether the coefficients of a mask in one variable are lists of lists of numbers."""
+    if not isinstance(mask, dict) or isinstance(mask.get("start"), list) or "dilation" in mask:
+        return False
+    first, depth = mask.get("coefficients"), 0
+    while isinstance(first, list) and first:
+        first, depth = first[0], depth + 1
+    return depth == 3
 
 
 def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
@@ -199,12 +221,15 @@ def _format(document: Mapping[str, object], problems: Collector) -> None:
         problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {given}", help), ("format",))
 
 
-def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation, ...]:
-    """The expectations of [expect]; what is wrong with them is recorded."""
+def _expectations(table: Table | None, kind: Kind, problems: Collector) -> tuple[Expectation, ...]:
+    """The expectations of [expect]; what is wrong with them, or not answered by the kind, is recorded."""
     expectations: list[Expectation] = []
     for key, value in table.data.items() if table else ():
         try:
             expectations.append(expectation(key, value))
+            if key not in (answered := _answered(kind)):
+                help = f"properties of this kind: {', '.join(answered)}"
+                raise Fault(faults.UNKNOWN_KEY, f"masks of kind {kind.name} have no property {key}", help)
         except Fault as fault:
             problems.add(fault, ("expect", key), of_key=fault.rule is faults.UNKNOWN_KEY)
     for later, contradiction in contradictions(expectations):

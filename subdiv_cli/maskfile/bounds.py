@@ -30,6 +30,10 @@ MAX_FACTORS = 64
 MAX_ARITY = 64
 MAX_MATRICES = 64
 MAX_MATRIX_ORDER = 64
+MAX_COMPONENTS = 16
+"""The largest size m of the matrices of a mask."""
+MAX_VECTOR_LENGTH = 200
+"""The most matrices of a mask."""
 MAX_ORDER = 1000
 """The largest expected smoothness, generation or reproduction degree."""
 MAX_WORK = 2_000_000

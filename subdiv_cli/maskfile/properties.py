@@ -25,7 +25,7 @@ TRUTHS = tuple(key for key in KEYS if BY_KEY[key].form == "verdict")
 ORDER = re.compile(r"\s*[Cc]\s*\^?\s*(?:([0-9]+)|\(([0-9]+)\))\s*")
 """An order of smoothness as `C1`, `C^1` or `C^(1)`."""
 _AT_LEAST = re.compile(r"(?:≥|=>|>)\s*([^\s<>=≤≥].*)", re.DOTALL)
-ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree"))
+ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree", "dimension"))
 
 
 def expectation(key: str, value: object) -> Expectation:

@@ -116,6 +116,8 @@ class Result:
     linearly_independent: Verdict = Verdict.SKIPPED
     generation: int | None = None
     reproduction: int | None = None
+    dimension: int | None = None
+    """The dimension of the space of constants of a mask of matrices."""
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None

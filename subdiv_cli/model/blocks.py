@@ -84,6 +84,10 @@ class Curve(NamedTuple):
     support: tuple[Fraction, Fraction]
     order: int = 0
     """The order of the derivative whose values these are."""
+    name: str = "φ"
+    """The name of the function."""
+    label: str = ""
+    """What tells it from other functions of that name; nothing where it is the only one."""
 
 
 class Polygon(NamedTuple):

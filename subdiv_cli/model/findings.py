@@ -100,11 +100,13 @@ INDEPENDENCE = Question("independence")
 """Are the integer translates of φ linearly independent? Answered by a verdict."""
 STABILITY = Question("stability")
 """Are the integer translates of φ stable? Answered by a verdict."""
+DIMENSION = Question("dimension")
+"""The dimension of the space E_A of constants of a mask of matrices: an integer."""
 QUASI_INTERPOLATION = Question("quasi_interpolation")
 """The operator Q with S^∞ Q = 1 on the polynomials that are generated. Answered by a verdict."""
 
 _EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV))
-_DEGREES = frozenset(question.name for question in (SUM_RULES, GENERATION, REPRODUCTION))
+_DEGREES = frozenset(question.name for question in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION))
 
 Answer = Verdict | int | Smoothness | Exponent | None
 

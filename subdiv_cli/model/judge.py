@@ -27,6 +27,8 @@ def judge(compare: Compare, expectation: Expectation, result: Result) -> Verdict
             return _smoothness(expectation, result)
         case "exponent":
             return _exponent(compare, expectation, value)
+        case "dimension":
+            return _within(expectation, value, value)
         case "order" | "degree":
             none = value is None and result.sum_rule_order == 0  # not even the constants
             return _within(expectation, value, -1 if none else value)

@@ -17,7 +17,7 @@ class Property(NamedTuple):
     """The name in tables."""
     phrase: str
     """The name in sentences."""
-    form: Literal["verdict", "smoothness", "exponent", "order", "degree"]
+    form: Literal["verdict", "smoothness", "exponent", "order", "degree", "dimension"]
     """The type: a verdict, a `Smoothness`, an `Exponent`, or an integer with this name."""
     question: Question
     more: tuple[Question, ...] = ()
@@ -40,6 +40,7 @@ PROPERTIES = (
     Property("sum_rule_order", "sum rules", "the sum-rule order", "order", q.SUM_RULES, expected=False),
     Property("generation", "generation", "the generation degree", "degree", q.GENERATION),
     Property("reproduction", "reproduction", "the reproduction degree", "degree", q.REPRODUCTION),
+    Property("dimension", "constants", "the dimension of the space of constants", "dimension", q.DIMENSION),
 )
 """The properties in the order of tables."""
 BY_KEY: Mapping[str, Property] = {row.key: row for row in PROPERTIES}

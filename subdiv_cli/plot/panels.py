@@ -34,7 +34,7 @@ class Map(NamedTuple):
 
 
 def panels(masks: Sequence[Drawn]) -> list[Panel | Map]:
-    """A panel for φ and one for each derivative, a line in it for each mask that has it; one for all polygons; maps."""
+    """A panel for each function and derivative, a line in it for each mask that has it; one for all polygons; maps."""
     alone = masks[0].title if len(masks) == 1 else None
     functions: dict[str, list[Line]] = {}
     polygons: list[Line] = []
@@ -42,7 +42,9 @@ def panels(masks: Sequence[Drawn]) -> list[Panel | Map]:
     for mask in masks:
         for block in mask.blocks:
             if isinstance(block, Curve):
-                functions.setdefault(derivative("φ", block.order), []).append(graph(block, mask.label))
+                names = (block.label or mask.label,) if alone is not None else (mask.label, block.label)
+                label = ", ".join(filter(None, names))
+                functions.setdefault(derivative(block.name, block.order), []).append(graph(block, label))
             elif isinstance(block, Polygon):
                 polygons.append(plane(block, mask.label))
             elif isinstance(block, Heights):

@@ -148,9 +148,11 @@ def _figures(blocks: Sequence[Block], result: Result) -> str:
     """The HTML of graphs; other pictures are not drawn here."""
     parts = []
     for curve in (block for block in blocks if isinstance(block, Curve)):
-        name = derivative("φ", curve.order)
-        caption = f"<figcaption>{name}, exact values at finitely many points</figcaption>"
-        parts.append(f"<figure>{svg.curve(curve, f'the refinable function {name}')}{caption}</figure>")
+        name = derivative(curve.name, curve.order)
+        of = f" for the data {curve.label}" if curve.label else ""
+        caption = f"<figcaption>{name}{of}, exact values at finitely many points</figcaption>"
+        title = f"the limit function {name}{of}" if of else f"the refinable function {name}"
+        parts.append(f"<figure>{svg.curve(curve, title)}{caption}</figure>")
     return "".join(parts)
 
 

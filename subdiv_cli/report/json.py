@@ -92,7 +92,7 @@ def _property(result: Result, row: Property) -> Any:
             return _smoothness(given)
         case "exponent":
             return _exponent(given, attained=row.key == "holder")
-        case "order" | "degree":
+        case "order" | "degree" | "dimension":
             return given
 
 

@@ -93,6 +93,8 @@ def _fact(key: str, value: Data) -> str | None:
     match key, value:
         case "arity" | "coefficients", int():
             return f"arity {value}" if key == "arity" else _count(value, "coefficient")
+        case "size", int():
+            return f"{value}×{value} matrices"
         case "support", (int(first), int(last)):
             return f"support {first} … {last}"
         case "gaps", tuple() if value:

@@ -66,7 +66,7 @@ def test_a_toy_kind_is_checked():
 
 
 def test_an_unknown_kind_is_not():
-    line = "NOT VERIFIED document: the kind of the mask is not one of scalar, matrices, multivariate"
+    line = "NOT VERIFIED document: the kind of the mask is not one of scalar, matrices, multivariate, vector"
     for kind in ("toy", "json", "subdiv_cli.checker.scalar.rules", "", "__class__"):
         assert check_document(certificate(kind=kind)).line == line
 
@@ -112,7 +112,12 @@ def test_a_kind_is_loaded_when_it_is_asked_for():
     assert "multivariate" not in kinds
 
 
-KNOWS = {"radius": {"radius"}, "scalar": {"radius", "scalar"}, "multivariate": {"radius", "scalar", "multivariate"}}
+KNOWS = {
+    "radius": {"radius"},
+    "scalar": {"radius", "scalar"},
+    "multivariate": {"radius", "scalar", "multivariate"},
+    "vector": {"radius", "scalar", "vector"},
+}
 """Which folders the modules of a folder import; those at the top import none."""
 
 

@@ -29,6 +29,7 @@ class Broken(NamedTuple):
 
 MASK = "[mask]\nstart = 0\ncoefficients = [1, 1]\n"
 HEAD = "[mask]\nstart = 0\ncoefficients = "
+VECTOR = 'kind = "vector"\n[mask]\nstart = 0\ncoefficients = '
 W = "[parameters]\nw = 0\n"
 
 
@@ -152,11 +153,25 @@ STRUCTURE = [
         ("SD015", "start and symbol", "mask.start", 2, 1, "keep one"),
         ("SD015", "coefficients and symbol", "mask.coefficients", 3, 1, "keep one"),
     ),
-    one("kind-planned", 'kind = "vector"\n' + MASK, "SD013", "kind vector cannot be checked yet", "kind", 1, 9, "scalar"),
+    one("kind-planned", 'kind = "hermite"\n' + MASK, "SD013", "kind hermite cannot be checked yet", "kind", 1, 9, "scalar"),
     one("kind-misspelt", 'kind = "scaler"\n' + MASK, "SD013", 'no kind "scaler"', "kind", 1, 9, '"scalar"?'),
-    one("kind-like-a-planned-one", 'kind = "vectr"\n' + MASK, "SD013", 'no kind "vectr"', "kind", 1, 9, "this version reads: scalar, multivariate; planned: vector"),
+    one("kind-like-a-planned-one", 'kind = "hermit"\n' + MASK, "SD013", 'no kind "hermit"', "kind", 1, 9, "this version reads: scalar, multivariate, vector; planned: hermite"),
     one("kind-number", "kind = 1\n" + MASK, "SD006", "kind must be a string", "kind", 1, 8, 'kind = "scalar"'),
     one("matrices", "matrices = [[[1]]]\n", "SD013", "kind matrices", "matrices", 1, 12, "scalar"),
+    one("matrices-without-kind", HEAD + "[[[1, 0], [0, 1]]]\n", "SD005", "the coefficients are matrices", "mask.coefficients", 3, 16, 'kind = "vector"'),
+    one("vector-flat", VECTOR + "[1, 2]\n", "SD023", "no matrix; a flat list", "mask.coefficients", 4, 16, "a list of matrices"),
+    one("vector-rows", VECTOR + "[[1, 0], [0, 1]]\n", "SD023", "is a row, and not a matrix", "mask.coefficients", 4, 16, "a list of matrices"),
+    one("vector-sizes", VECTOR + "[[[1, 0], [0, 1]], [[1]]]\n", "SD023", "the first is 2×2, and this one is 1×1", "mask.coefficients[1]", 4, 35, "a list of matrices"),
+    one("vector-not-square", VECTOR + "[[[1, 0], [0]]]\n", "SD006", "not square: rows 2, entries of this row 1", "mask.coefficients[0][1]", 4, 26, "m rows of m entries"),
+    one("vector-number", VECTOR + '[[[1, "1//2"], [0, 1]]]\n', "SD008", '"/" stands where', "mask.coefficients[0][0][1]", 4, 25, "remove it"),
+    one("vector-deep", VECTOR + "[[[[1]]]]\n", "SD006", "a number was expected, not a list", "mask.coefficients[0][0][0]", 4, 19, "a list of matrices"),
+    one("vector-zero", VECTOR + "[[[0, 0], [0, 0]]]\n", "SD009", "all coefficients of the mask are zero", "mask.coefficients", 4, 16, "at least one"),
+    one("vector-large", VECTOR + f"[{[[0] * 17] * 17}]\n", "SD010", "a matrix: 17 entries; the limit is 16", "mask.coefficients[0]", 4, 17, "a list of matrices"),
+    one("vector-long", VECTOR + f"{[[[1]]] * 201}\n", "SD010", "201 entries; the limit is 200", "mask.coefficients", 4, 16, "a list of matrices"),
+    one("vector-missing", 'kind = "vector"\n[mask]\nstart = 0\n', "SD005", "a list of m×m matrices", "mask.coefficients", 2, 2, "a list of matrices"),
+    one("vector-symbol", VECTOR + '[[[1]]]\nsymbol = "1+z"\n', "SD004", 'unknown key "symbol"', "mask.symbol", 5, 1, "no symbol"),
+    one("vector-stable", VECTOR + "[[[1]]]\n[expect]\nstable = true\n", "SD004", "masks of kind vector have no property stable", "expect.stable", 6, 1, "convergent, smoothness, holder, generation, dimension"),
+    one("scalar-dimension", MASK + "[expect]\ndimension = 1\n", "SD004", "masks of kind scalar have no property dimension", "expect.dimension", 5, 1, "convergent, smoothness"),
     one("format-2", "format = 2\n" + MASK, "SD006", "format must be 1, not 2", "format", 1, 10, "newer subdiv"),
     one("format-text", 'format = "1"\n' + MASK, "SD006", "format must be 1, not a string", "format", 1, 11, "format = 1"),
     several(

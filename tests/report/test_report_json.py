@@ -24,7 +24,7 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "expectations", "findings", "certificate", "reference"),
+        *("generation", "reproduction", "dimension", "expectations", "findings", "certificate", "reference"),
         *("refinable_function", "hints", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],

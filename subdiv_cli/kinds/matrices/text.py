@@ -20,6 +20,8 @@ from subdiv_cli.model.closed import rational
 _HELP = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
 
 Matrix = tuple[tuple[Fraction, ...], ...]
+Expressions = tuple[tuple[tuple[Expression, ...], ...], ...]
+"""Matrices by rows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +39,7 @@ class MatrixFamily:
 class Matrices(NamedTuple):
     """The matrices of a file, all square and of one order."""
 
-    matrices: tuple[tuple[tuple[Expression, ...], ...], ...]
+    matrices: Expressions
 
     def expressions(self) -> Iterable[Expression]:
         """The expressions of the body, each of which may have parameters."""
@@ -45,12 +47,18 @@ class Matrices(NamedTuple):
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MatrixFamily | None:
         """The family with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
-        matrices = [
-            [[number_of(entry, values, problems, work) for entry in row] for row in matrix] for matrix in self.matrices
-        ]
-        if any(entry is None for matrix in matrices for row in matrix for entry in row):
-            return None
-        return MatrixFamily(tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in matrices))
+        matrices = numbers_of(self.matrices, values, problems, work)
+        return None if matrices is None else MatrixFamily(matrices)
+
+
+def numbers_of(
+    matrices: Expressions, values: Mapping[str, Fraction], problems: Collector, work: Work
+) -> tuple[Matrix, ...] | None:
+    """The matrices with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
+    numbers = [[[number_of(entry, values, problems, work) for entry in row] for row in matrix] for matrix in matrices]
+    if any(entry is None for matrix in numbers for row in matrix for entry in row):
+        return None
+    return tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in numbers)
 
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
@@ -58,13 +66,18 @@ def read(top: Table, parameters: Collection[str], problems: Collector) -> Matric
     if "matrices" not in top.data:
         top.missing("matrices", "matrices are missing", _HELP)
         return None
-    family = _Reader(parameters, problems).family(top.data["matrices"], ("matrices",))
+    family = MatrixReader(_FAMILY, parameters, problems).matrices(top.data["matrices"], ("matrices",))
     return None if family is None else Matrices(family)
 
 
 def body_of(family: MatrixFamily) -> Matrices:
     """The literal entries of a family."""
-    return Matrices(tuple(tuple(tuple(map(literal, row)) for row in matrix) for matrix in family.matrices))
+    return Matrices(literals(family.matrices))
+
+
+def literals(matrices: Iterable[Matrix]) -> Expressions:
+    """Matrices as literal numbers."""
+    return tuple(tuple(tuple(map(literal, row)) for row in matrix) for matrix in matrices)
 
 
 def spell(body: Matrices) -> list[str]:
@@ -74,61 +87,87 @@ def spell(body: Matrices) -> list[str]:
 
 def canonical(family: MatrixFamily) -> Mapping[str, Any]:
     """The family as certificates embed it."""
-    rows = [[[rational(x) for x in row] for row in matrix] for matrix in family.matrices]
-    return {"kind": family.kind, "matrices": rows}
+    return {"kind": family.kind, "matrices": rationals(family.matrices)}
 
 
-class _Reader:
-    """A reader of lists of lists of lists; what is wrong is recorded."""
+def rationals(matrices: Iterable[Matrix]) -> list[list[list[str]]]:
+    """Matrices as certificates have them, each entry as `p/q`."""
+    return [[[rational(x) for x in row] for row in matrix] for matrix in matrices]
 
-    def __init__(self, names: Collection[str], problems: Collector) -> None:
-        self._names, self._problems, self._work = names, problems, Work()
 
-    def family(self, value: object, path: KeyPath) -> tuple[tuple[tuple[Expression, ...], ...], ...] | None:
-        """The matrices; None where there is no list of them. The family is complete where nothing is recorded."""
-        matrices = self._list(value, path, "matrices", MAX_MATRICES)
+class Shape(NamedTuple):
+    """What a list of matrices is called in a file, how long and how large it may be, and how it is written."""
+
+    name: str
+    most: int
+    """The most matrices."""
+    order: int
+    """The largest order of a matrix."""
+    help: str
+    square: str
+    """The help where a matrix is not square."""
+
+
+_FAMILY = Shape("matrices", MAX_MATRICES, MAX_MATRIX_ORDER, _HELP, "a joint spectral radius is of square matrices")
+
+
+class MatrixReader:
+    """A reader of lists of square matrices of one order, each a list of rows; what is wrong is recorded."""
+
+    def __init__(self, shape: Shape, names: Collection[str], problems: Collector) -> None:
+        self._shape, self._names, self._problems, self._work = shape, names, problems, Work()
+
+    def matrices(self, value: object, path: KeyPath) -> Expressions | None:
+        """The matrices; None where anything about them is wrong."""
+        matrices = self._list(value, path, self._shape.name, self._shape.most)
         if matrices is None:
             return None
         read = [self._matrix(matrix, (*path, i)) for i, matrix in enumerate(matrices)]
-        orders = {len(matrix) for matrix in read if matrix is not None}
-        if len(orders) > 1:
-            sizes = " and ".join(map(str, sorted(orders)))
-            fault = Fault(faults.WRONG_TYPE, f"the matrices must be of one order, and there are orders {sizes}", _HELP)
-            self._problems.add(fault, path)
-        return tuple(matrix for matrix in read if matrix is not None)
+        orders = [None if matrix is None else len(matrix) for matrix in read]
+        first = next((order for order in orders if order is not None), None)
+        other = next((i for i, order in enumerate(orders) if order not in (None, first)), None)
+        if other is not None:
+            sizes = f"{first}×{first}, and this one is {orders[other]}×{orders[other]}"
+            message = f"all matrices must be of one size: the first is {sizes}"
+            self._problems.add(Fault(faults.BAD_SHAPE, message, self._shape.help), (*path, other))
+        right = tuple(matrix for matrix in read if matrix is not None)
+        return right if len(right) == len(read) and other is None else None
 
     def _matrix(self, value: object, path: KeyPath) -> tuple[tuple[Expression, ...], ...] | None:
-        """The rows of a square matrix; None where it is none."""
-        rows = self._list(value, path, "a matrix", MAX_MATRIX_ORDER)
+        """The rows of a square matrix; None where it is none, or an entry is wrong."""
+        rows = self._list(value, path, "a matrix", self._shape.order)
         if rows is None:
             return None
         expressions = []
         for i, row in enumerate(rows):
-            entries = self._list(row, (*path, i), "a row", MAX_MATRIX_ORDER)
+            entries = self._list(row, (*path, i), "a row", self._shape.order)
             if entries is None:
                 return None
             if len(entries) != len(rows):
                 message = f"the matrix is not square: rows {len(rows)}, entries of this row {len(entries)}"
-                self._problems.add(
-                    Fault(faults.WRONG_TYPE, message, "a joint spectral radius is of square matrices"), (*path, i)
-                )
+                self._problems.add(Fault(faults.WRONG_TYPE, message, self._shape.square), (*path, i))
                 return None
-            expressions.append(tuple(self._entry(x, (*path, i, j)) for j, x in enumerate(entries)))
-        return tuple(expressions)
+            expressions.append([self._entry(x, (*path, i, j)) for j, x in enumerate(entries)])
+        right = tuple(tuple(x for x in row if x is not None) for row in expressions)
+        return right if all(len(row) == len(rows) for row in right) else None
 
-    def _entry(self, value: object, path: KeyPath) -> Expression:
-        """The entry; zero where it is wrong."""
-        return read_number(value, path, self._names, self._problems, self._work) or literal(Fraction(0))
+    def _entry(self, value: object, path: KeyPath) -> Expression | None:
+        """The entry; None where it is wrong."""
+        if isinstance(value, list):
+            message = "a number was expected, not a list: a matrix is a list of rows, a row one of numbers"
+            self._problems.add(Fault(faults.WRONG_TYPE, message, self._shape.help), path)
+            return None
+        return read_number(value, path, self._names, self._problems, self._work)
 
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
         """The value, where it is a list of 1 to `most` entries; else None."""
+        help = self._shape.help
         if not isinstance(value, list) or not value:
             given = "an empty list" if value == [] else described(value)
-            self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {given}", _HELP), path)
+            self._problems.add(Fault(faults.WRONG_TYPE, f"{what} must be a list, not {given}", help), path)
             return None
         if len(value) > most:
-            self._problems.add(
-                Fault(faults.OUT_OF_BOUNDS, f"{what}: {len(value)} entries; the limit is {most}", _HELP), path
-            )
+            message = f"{what}: {len(value)} entries; the limit is {most}"
+            self._problems.add(Fault(faults.OUT_OF_BOUNDS, message, help), path)
             return None
         return value

@@ -270,10 +270,16 @@ def _defect(numbers: ScalarNumbers, nu: int, radius: Fraction) -> _Defect | None
     if not numbers.effort.allows(_WORDS * family.order**3):
         return None
     for word in _words(numbers):
-        product, value = family.product(word), radius ** len(word)
-        for sign in (1, -1):
-            if (vector := _generalised(product, sign * value)) is not None:
-                return word, sign, value, vector
+        if (found := defect(family.product(word), radius ** len(word))) is not None:
+            return (word, *found)
+    return None
+
+
+def defect(product: fmpq_mat, value: Fraction) -> tuple[int, Fraction, tuple[Fraction, ...]] | None:
+    """The sign, value and y of a Jordan block of a product at the eigenvalue sign·value; None where there is none."""
+    for sign in (1, -1):
+        if (vector := _generalised(product, sign * value)) is not None:
+            return sign, value, vector
     return None
 
 

@@ -1,0 +1,1 @@
+"""A vector scheme shown: the page of `show`, sections of reports, and the curves of `plot`."""
