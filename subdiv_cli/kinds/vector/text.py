@@ -40,6 +40,7 @@ class MatrixCoefficients(NamedTuple):
     matrices: Expressions
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (entry for matrix in self.matrices for row in matrix for entry in row)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> VectorScheme | None:

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, cast
 
 from subdiv_cli.certificate.claims import Claims, Json
 from subdiv_cli.certificate.radius import Radii
-from subdiv_cli.certificate.witness import as_integer, as_tuple, as_word
 from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.scalar.witnesses import JordanBlockWitness
 from subdiv_cli.kinds.vector import rules
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.vector.witnesses import SequenceRadiusProof, SequenceRadiusWitness, SequenceSpaceData
+from subdiv_cli.model import Data, Finding, Rule, Verdict
 from subdiv_cli.model.closed import rational
-
-Map = Mapping[str, Data]
+from subdiv_cli.model.findings import proof_of
+from subdiv_cli.model.proofs import RadiusProof
 
 
 class VectorProof:
@@ -22,7 +23,7 @@ class VectorProof:
 
     def __init__(self, mask: Json, findings: Sequence[Finding]) -> None:
         self.claims = Claims()
-        self.found = Facts(findings)
+        self.facts = Facts(findings)
         self.p: int = mask["arity"]
         self.length = len(mask["coefficients"])
         self.size = len(mask["coefficients"][0])
@@ -37,51 +38,52 @@ class VectorProof:
     @property
     def dimension(self) -> int:
         """The dimension r of E_A."""
-        return as_integer(self.found[rules.CONSTANTS].witness["dimension"])
+        return self.facts.witness(rules.CONSTANTS)["dimension"]
 
     def constants(self) -> int:
         """The claim on E_A."""
-        found = self.found[rules.CONSTANTS].witness
-        r = as_integer(found["dimension"])
+        witness = self.facts.witness(rules.CONSTANTS)
+        r = witness["dimension"]
         work = (self.entries + self.p * self.size**2) * (r + 1)
-        return self.claims.prove("constants", {"dimension": r}, {"basis": rationals(found["basis"])}, work=work)
+        return self.claims.prove("constants", {"dimension": r}, {"basis": rationals(witness["basis"])}, work=work)
 
     def decay(self) -> list[int]:
         """The claims on the radius of sequences that die out, and on their space."""
-        return self._radius(self.found[rules.DECAY_RADIUS])
+        return self._radius(rules.DECAY_RADIUS)
 
     def growth(self) -> list[int]:
         """The claims on the radius of differences of limit stencils, and on their space."""
-        return self._radius(self.found[rules.STENCIL_RADIUS])
+        return self._radius(rules.STENCIL_RADIUS)
 
-    def _radius(self, finding: Finding) -> list[int]:
-        order, space = as_integer(finding.witness["order"]), cast(Map, finding.proof["space"])
-        return self.radius(order, space, cast(Map, finding.proof["radius"]))
+    def _radius(self, rule: Rule[SequenceRadiusWitness]) -> list[int]:
+        proof = proof_of(self.facts[rule], SequenceRadiusProof)
+        return self.radius(self.facts.witness(rule)["order"], proof["space"], proof["radius"])
 
-    def radius(self, order: int, space: Map, radius: Map) -> list[int]:
+    def radius(self, order: int, space: SequenceSpaceData, radius: RadiusProof) -> list[int]:
         """The claims on a radius, and on the space of this order."""
         introduced = self.space(order, space)
-        number, n = self._number(introduced), len(as_tuple(space["basis"]))
+        number, n = self._number(introduced), len(space["basis"])
         return [Radii(self.claims, self._families, self.p, []).claim(radius, number, n), introduced]
 
     def _number(self, introduced: int) -> int:
         number: int = self.claims.statement(introduced)["family"]
         return number
 
-    def space(self, order: int, space: Map) -> int:
+    def space(self, order: int, space: SequenceSpaceData) -> int:
         """The claim that introduces the operators on an invariant space: of order 0 that of what dies out."""
         if order in self._spaces:
             return self._spaces[order]
-        basis, tree, m = as_tuple(space["basis"]), as_tuple(space["tree"]), self.size
-        n, width = len(basis), len(as_tuple(basis[0]))
+        basis, tree, m = space["basis"], space["tree"], self.size
+        n, width = len(basis), len(basis[0])
         given = order + 2 + self._stencil_width() if order else 2
         longest = max(self.length, given) + 2
-        work = len(tree) * longest * self.entries + sum(as_word({"word": tree})) * n * width
+        work = len(tree) * longest * self.entries + sum(tree) * n * width
         work += n * width * (n * (self.p + 1) + self.entries // m)
         witness: Json = {"start": space["start"], "tree": list(tree)}
-        witness |= {key: rationals(space[key]) for key in ("basis", "matrices", "leaves")}
+        witness |= {"basis": rationals(basis), "matrices": rationals(space["matrices"])}
+        witness["leaves"] = rationals(space["leaves"])
         if order:
-            words = [list(as_tuple(word)) for word in as_tuple(space["words"])]
+            words = [list(word) for word in space["words"]]
             witness["words"], work = words, work + sum(map(len, words)) * n * n + n**3
             rule, uses = "stencil-differences", [self.stencils()]
         else:
@@ -93,12 +95,11 @@ class VectorProof:
         return self._spaces[order]
 
     def _stencil_width(self) -> int:
-        rows = as_tuple(self.found[rules.LIMIT_STENCILS].witness["rows"])
-        return len(as_tuple(rows[0])) // self.size
+        return len(self.facts.witness(rules.LIMIT_STENCILS)["rows"][0]) // self.size
 
-    def word(self, order: int, space: Map, word: Sequence[int], bound: Fraction) -> list[int]:
+    def word(self, order: int, space: SequenceSpaceData, word: Sequence[int], bound: Fraction) -> list[int]:
         """The claims that a product bounds the radius on a space from below, and on that space."""
-        introduced, n = self.space(order, space), len(as_tuple(space["basis"]))
+        introduced, n = self.space(order, space), len(space["basis"])
         statement = {
             "property": "radius-lower",
             "family": self._number(introduced),
@@ -108,9 +109,9 @@ class VectorProof:
         work = len(word) * n**3 + n**4
         return [self.claims.prove("word", statement, {"word": list(word)}, work=work), introduced]
 
-    def defective(self, order: int, space: Map, witness: Map) -> list[int]:
+    def defective(self, order: int, space: SequenceSpaceData, witness: JordanBlockWitness) -> list[int]:
         """The claims that a product on a space has a Jordan block, and on that space."""
-        introduced, n, word = self.space(order, space), len(as_tuple(space["basis"])), list(as_word(witness))
+        introduced, n, word = self.space(order, space), len(space["basis"]), list(witness["word"])
         statement: Json = {"property": "defective", "family": self._number(introduced), "length": len(word)}
         statement["value"] = rationals(witness["value"])
         hints = {"word": word, "sign": witness["sign"], "vector": rationals(witness["vector"])}
@@ -118,29 +119,27 @@ class VectorProof:
 
     def convergent(self) -> int:
         """The claim that S converges, or that it does not."""
-        found = self.found[rules.CONVERGENCE]
-        holds, by = found.verdict is Verdict.PROVED, found.witness["by"]
+        witness, holds = self.facts.witness(rules.CONVERGENCE), self.facts.verdict(rules.CONVERGENCE) is Verdict.PROVED
         statement: Json = {"property": "convergent", "holds": holds}
         if holds:
             return self.claims.prove("converges", statement, uses=self.decay())
-        if by == rules.CONSTANTS.code:
+        if witness["by"] == rules.CONSTANTS.code:
             return self.claims.prove("diverges", statement, uses=[self.constants()])
-        if by == rules.LIMIT_STENCILS.code:
-            rows = as_tuple(found.witness["fixed"])
-            witness = {"start": found.witness["start"], "rows": rationals(found.witness["fixed"])}
-            return self.claims.prove(
-                "fixed-diverges", statement, witness, [self.constants()], self._fixed(len(rows), len(as_tuple(rows[0])))
-            )
-        space = cast(Map, self.found[rules.DECAY_RADIUS].proof["space"])
-        return self.claims.prove("diverges", statement, uses=self.word(0, space, as_word(found.witness), Fraction(1)))
+        if witness["by"] == rules.LIMIT_STENCILS.code:
+            rows = witness["fixed"]
+            hints = {"start": witness["start"], "rows": rationals(rows)}
+            work = self._fixed(len(rows), len(rows[0]))
+            return self.claims.prove("fixed-diverges", statement, hints, [self.constants()], work)
+        space = proof_of(self.facts[rules.DECAY_RADIUS], SequenceRadiusProof)["space"]
+        return self.claims.prove("diverges", statement, uses=self.word(0, space, witness["word"], Fraction(1)))
 
     def stencils(self) -> int:
         """The claim on the limit stencils."""
-        found = self.found[rules.LIMIT_STENCILS].witness
-        rows = as_tuple(found["rows"])
-        witness = {"start": found["start"], "rows": rationals(found["rows"])}
-        work = self._fixed(len(rows), len(as_tuple(rows[0])))
-        return self.claims.prove("limit-stencils", {"count": len(rows)}, witness, [self.constants()], work)
+        witness = self.facts.witness(rules.LIMIT_STENCILS)
+        rows = witness["rows"]
+        hints = {"start": witness["start"], "rows": rationals(rows)}
+        work = self._fixed(len(rows), len(rows[0]))
+        return self.claims.prove("limit-stencils", {"count": len(rows)}, hints, [self.constants()], work)
 
     def _fixed(self, count: int, length: int) -> int:
         return count * (length // self.size + 1) * self.entries + (count + self.size) ** 2 * length

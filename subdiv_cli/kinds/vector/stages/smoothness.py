@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
 
 from flint import ctx, fmpq_mat
 
-from subdiv_cli.exact.closed import closed_interval, exponent, readable
+from subdiv_cli.exact.closed import closed_interval, exponent, worded
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.linalg import rows_of
-from subdiv_cli.exact.text import number, rounded_down, rounded_up
+from subdiv_cli.exact.text import number, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.family import Word
 from subdiv_cli.jsr.products import WordProduct, lyndon_words, radius_bound
-from subdiv_cli.jsr.result import root_data
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.stages.holder import defect
 from subdiv_cli.kinds.scalar.stages.joint_radius import shown, threshold
@@ -32,8 +30,18 @@ from subdiv_cli.kinds.vector.rules import (
     STENCIL_RADIUS,
 )
 from subdiv_cli.kinds.vector.stages.convergence import TOO_LARGE, radius_finding, space_data
-from subdiv_cli.model import Data, Finding, Interval, Root, Smoothness, Verdict, logarithm
+from subdiv_cli.kinds.vector.witnesses import (
+    VectorAttainedProof,
+    VectorAttainedWitness,
+    VectorDerivedProof,
+    VectorDerivedWitness,
+    VectorHolderLowerWitness,
+    VectorHolderUpperWitness,
+    VectorNextSmoothnessWitness,
+)
+from subdiv_cli.model import Finding, Interval, Root, Smoothness, Verdict, logarithm
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.proofs import root_data
 
 _DIVERGES = "it is not proved that S converges"
 _RADIUS_QUESTION = "how fast do differences of the limits decay?"
@@ -55,7 +63,7 @@ def stencil_radius(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     if (growth := numbers.growth) is None:
         reason = "the time budget ended before a bound" if numbers.effort.struck else TOO_LARGE
         return (STENCIL_RADIUS.undecided(_RADIUS_QUESTION, reason),)
-    return (radius_finding(STENCIL_RADIUS, growth, f"ρ_{growth.order}"),)
+    return (radius_finding(STENCIL_RADIUS, growth, f"ρ_{growth.order}", space_data(growth.on)),)
 
 
 _SMOOTHNESS_QUESTION = "how smooth are the limits?"
@@ -88,9 +96,9 @@ def smoothness(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     if product is None or not _excludes(product, p, k, n + 1):
         return (first, NEXT_SMOOTHNESS.undecided(asked, "no product is known that excludes it"))
     size = f"≥ {threshold(p, n + 1)}" if n + 1 < k else f"> {threshold(p, k)}"
-    statement = f"not all limits are C^{n + 1}: {product_name(product.word)} keeps ρ_{k} {size}"
-    witness: dict[str, Data] = {"order": n + 1, "by": STENCIL_RADIUS.code, "word": product.word}
-    return (first, NEXT_SMOOTHNESS.refuted(statement, witness))
+    why = f"{product_name(product.word)} keeps ρ_{k} {size}"
+    witness: VectorNextSmoothnessWitness = {"order": n + 1, "by": STENCIL_RADIUS.code, "word": product.word}
+    return (first, NEXT_SMOOTHNESS.refuted(f"not all limits are C^{n + 1}: {why}", witness, why=why))
 
 
 def _known(numbers: VectorNumbers, facts: Facts) -> SequenceGrowth | None:
@@ -99,7 +107,7 @@ def _known(numbers: VectorNumbers, facts: Facts) -> SequenceGrowth | None:
 
 def _proved(n: int, why: str, by: str) -> Finding:
     answers = {questions.SMOOTHNESS: Smoothness(n)}
-    return SMOOTHNESS.proved(f"all limits are C^{n}: {why}", {"order": n, "by": by}, answers=answers)
+    return SMOOTHNESS.proved(f"all limits are C^{n}: {why}", {"order": n, "by": by}, answers=answers, why=why)
 
 
 def _excludes(product: WordProduct, p: int, k: int, n: int) -> bool:
@@ -139,17 +147,16 @@ def is_exponent(growth: SequenceGrowth, p: int) -> bool:
 def _lower(numbers: VectorNumbers, growth: SequenceGrowth) -> Finding:
     radius, p, k = growth.radius, numbers.p, growth.order
     if radius.exact is not None and is_exponent(growth, p):
-        found = exponent(p, *radius.exact)
-        value = closed_interval(found)
-        text = readable(found) or f"{rounded_down(value.lower or 0.0)}…"
-        witness: dict[str, Data] = {"length": radius.exact[0], "root": root_data(radius.exact[1])}
-        return HOLDER_LOWER.proved(f"α = {text}, as ρ_{k} = {shown(radius)}", witness, value, found)
+        exact, why = exponent(p, *radius.exact), f"ρ_{k} = {shown(radius)}"
+        witness: VectorHolderLowerWitness = {"length": radius.exact[0], "root": root_data(radius.exact[1])}
+        return HOLDER_LOWER.proved(f"α = {worded(exact)}, as {why}", witness, closed_interval(exact), exact, why=why)
     length, bound = radius.upper
     bound = max(bound, Fraction(1, p ** (k * length)))
     with ctx.workprec(128):
         lower = interval(-ball(bound).log() / ball(p).log() / length).lower
-    statement = f"α ≥ {rounded_down(lower or 0.0)}, from the bound of ρ_{k}"
-    return HOLDER_LOWER.proved(statement, {"length": length, "bound": bound}, Interval(lower=lower))
+    why = f"from the bound of ρ_{k}"
+    statement = f"α ≥ {rounded_down(lower or 0.0)}, {why}"
+    return HOLDER_LOWER.proved(statement, {"length": length, "bound": bound}, Interval(lower=lower), why=why)
 
 
 def _upper(numbers: VectorNumbers, growth: SequenceGrowth) -> Finding:
@@ -159,10 +166,10 @@ def _upper(numbers: VectorNumbers, growth: SequenceGrowth) -> Finding:
     bound, length = radius_bound(product), len(product.word)
     upper = closed_interval(logarithm(p, 1 / bound, length)).upper
     exact = growth.radius.exact if is_exponent(growth, p) else None
-    text = (readable(exponent(p, *exact)) if exact is not None else None) or rounded_up(upper or 0.0)
-    witness: dict[str, Data] = {"word": product.word, "length": length, "radius": bound}
-    statement = f"α ≤ {text}: {product_name(product.word)} bounds ρ_{k} from below"
-    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper))
+    text = rounded_up(upper or 0.0) if exact is None else worded(exponent(p, *exact))
+    why = f"{product_name(product.word)} bounds ρ_{k} from below"
+    witness: VectorHolderUpperWitness = {"word": product.word, "length": length, "radius": bound}
+    return HOLDER_UPPER.proved(f"α ≤ {text}: {why}", witness, Interval(upper=upper), why=why)
 
 
 _ATTAINED_QUESTION = "is the Hölder exponent attained?"
@@ -206,21 +213,23 @@ def _attained(
     length, root = growth.radius.exact
     if radius is not None and radius**length != root.low:
         return HOLDER_ATTAINED.undecided(_ATTAINED_QUESTION, unknown)
-    k, space = growth.order, {"space": space_data(growth.found)}
+    k, space = growth.order, space_data(growth.on)
     if radius is None and root.low == root.high and length == 1:
         radius = root.low
-    found = None if radius is None else _defect(growth, radius)
-    if found is None:
+    block = None if radius is None else _defect(growth, radius)
+    if block is None:
         bounded = numbers.bounded(growth)
         if bounded is None or bounded.exact is None or not _same(bounded.exact, growth.radius.exact):
             return HOLDER_ATTAINED.undecided(_ATTAINED_QUESTION, unknown)
-        statement = f"{yes}, as all products of L operators on V_{k}(w) are O(ρ_{k}^L)"
-        return HOLDER_ATTAINED.proved(statement, {"order": k}, proof={**space, "radius": bounded.proof})
-    word, sign, value, vector = found
+        why = f"all products of L operators on V_{k}(w) are O(ρ_{k}^L)"
+        proof: VectorAttainedProof = {"space": space, "radius": bounded.proof}
+        return HOLDER_ATTAINED.proved(f"{yes}, as {why}", {"order": k}, proof=proof, why=why)
+    word, sign, value, vector = block
     at = f"{'-' if sign < 0 else ''}{number(value)}"
     why = f"{product_name(word)} on V_{k}(w) has a Jordan block at the eigenvalue {at}"
-    witness: dict[str, Data] = {"order": k, "word": word, "sign": sign, "value": value, "vector": vector}
-    return replace(HOLDER_ATTAINED.refuted(f"{no}: {why}", witness), proof=space)
+    witness: VectorAttainedWitness = {"order": k, "word": word, "sign": sign, "value": value, "vector": vector}
+    refutation: VectorAttainedProof = {"space": space}
+    return HOLDER_ATTAINED.refuted(f"{no}: {why}", witness, why=why, proof=refutation)
 
 
 def _same(one: tuple[int, Root], other: tuple[int, Root]) -> bool:
@@ -230,10 +239,10 @@ def _same(one: tuple[int, Root], other: tuple[int, Root]) -> bool:
 
 
 def _defect(growth: SequenceGrowth, radius: Fraction) -> tuple[Word, int, Fraction, tuple[Fraction, ...]] | None:
-    matrices = growth.found.space.matrices
+    matrices = growth.on.space.matrices
     for word in _words(growth, len(matrices)):
-        if (found := defect(WordProduct.of_word(matrices, word).matrix, radius ** len(word))) is not None:
-            return (word, *found)
+        if (block := defect(WordProduct.of_word(matrices, word).matrix, radius ** len(word))) is not None:
+            return (word, *block)
     return None
 
 
@@ -263,15 +272,15 @@ def derived_schemes(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
         return (DERIVED_SCHEMES.skipped(question, "there is no derived scheme: E_A = 0"),)
     if facts.verdict(CONVERGENCE) is Verdict.REFUTED:
         return (DERIVED_SCHEMES.skipped(question, "S does not converge"),)
-    found = numbers.derivation(_most(facts))
-    n = found.contracting
+    derivation = numbers.derivation(_most(facts))
+    n = derivation.contracting
     if not n:
-        reason = "no norm of it is seen to be below 1" if found.steps else "M_A has no canonical transformation"
+        reason = "no norm of it is seen to be below 1" if derivation.steps else "M_A has no canonical transformation"
         return (DERIVED_SCHEMES.undecided(question, reason),)
-    steps = found.steps[:n]
+    steps = derivation.steps[:n]
     norm = steps[-1].norm
     assert norm is not None
-    proof: dict[str, Data] = {
+    proof: VectorDerivedProof = {
         "transformations": tuple(rows_of(step.transformation) for step in steps),
         "dimensions": tuple(step.constants for step in steps),
         "starts": tuple(min(step.terms) for step in steps),
@@ -279,15 +288,15 @@ def derived_schemes(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
     }
     operator = f"{numbers.p}^-1 S_(∂^{n} A)" if n > 1 else f"{numbers.p}^-1 S_(∂A)"
     size = f"‖{operator}‖∞" if norm[0] == 1 else f"‖({operator})^{norm[0]}‖∞"
-    statement = f"S is C^{n - 1}, as {size} = {number(norm[1])} < 1"
-    witness: dict[str, Data] = {"derivations": n, "level": norm[0], "norm": norm[1], "order": n - 1}
-    return (DERIVED_SCHEMES.proved(statement, witness, proof=proof),)
+    why = f"{size} = {valued(norm[1])} < 1"
+    witness: VectorDerivedWitness = {"derivations": n, "level": norm[0], "norm": norm[1], "order": n - 1}
+    return (DERIVED_SCHEMES.proved(f"S is C^{n - 1}, as {why}", witness, proof=proof, why=why),)
 
 
 def _most(facts: Facts) -> int:
     """The most derivations that may help: the limits are not C^n if SD709 says so."""
-    order = facts[NEXT_SMOOTHNESS].witness.get("order") if NEXT_SMOOTHNESS in facts else None
-    return order if isinstance(order, int) else _DERIVATIONS
+    refuted = facts.verdict(NEXT_SMOOTHNESS) is Verdict.REFUTED
+    return facts.witness(NEXT_SMOOTHNESS)["order"] if refuted else _DERIVATIONS
 
 
 def _dense(terms: Mapping[int, fmpq_mat]) -> list[fmpq_mat]:
