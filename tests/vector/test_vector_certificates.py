@@ -172,8 +172,8 @@ def test_an_integer_exponent_is_not_judged_by_differences_of_a_lower_order():
     stencils = index(found, "limit-stencils")
     numbers = VectorNumbers(scheme(MASKS["two four-points"]), Effort())
     lower = numbers.growth_of(1)
-    data, family = space_data(lower.found), 1 + max(c["statement"].get("family", 0) for c in claims)
-    sign, _, vector = defect(lower.found.space.matrices[0], Fraction(1, 4))
+    data, family = space_data(lower.on), 1 + max(c["statement"].get("family", 0) for c in claims)
+    sign, _, vector = defect(lower.on.space.matrices[0], Fraction(1, 4))
     witness = {"start": data["start"], "tree": list(data["tree"]), "words": [list(w) for w in data["words"]]}
     witness |= {key: rationals(data[key]) for key in ("basis", "matrices", "leaves")}
     last = len(claims)
