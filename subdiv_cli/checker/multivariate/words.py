@@ -32,7 +32,7 @@ _PHRASES = {
     "stable": "φ is {holds}stable",
     "tensor-product": "φ is a tensor product in the variables {variables}",
     "of-factor": "{said}, as for the factor in {variables}",
-    "at-most-factor": "the exponent is at most that of the factor in {variables}, {said}",
+    "at-most-factor": "{exponent_of} is at most that of the factor in {variables}, {said}",
     "box-spline": "φ is the box spline of {directions}",
     "directional-norm": "‖S_d^{level}‖ = {norm} for the factor in direction {direction}",
     "pair-norm": "‖S_cd^{level}‖ = {norm} for the factors in directions {directions}",
@@ -56,6 +56,7 @@ def in_words(statement: Mapping[str, Any], dilation: DilationMatrix) -> str:
     words["variables"] = _variables(statement)
     if "statement" in statement:
         words["said"] = _said(statement["statement"], statement["variables"], dilation)
+        words["exponent_of"] = "s" if statement["statement"]["property"].startswith("sobolev") else "α"
     words["directions"] = _directions(statement.get("directions", ()))
     words["direction"] = f"({words.get('direction', '')})"
     return _PHRASES[statement["property"]].format(**words)

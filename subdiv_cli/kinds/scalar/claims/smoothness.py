@@ -79,8 +79,8 @@ def smoothness(proof: Proof, finding: Finding) -> list[int]:
 
 
 def _contraction(proof: Proof, nu: int) -> list[int]:
-    """The claims by which the derived scheme of order ν of the last mask contracts."""
-    return proof.contraction(proof.last, next(each for each in proof.contractions if each["nu"] == nu))
+    """The claims by which the derived scheme of order ν of the last mask contracts, or the next one below."""
+    return proof.contraction(proof.last, [each for each in proof.contractions if each["nu"] <= nu][-1])
 
 
 def _in_the_mean(proof: Proof) -> list[int]:
@@ -238,7 +238,7 @@ def _between(proof: Proof, witness: SobolevWitness) -> list[int]:
     least: list[int] = []
     if witness["by"] == rules.HOLDER_LOWER.code:
         below = proof.facts[rules.HOLDER_LOWER]
-        lower = next(each for each in (below, *below.otherwise) if _is_bounded_by(each, witness))
+        lower = next((each for each in (below, *below.otherwise) if _is_bounded_by(each, witness)), below)
         statement: Json = {"length": witness["length"], "bound": rational(witness["bound"])}
         least = [proof.add("sobolev-at-least", statement, uses=[n]) for n in holder_lower(proof, lower)]
         if not least:
