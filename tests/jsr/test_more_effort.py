@@ -8,7 +8,9 @@ from itertools import pairwise
 
 import pytest
 
+from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.jsr import irreducible
+from subdiv_cli.jsr.family import Family
 from subdiv_cli.model import Effort
 from subdiv_cli.pipeline import joint_spectral_radius
 
@@ -44,3 +46,19 @@ def test_more_effort_never_gives_less(monkeypatch, matrices):
     results = [bounds(matrices, work) for work in (160, 320, 640)]
     for (low, high, known), (lower, higher, exact) in pairwise(results):
         assert exact or (not known and lower >= low and higher <= high)
+
+
+LATER_IS_WORSE = [
+    [[1, -5, -4, -3], [-5, 0, 3, 0], [-2, 0, -5, 0], [0, -2, 0, -2]],
+    [[-2, 5, -5, 0], [-2, 1, 3, 0], [0, 1, 0, 5], [0, -1, 0, 2]],
+]
+
+
+def test_the_best_bound_of_all_attempts_is_taken(monkeypatch):
+    """The polytope of the shortest products has 18 vertices and the bound 7.3411…; those of later ones, 7.4988…."""
+    monkeypatch.setattr(irreducible, "_QUICK_WORK", 20)
+    monkeypatch.setattr(irreducible._Attempt, "slackened", lambda attempt, effort: [])
+    rows = Family([matrix([[Fraction(x) for x in row] for row in m]) for m in LATER_IS_WORSE])
+    radius = irreducible.irreducible_radius(rows, Effort(110))
+    assert radius.exact is None
+    assert Fraction("7.34") < radius.upper[1] < Fraction("7.35")
