@@ -53,7 +53,8 @@ def numbers_are_proved(
         finding = answering(result.findings, question)
         if finding is not None:
             stated = [_stated(statements[number], base) for number in finding.claims]
-            about[question.name] = finding, stated
+            of = "sobolev" if question == SOBOLEV else "holder"
+            about[question.name] = finding, [each for each in stated if each.statement["property"].startswith(of)]
     given = {name: stated for name, (_, stated) in about.items()}
     holder = (*given.get(HOLDER_LOWER.name, ()), *given.get(HOLDER_UPPER.name, ()))
     exponents = (

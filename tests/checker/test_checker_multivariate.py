@@ -379,6 +379,7 @@ ROUTES = [
     ("bilinear", 0, "sobolev-at-most", {"bound": "1/4"}, "another length or bound"),
     ("bilinear", 1, "sobolev-at-most", {"length": 1}, "another length or bound"),
     ("bilinear", 0, "directional-decay", {"norm": "1/5"}, "a norm is not small enough"),
+    ("bilinear", 0, "directional-decay", {"norm": "-1"}, "the bound is not positive"),
     ("bilinear", 0, "directional-decay", {"order": 2}, "not pair-norm"),
     ("bilinear", 0, "directional-decay", {"order": 3}, "the order is not 1 or 2"),
     ("bilinear", 0, "directional-decay", {"level": 65}, "the level is not one of"),

@@ -121,6 +121,7 @@ def directional_decay(c: Claim) -> None:
     factor = mask_of(c).dilation.factor
     require(order in (1, 2), "the order is not 1 or 2")
     require(1 <= level <= MAX_LEVEL, f"the level is not one of 1, …, {MAX_LEVEL}")
+    require(x > 0, "the bound is not positive")
     for used in _single(c) if order == 1 else _pairs(c):
         own, norm = used["level"], used["norm"] / factor ** ((order - 1) * used["level"])
         c.spend(1, own * fraction_bits(x) + level * fraction_bits(norm))
