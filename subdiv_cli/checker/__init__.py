@@ -35,7 +35,7 @@ class _Kinds(dict[str, Any]):
 
 KINDS: MutableMapping[str, Rulebook] = _Kinds(
     scalar="subdiv_cli.checker.scalar.rules",
-    matrices="subdiv_cli.checker.radius.rules",
+    matrices="subdiv_cli.checker.curves.rules",
     multivariate="subdiv_cli.checker.multivariate.rules",
 )
 """The rulebooks of all kinds of documents. A new kind adds a line; no certificate names a module."""

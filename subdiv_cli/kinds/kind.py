@@ -13,7 +13,19 @@ from fractions import Fraction
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
-from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict
+from subdiv_cli.model import (
+    INFINITY,
+    Answer,
+    Data,
+    Effort,
+    Exponent,
+    Finding,
+    Question,
+    Result,
+    Rule,
+    Smoothness,
+    Verdict,
+)
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.findings import answering
 
@@ -166,13 +178,15 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         linearly_independent=verdict(questions.INDEPENDENCE),
         generation=degree(questions.GENERATION),
         reproduction=degree(questions.REPRODUCTION),
+        well_defined=verdict(questions.WELL_DEFINED),
+        polynomials=degree(questions.POLYNOMIALS),
         findings=findings,
     )
 
 
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
-    "generation", "reproduction",
+    "generation", "reproduction", "well_defined", "polynomials",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 
@@ -183,7 +197,7 @@ def _holder(given: Mapping[Question, Answer]) -> Exponent | None:
     above = cast("Exponent | None", given.get(questions.HOLDER_UPPER)) or Exponent()
     if below is None:
         return None
-    if below.exact is None or above.upper is None:
+    if below.exact is None or (above.upper is None and below.exact != INFINITY):
         return above._replace(lower=below.lower)
     attained = {Verdict.PROVED: True, Verdict.REFUTED: False}
     return below._replace(attained=attained.get(cast(Verdict, given.get(questions.HOLDER_ATTAINED))))
@@ -263,6 +277,8 @@ class Kind:
 
     None where the body is wrong, which is recorded.
     """
+    read_family: Read | None = None
+    """Reads the same files, and more, as families of matrices, for `subdiv jsr`."""
     body_of: Callable[[Any], Body]
     """The literal body of a scheme."""
     spell: Callable[[Any], list[str]]

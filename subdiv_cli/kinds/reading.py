@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
+from subdiv_cli.kinds.kind import Kind
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES, at_most
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
@@ -16,6 +17,7 @@ from subdiv_cli.maskfile.recognise import MARKS
 from subdiv_cli.maskfile.toml import load
 from subdiv_cli.maskfile.values import described
 from subdiv_cli.model import Expectation, Problem
+from subdiv_cli.model.properties import PROPERTIES
 
 _TOP = ("format", "name", "reference", "kind", "parameters", "expect")
 """The keys that files of every kind may have."""
@@ -24,8 +26,8 @@ _TOP = ("format", "name", "reference", "kind", "parameters", "expect")
 def read_path(path: str | Path, *, kind: str | None = None, capability: str = "analyse") -> MaskFile:
     """The mask of a file; "-" is standard input. Raises MaskFileError, also for a file that cannot be read (SD002).
 
-    `kind`: the one that is wanted here; another is refused (SD013) before its mask is read, and so is, without it, a
-    kind that does not declare the capability, a field of `Kind`.
+    `kind`: the one whose family of matrices is wanted; another is refused (SD013) before its mask is read, and so is,
+    without it, a kind that does not declare the capability, a field of `Kind`.
     """
     return read_text(text_of(load_path(path), str(path)), file=str(path), wanted=kind, capability=capability)
 
@@ -89,13 +91,14 @@ def read_text(text: str, *, file: str, wanted: str | None = None, capability: st
     problems = Collector(source)
     document = load(source)
     kind = kind_named(_kind(document, wanted, capability, problems))
+    read = kind.read if wanted is None or kind.read_family is None else kind.read_family
     top = Table(document, (), problems)
     top.only((*_TOP, *kind.keys), _BELONGS if "mask" in kind.keys else {})
     _format(document, problems)
     name, reference = text_at(top, "name"), text_at(top, "reference")
     parameters = read_parameters(top.table("parameters"), problems)
-    body = kind.read(top, parameters, problems)
-    expectations = _expectations(top.table("expect"), problems)
+    body = read(top, parameters, problems)
+    expectations = _expectations(top.table("expect"), kind, problems)
     if body is not None:
         check_fixed_mask(body, problems)
     problems.raise_any()
@@ -142,14 +145,20 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
             where,
         )
     elif wanted is None and (message := lacking(kind, capability)) is not None:
-        help = f"this version reads: {known}"
-        if kind == "matrices":
-            help += "; `subdiv jsr` computes the joint spectral radius of matrices"
-        problems.add(Fault(faults.KIND_NOT_BUILT, message, help), where)
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, f"this version reads: {known}"), where)
+    elif wanted is None and "kind" not in document and kind == "matrices":
+        message = "a family of matrices is a scheme where the file says so"
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, 'add kind = "matrices", or use subdiv jsr'), where)
     else:
         return kind
     problems.raise_any()
     raise AssertionError("unreachable: there is a problem")
+
+
+def _answered(kind: Kind) -> tuple[str, ...]:
+    """The keys of [expect] that findings of a kind answer."""
+    questions = {question for rule in kind.rules().values() for question in rule.answers}
+    return tuple(row.key for row in PROPERTIES if row.expected and row.question in questions)
 
 
 def _is_meant(document: Mapping[str, object], problems: Collector) -> None:
@@ -178,12 +187,15 @@ def _format(document: Mapping[str, object], problems: Collector) -> None:
         problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {said}", help), ("format",))
 
 
-def _expectations(table: Table | None, problems: Collector) -> tuple[Expectation, ...]:
-    """The expectations of [expect]; what is wrong with them is recorded."""
+def _expectations(table: Table | None, kind: Kind, problems: Collector) -> tuple[Expectation, ...]:
+    """The expectations of [expect]; what is wrong with them, or not answered by the kind, is recorded."""
     found: list[Expectation] = []
     for key, value in table.data.items() if table else ():
         try:
             found.append(expectation(key, value))
+            if key not in (answered := _answered(kind)):
+                help = f"properties of this kind: {', '.join(answered)}"
+                raise Fault(faults.UNKNOWN_KEY, f"masks of kind {kind.name} have no property {key}", help)
         except Fault as fault:
             problems.add(fault, ("expect", key), of_key=fault.rule is faults.UNKNOWN_KEY)
     for later, contradiction in contradictions(found):

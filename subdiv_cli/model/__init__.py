@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
+from subdiv_cli.model.closed import INFINITY as INFINITY
 from subdiv_cli.model.closed import ClosedForm as ClosedForm
 from subdiv_cli.model.closed import Log as Log
 from subdiv_cli.model.closed import LogForm as LogForm
@@ -49,7 +50,7 @@ class Expectation:
     text: str
     """The condition as the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
     lower: bool | int | ClosedForm
-    """A bool for convergent and stable, an int for smoothness and degrees, a closed form for exponents."""
+    """A bool for verdicts, an int for smoothness and degrees, a closed form for exponents and infinite smoothness."""
     upper: bool | int | ClosedForm | None = None
 
 
@@ -112,6 +113,8 @@ class Result:
     linearly_independent: Verdict = Verdict.SKIPPED
     generation: int | None = None
     reproduction: int | None = None
+    well_defined: Verdict = Verdict.SKIPPED
+    polynomials: int | None = None
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None

@@ -1,43 +1,37 @@
-"""The text of a family of square matrices: `matrices = [A_0, …, A_(p-1)]`, each a list of rows."""
+"""The text of a family of square matrices: `matrices = [A_0, …, A_(p-1)]`, each a list of rows.
+
+`subdiv jsr` reads any family; as a scheme it has two matrices at least, and their rows sum to 1.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from subdiv_cli.kinds.matrices.scheme import Matrix, MatrixFamily
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_MATRICES, MAX_MATRIX_ORDER
 from subdiv_cli.maskfile.entries import Table, read_number
 from subdiv_cli.maskfile.expressions import Expression, literal, number_of
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath
+from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, shown_number
 from subdiv_cli.maskfile.spelling import listed, nested
 from subdiv_cli.maskfile.values import described
 from subdiv_cli.model.closed import rational
 
 _HELP = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
 
-Matrix = tuple[tuple[Fraction, ...], ...]
-
-
-@dataclass(frozen=True, slots=True)
-class MatrixFamily:
-    """A family of square matrices of one order, by rows; at least one."""
-
-    matrices: tuple[Matrix, ...]
-
-    @property
-    def kind(self) -> str:
-        """The name of the kind, `matrices`."""
-        return "matrices"
+_LARGEST_SCHEME = 24
+"""The most control points of a piece."""
 
 
 class Matrices(NamedTuple):
     """The matrices of a file, all square and of one order."""
 
     matrices: tuple[tuple[tuple[Expression, ...], ...], ...]
+    is_scheme: bool = True
+    """Whether they must refine polygons; else any family will do."""
 
     def expressions(self) -> Iterable[Expression]:
         return (entry for matrix in self.matrices for row in matrix for entry in row)
@@ -49,16 +43,44 @@ class Matrices(NamedTuple):
         ]
         if any(entry is None for matrix in found for row in matrix for entry in row):
             return None
-        return MatrixFamily(tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in found))
+        family = tuple(tuple(tuple(x or Fraction(0) for x in row) for row in matrix) for matrix in found)
+        faulty = list(_no_scheme(family)) if self.is_scheme else []
+        for path, fault in faulty:
+            problems.add(fault, ("matrices", *path))
+        return None if faulty else MatrixFamily(family)
+
+
+def _no_scheme(family: tuple[Matrix, ...]) -> Iterator[tuple[tuple[int, ...], Fault]]:
+    """What keeps a family from refining polygons, each with its place."""
+    jsr = "subdiv jsr takes any family"
+    if len(family) < 2:
+        message = "one matrix does not cut a curve into pieces: there must be two at least"
+        yield (), Fault(faults.BAD_SHAPE, message, f"write the matrix of every piece; {jsr}")
+    if not 2 <= (order := len(family[0])) <= _LARGEST_SCHEME:
+        message = f"the order is {order}: a curve has 2 to {_LARGEST_SCHEME} control points"
+        yield (), Fault(faults.OUT_OF_BOUNDS, message, f"row j of a matrix has the weights of control point j; {jsr}")
+    for i, matrix in enumerate(family):
+        for j, row in enumerate(matrix):
+            if (total := sum(row, Fraction(0))) != 1:
+                column = sum(matrix[k][j] for k in range(order)) == 1
+                mend = "write the rows as columns: the matrix is transposed" if column else "correct its weights"
+                message = f"the row sums to {shown_number(total)}, must be 1: new points are means of old ones"
+                yield (i, j), Fault(faults.ROW_SUM, message, f"{mend}; {jsr}")
 
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
-    """The family at the top of a file; None where something is wrong, which is recorded."""
+    """The matrices of a scheme at the top of a file; None where something is wrong, which is recorded."""
+    family = read_family(top, parameters, problems)
+    return None if family is None else family._replace(is_scheme=True)
+
+
+def read_family(top: Table, parameters: Collection[str], problems: Collector) -> Matrices | None:
+    """The matrices at the top of a file, any family; None where something is wrong, which is recorded."""
     if "matrices" not in top.data:
         top.missing("matrices", "matrices are missing", _HELP)
         return None
     found = _Reader(parameters, problems).family(top.data["matrices"], ("matrices",))
-    return None if found is None else Matrices(found)
+    return None if found is None else Matrices(found, is_scheme=False)
 
 
 def body_of(family: MatrixFamily) -> Matrices:
