@@ -9,6 +9,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
+from subdiv_cli.model.formulas import derivative
+
 if TYPE_CHECKING:
     from subdiv_cli.model import Result
     from subdiv_cli.model.findings import Data, Finding, Question
@@ -84,6 +86,14 @@ class Curve(NamedTuple):
     support: tuple[Fraction, Fraction]
     order: int = 0
     """The order of the derivative whose values these are."""
+    name: str = "φ"
+    label: str | None = None
+    """The name among several curves of one mask."""
+
+    @property
+    def title(self) -> str:
+        """The name of this curve alone: `φ''`, or its label."""
+        return self.label or derivative(self.name, self.order)
 
 
 class Polygon(NamedTuple):

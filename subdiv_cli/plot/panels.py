@@ -42,7 +42,8 @@ def panels(masks: Sequence[Drawn]) -> list[Panel | Map]:
     for mask in masks:
         for block in mask.blocks:
             if isinstance(block, Curve):
-                functions.setdefault(derivative("φ", block.order), []).append(graph(block, mask.label))
+                name = derivative(block.name, block.order)
+                functions.setdefault(name, []).append(graph(block, block.label or mask.label))
             elif isinstance(block, Polygon):
                 polygons.append(plane(block, mask.label))
             elif isinstance(block, Heights):

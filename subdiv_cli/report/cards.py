@@ -21,7 +21,6 @@ from subdiv_cli.model.blocks import (
     Words,
 )
 from subdiv_cli.model.closed import rational
-from subdiv_cli.model.formulas import derivative
 from subdiv_cli.model.properties import PROPERTIES
 from subdiv_cli.report import svg, words
 from subdiv_cli.report.blocks import put
@@ -140,9 +139,9 @@ def _figures(blocks: Sequence[Block], result: Result) -> str:
     """The HTML of graphs; other pictures are not drawn here."""
     parts = []
     for curve in (block for block in blocks if isinstance(block, Curve)):
-        name = derivative("φ", curve.order)
-        caption = f"<figcaption>{name}, exact values at finitely many points</figcaption>"
-        parts.append(f"<figure>{svg.curve(curve, f'the refinable function {name}')}{caption}</figure>")
+        caption = f"<figcaption>{curve.title}, exact values at finitely many points</figcaption>"
+        what = "a component" if curve.label else "the refinable function"
+        parts.append(f"<figure>{svg.curve(curve, f'{what} {curve.title}')}{caption}</figure>")
     return "".join(parts)
 
 

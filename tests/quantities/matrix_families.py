@@ -26,7 +26,10 @@ def family(matrices) -> MatrixFamily:
 
 
 def times(a: Rows, b: Rows) -> Rows:
-    return [[sum((x * y for x, y in zip(row, column, strict=True)), Fraction(0)) for column in zip(*b, strict=True)] for row in a]
+    return [
+        [sum((x * y for x, y in zip(row, column, strict=True)), Fraction(0)) for column in zip(*b, strict=True)]
+        for row in a
+    ]
 
 
 def inverse(a: Rows) -> Rows | None:
@@ -76,9 +79,7 @@ def structured(rng: random.Random) -> Built:
     smooth = flat > 0 and rng.random() < 0.7
     values = [[Fraction(0), *(Fraction(rng.randint(-3, 3), 2) for _ in range(p - 1)), Fraction(0)] for _ in range(r)]
     size = rng.choice((Fraction(1, 2), Fraction(1, 3), Fraction(2, 3), Fraction(1, 5), Fraction(1, 9)))
-    letters = [
-        [[size * Fraction(rng.randint(-3, 3), 3 * r) for _ in range(r)] for _ in range(r)] for _ in range(p)
-    ]
+    letters = [[[size * Fraction(rng.randint(-3, 3), 3 * r) for _ in range(r)] for _ in range(r)] for _ in range(p)]
     if rng.random() < 0.3:  # inside nothing but polynomials
         letters = [[[x * (j > i) for j, x in enumerate(row)] for i, row in enumerate(m)] for m in letters]
     maps = []
@@ -100,7 +101,10 @@ def structured(rng: random.Random) -> Built:
     sort = "structured"
     if rng.random() < 0.25:  # a coordinate that is 0 on the curve, which a polygon may see before the limit
         maps = [
-            [*[[*row, Fraction(rng.randint(-1, 1), 3)] for row in m], [*[Fraction(0)] * len(m), Fraction(rng.randint(1, 3), 4)]]
+            [
+                *[[*row, Fraction(rng.randint(-1, 1), 3)] for row in m],
+                [*[Fraction(0)] * len(m), Fraction(rng.randint(1, 3), 4)],
+            ]
             for m in maps
         ]
         maps = [[[*m[0][:-1], Fraction(0)], *m[1:]] for m in maps]

@@ -5,7 +5,23 @@ Arranged as kind scalar is. Files are families of square matrices too, whose rad
 
 from __future__ import annotations
 
-from subdiv_cli.kinds.kind import Kind, late
+from subdiv_cli.kinds.kind import PICTURES, Drawings, Kind, Portraits, late
+
+_CURVES = Drawings(
+    "curves",
+    late("subdiv_cli.kinds.matrices.portrait.pictures:curves"),
+    PICTURES,
+    options=frozenset({"points", "levels", "samples"}),
+    needs=frozenset({"points"}),
+    points=late("subdiv_cli.maskfile.points:read_points"),
+)
+_COMPONENTS = Drawings(
+    "components",
+    late("subdiv_cli.kinds.matrices.portrait.pictures:functions"),
+    PICTURES,
+    options=frozenset({"samples"}),
+    most=1,
+)
 
 KIND = Kind(
     name="matrices",
@@ -19,4 +35,10 @@ KIND = Kind(
     analyse=late("subdiv_cli.kinds.matrices.stages:analyse"),
     proofs=late("subdiv_cli.kinds.matrices.claims:claims_of"),
     base=late("subdiv_cli.kinds.matrices.scheme:base"),
+    sections=late("subdiv_cli.kinds.matrices.portrait.pictures:sections"),
+    portraits=Portraits(
+        late("subdiv_cli.kinds.matrices.stages:analyse"),
+        late("subdiv_cli.kinds.matrices.portrait.page:portrait"),
+    ),
+    drawings=(_CURVES, _COMPONENTS),
 )

@@ -79,14 +79,12 @@ def _unasked(numbers: MatrixNumbers, facts: Facts) -> str | None:
     return None if facts.verdict(COMPONENTS) is Verdict.PROVED else "its polynomial components are not known"
 
 
-def _jets(numbers: MatrixNumbers, facts: Facts) -> tuple[Jet, ...]:
-    """The derivatives of order 1, 2, … that the curve has one-sidedly, up to the first ones that do not fit."""
-    if facts.verdict(DIFFERENCE_RADIUS) is not Verdict.PROVED or facts.verdict(COMPONENTS) is not Verdict.PROVED:
-        return ()
-    assert numbers.radius is not None
+def jets(numbers: MatrixNumbers) -> tuple[Jet, ...]:
+    """The derivatives of order 1, 2, … <= d that a curve has one-sidedly, up to the first ones that do not fit."""
+    radius = None if numbers.curve.annihilated is None else numbers.radius
     found: list[Jet] = []
     for order in range(1, numbers.curve.components.degree + 1):
-        if not numbers.radius.is_below(Fraction(1, numbers.p**order)):
+        if radius is None or not radius.is_below(Fraction(1, numbers.p**order)):
             break
         found.append(numbers.curve.jet(order))
         if not found[-1].fits:
@@ -105,12 +103,12 @@ def joints(numbers: MatrixNumbers, facts: Facts) -> tuple[Finding, ...]:
     Witness: `orders`, those asked, the last of which does not fit where it is refuted; `joint`, the first one there.
     `proof`: `left` and `right`, the derivatives of each order at 0 and at 1.
     """
-    jets = _jets(numbers, facts)
-    if not jets:
+    asked = jets(numbers) if facts.verdict(DIFFERENCE_RADIUS) is Verdict.PROVED else ()
+    if not asked:
         return ()
-    last = jets[-1]
-    witness: dict[str, Data] = {"orders": tuple(jet.order for jet in jets)}
-    proof: dict[str, Data] = {"left": tuple(j.left for j in jets), "right": tuple(j.right for j in jets)}
+    last = asked[-1]
+    witness: dict[str, Data] = {"orders": tuple(jet.order for jet in asked)}
+    proof: dict[str, Data] = {"left": tuple(j.left for j in asked), "right": tuple(j.right for j in asked)}
     if last.joint is None:
         orders = "order 1" if last.order == 1 else f"order 1 to {last.order}"
         return (JOINTS.proved(f"derivatives of {orders} fit at the joints", witness, proof=proof),)
