@@ -98,18 +98,23 @@ def structured(rng: random.Random) -> Built:
                 q = [values[k][i], values[k][i + 1] - values[k][i], *[Fraction(0)] * (d - 1)]
             rows.append([*q, *letters[i][k]])
         maps.append(rows)
-    sort = "structured"
-    if rng.random() < 0.25:  # a coordinate that is 0 on the curve, which a polygon may see before the limit
-        maps = [
-            [
-                *[[*row, Fraction(rng.randint(-1, 1), 3)] for row in m],
-                [*[Fraction(0)] * len(m), Fraction(rng.randint(1, 3), 4)],
-            ]
-            for m in maps
-        ]
-        maps = [[[*m[0][:-1], Fraction(0)], *m[1:]] for m in maps]
-        sort = "degenerate"
-    return Built(of_functions(rng, maps), sort)
+    scheme = of_functions(rng, maps)
+    if rng.random() < 0.25:
+        return Built(degenerate_part(rng, scheme), "degenerate")
+    return Built(scheme, "structured")
+
+
+def degenerate_part(rng: random.Random, scheme: MatrixFamily) -> MatrixFamily:
+    """The scheme with one more control point, mixed into the others, that the curve does not see."""
+    operators = [[list(column) for column in zip(*a, strict=True)] for a in scheme.matrices]
+    n = len(operators[0])
+    larger = []
+    for b in operators:
+        # the last coordinate shrinks; what it adds to the others sums to what is left of it
+        share, more = Fraction(rng.randint(1, 3), 4), [Fraction(rng.randint(-1, 1), 3) for _ in range(n - 1)]
+        more = [*more, 1 - share - sum(more)]
+        larger.append([*([*row, x] for row, x in zip(b, more, strict=True)), [*[Fraction(0)] * n, share]])
+    return family([list(zip(*b, strict=True)) for b in larger])
 
 
 def segment(rng: random.Random) -> Built:
@@ -184,13 +189,23 @@ def gap(scheme: MatrixFamily) -> float:
     return max(float(np.abs(b[j] @ ends[0] - b[j - 1] @ ends[1]).max()) for j in range(1, len(b)))
 
 
-def estimated(scheme: MatrixFamily, order: int, first: int, last: int) -> float:
-    """The exponent as differences of an order show it, those across joints among them; inf where they vanish."""
-    p = len(scheme.matrices)
-    sizes = []
-    for level in (first, last):
+_NOISE = 1e-9
+"""The size of differences, as a share of the points, below which they may be roundings."""
+
+
+def estimated(scheme: MatrixFamily, order: int, last: int) -> float:
+    """The exponent as differences of an order show it, those across joints among them; inf where they vanish.
+
+    From the last level and four before, or earlier ones where differences are no more than noise.
+    """
+    p, sizes = len(scheme.matrices), []
+    for level in range(next(n for n in range(9) if p**n > 2 * order), last + 1):
         x = points(scheme, level)
-        sizes.append(np.abs(np.diff(x, order, axis=0)).max())
-    if sizes[1] < 1e-11:
+        size = float(np.abs(np.diff(x, order, axis=0)).max())
+        if size < _NOISE * np.abs(x).max():
+            break
+        sizes.append(size)
+    if len(sizes) < 3:
         return float("inf")
-    return float(-np.log(sizes[1] / sizes[0]) / np.log(p) / (last - first))
+    steps = min(4, len(sizes) - 1)
+    return float(-np.log(sizes[-1] / sizes[-1 - steps]) / np.log(p) / steps)

@@ -9,7 +9,7 @@ from subdiv_cli.checker.core import Rulebook, Step, Subject
 from subdiv_cli.checker.curves import components, conclusions, convergence
 from subdiv_cli.checker.numerals import UnreadableError
 from subdiv_cli.checker.plain import PlainMask, PlainReaders, literal
-from subdiv_cli.checker.radius.rules import FAMILY, ROOT, of_matrices, shown
+from subdiv_cli.checker.radius.rules import FAMILY, ROOT, of_matrices, root, shown
 from subdiv_cli.checker.radius.rules import RULEBOOK as RADIUS
 from subdiv_cli.checker.reading import Fields
 
@@ -96,7 +96,7 @@ def in_words(statement: Mapping[str, Any], subject: Subject) -> str:
             relation = ">=" if s["property"] == "holder-lower" else "<="
             return f"alpha {relation} -log{p}({shown(s['bound'])}){_divided(s)}"
         case "holder-root":
-            return f"alpha = -log{p}(root in [{shown(s['low'])}, {shown(s['high'])}]){_divided(s)}"
+            return f"alpha = -log{p}({root(s)}){_divided(s)}"
         case "holder-value":
             return f"alpha = {s['value']}"
         case "family":
