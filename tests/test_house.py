@@ -29,7 +29,7 @@ ARROWS = {
     "__init__": set(),
 }
 """Room -> the rooms it may import."""
-BETWEEN_KINDS = {"scalar": set(), "matrices": set(), "multivariate": {"scalar"}}
+BETWEEN_KINDS = {"scalar": set(), "matrices": {"scalar"}, "multivariate": {"scalar"}}
 """Kind -> the kinds below it. All of them may import the hallway of kinds, the files beside their folders."""
 TERMINAL = {"click", "rich"}
 TO_TERMINALS = {"cli", "report", "__main__"}

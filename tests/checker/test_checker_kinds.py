@@ -112,7 +112,12 @@ def test_a_kind_is_loaded_when_it_is_asked_for():
     assert "multivariate" not in kinds
 
 
-KNOWS = {"radius": {"radius"}, "scalar": {"radius", "scalar"}, "multivariate": {"radius", "scalar", "multivariate"}}
+KNOWS = {
+    "radius": {"radius"},
+    "curves": {"radius", "curves"},
+    "scalar": {"radius", "scalar"},
+    "multivariate": {"radius", "scalar", "multivariate"},
+}
 """Which folders the modules of a folder import; those at the top import none."""
 
 

@@ -26,8 +26,8 @@ _PRIME = (1 << 61) - 1
 _MAX_POINTS = 10_000
 
 
-class Components(NamedTuple):
-    """The span of a curve and its polynomials."""
+class Span(NamedTuple):
+    """The span of a curve, and the polynomials among its components."""
 
     annihilator: list[list[int]]
     """The vectors a with a·v = 0 for exactly the v of the span."""
@@ -36,7 +36,7 @@ class Components(NamedTuple):
     denominator: int
 
 
-def components(c: Claim) -> Components:
+def components(c: Claim) -> Span:
     """The span Σ of the curve has dimension m, and the polynomials among its components are those of degree <= d.
 
     Σ is the span of B_w ψ(0) for m words w: they are independent, and n - m independent vectors a with a·v = 0 for them
@@ -76,7 +76,7 @@ def components(c: Claim) -> Components:
         _excluded(family, ends, weights, level, d + 1)
     else:
         require(d + 1 == m, "no relation excludes a higher degree")
-    return Components(annihilator, polygons, denominator)
+    return Span(annihilator, polygons, denominator)
 
 
 def _image_of_word(family: RationalFamily, word: Sequence[int], v: list[int]) -> list[int]:
@@ -136,9 +136,10 @@ def _excluded(family: RationalFamily, ends: Ends, weights: Sequence[Fraction], l
 
 
 def annihilators(c: Claim) -> None:
-    """The new family is that of the B_i on V, the v in Σ with u_0·v = … = u_d·v = 0, in the basis of the witness.
+    """The new family is that of the B_i on V, where all u_δ·v = 0 for v in Σ.
 
-    dim V = m - d - 1, as the u_δ are independent on Σ: V is spanned by differences of the curve, of any order k > d.
+    Its dimension is m - d - 1, as the u_δ are independent on Σ: V is spanned by differences of the curve, of any order
+    k > d.
     """
     family: RationalFamily = c.about
     n, p, basis, found = family.order, len(family.matrices), c.witness["basis"], c.witness["matrices"]
@@ -148,7 +149,7 @@ def annihilators(c: Claim) -> None:
     bits = family.bits + found.bits + 2 * bits_of(basis) + n.bit_length()
     c.count(size * n * (n + p * (n + size)) + n * size**2, bits)
     used = c.use("polynomials")
-    known: Components = used.result
+    known: Span = used.result
     dimension = used.statement["dimension"] - used.statement["degree"] - 1
     require(size == dimension, f"the space has dimension {dimension}")
     rows = [scaled(row) for row in basis]
@@ -186,7 +187,7 @@ def derivative(c: Claim) -> None:
     require(1 <= order <= used.statement["degree"], "no polynomial component has such a derivative")
     c.spend(1, fraction_bits(bound) + order * length * p.bit_length())
     require(bound * p ** (order * length) < 1, "the radius is not small enough")
-    known: Components = used.result
+    known: Span = used.result
     degrees = range(len(known.polygons))
     left, right = map(scaled, vectors)
     _is_jet(family, known, left, 0, order, [factorial(order) if j == order else 0 for j in degrees])
@@ -195,7 +196,7 @@ def derivative(c: Claim) -> None:
     require(joints_fit(family, left, right) is c.statement["holds"], "the joints say otherwise")
 
 
-def _is_jet(family: RationalFamily, known: Components, v: Scaled, letter: int, order: int, moments: list[int]) -> None:
+def _is_jet(family: RationalFamily, known: Span, v: Scaled, letter: int, order: int, moments: list[int]) -> None:
     """Check that v is in Σ, p^δ B v = v, and u_j·v is the given moment."""
     p = len(family.matrices)
     image = [p**order * x for x in image_of(family, letter, v.entries)]

@@ -21,11 +21,11 @@ Map = Mapping[str, Data]
 def claims_of(analysis: Analysis) -> Proofs:
     """The claims that prove what was found of a scheme of matrices."""
     mask = dict(canonical(analysis.scheme))
-    proof = _Proof(mask, analysis.findings)
+    proof = _CurveProof(mask, analysis.findings)
     return proofs(proof.claims, mask, analysis.findings, proof.claims_of)
 
 
-class _Proof:
+class _CurveProof:
     """A certificate under construction. Each method returns the number of a claim."""
 
     def __init__(self, mask: Json, findings: Sequence[Finding]) -> None:

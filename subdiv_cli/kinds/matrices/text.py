@@ -54,16 +54,16 @@ def _no_scheme(family: tuple[Matrix, ...]) -> Iterator[tuple[tuple[int, ...], Fa
     """What keeps a family from refining polygons, each with its place."""
     jsr = "subdiv jsr takes any family"
     if len(family) < 2:
-        message = "one matrix does not cut a curve into pieces: there must be two at least"
-        yield (), Fault(faults.BAD_SHAPE, message, f"write the matrix of every piece; {jsr}")
+        message = "there is one matrix: a curve is cut into two pieces at least"
+        yield (), Fault(faults.OUT_OF_BOUNDS, message, f"write the matrix of every piece; {jsr}")
     if not 2 <= (order := len(family[0])) <= _LARGEST_SCHEME:
         message = f"the order is {order}: a curve has 2 to {_LARGEST_SCHEME} control points"
         yield (), Fault(faults.OUT_OF_BOUNDS, message, f"row j of a matrix has the weights of control point j; {jsr}")
     for i, matrix in enumerate(family):
+        is_transposed = all(sum(column) == 1 for column in zip(*matrix, strict=True))
+        mend = "write its columns as rows: the matrix is transposed" if is_transposed else "correct its weights"
         for j, row in enumerate(matrix):
             if (total := sum(row, Fraction(0))) != 1:
-                column = sum(matrix[k][j] for k in range(order)) == 1
-                mend = "write the rows as columns: the matrix is transposed" if column else "correct its weights"
                 message = f"the row sums to {shown_number(total)}, must be 1: new points are means of old ones"
                 yield (i, j), Fault(faults.ROW_SUM, message, f"{mend}; {jsr}")
 
@@ -104,9 +104,10 @@ class _Reader:
 
     def __init__(self, names: Collection[str], problems: Collector) -> None:
         self._names, self._problems, self._work = names, problems, Work()
+        self._complete = True
 
     def family(self, value: object, path: KeyPath) -> tuple[tuple[tuple[Expression, ...], ...], ...] | None:
-        """The matrices; None where there is no list of them. The family is complete where nothing is recorded."""
+        """The matrices; None where something is wrong with them."""
         matrices = self._list(value, path, "matrices", MAX_MATRICES)
         if matrices is None:
             return None
@@ -116,6 +117,8 @@ class _Reader:
             sizes = " and ".join(map(str, sorted(orders)))
             fault = Fault(faults.WRONG_TYPE, f"the matrices must be of one order, and there are orders {sizes}", _HELP)
             self._problems.add(fault, path)
+        if len(orders) > 1 or None in found or not self._complete:
+            return None
         return tuple(matrix for matrix in found if matrix is not None)
 
     def _matrix(self, value: object, path: KeyPath) -> tuple[tuple[Expression, ...], ...] | None:
@@ -139,7 +142,9 @@ class _Reader:
 
     def _entry(self, value: object, path: KeyPath) -> Expression:
         """The entry; zero where it is wrong."""
-        return read_number(value, path, self._names, self._problems, self._work) or literal(Fraction(0))
+        found = read_number(value, path, self._names, self._problems, self._work)
+        self._complete &= found is not None
+        return found or literal(Fraction(0))
 
     def _list(self, value: object, path: KeyPath, what: str, most: int) -> list[object] | None:
         """The value, where it is a list of 1 to `most` entries; else None."""

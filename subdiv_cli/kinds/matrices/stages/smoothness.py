@@ -197,6 +197,8 @@ def holder(numbers: MatrixNumbers, facts: Facts) -> tuple[Finding, ...]:
 
     Witness: `by`, SD810; SD815 with `value`, j; or SD814 with `length` and `root`, or `length` and `bound`; from above
     SD815 with `value`, or SD814 with `word`, `length` and `radius`, a lower bound of ρ^length.
+
+    Raises ContradictionError where a curve that is no polynomial has neither a positive ρ nor a corner.
     """
     if facts.verdict(WELL_DEFINED) is not Verdict.PROVED:
         reason = facts[COMPONENTS].reason or ""
