@@ -8,12 +8,25 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from fractions import Fraction
+from math import comb
 
 import pytest
-from matrix_families import Built, degenerate_part, estimated, gap, growth, segment, signed, stochastic, structured
+from matrix_families import (
+    Built,
+    degenerate_part,
+    estimated,
+    family,
+    gap,
+    growth,
+    segment,
+    signed,
+    stochastic,
+    structured,
+)
 from support import cases, seeded
 
-from subdiv_cli.model import INFINITY, Effort, Result, Verdict
+from subdiv_cli.model import INFINITY, Effort, Exponent, Result, Verdict
 from subdiv_cli.model.order import enclosure
 from subdiv_cli.pipeline import check
 
@@ -92,3 +105,45 @@ def test_more_control_points_change_nothing(k: int) -> None:
         assert other.holder is not None
         assert (other.holder.exact, other.smoothness) == (one.holder.exact, one.smoothness)
         assert other.polynomials == one.polynomials
+
+
+def test_patterns_decide_where_the_effort_ends() -> None:
+    """Without any bound of the radius stochastic matrices are seen to converge, or not, and the curve to be C^0."""
+    third = Fraction(1, 3)
+    line = family([[[1, 0], [1 - third, third]], [[1 - third, third], [0, 1]]])
+    result = check(line, (), Effort(0)).result
+    assert {f.code for f in result.findings if f.verdict is Verdict.PROVED} >= {
+        "SD812",
+        "SD811",
+        "SD813",
+        "SD810",
+        "SD816",
+    }
+    (found,) = (f for f in result.findings if f.code == "SD811")
+    assert found.witness == {"by": "SD812"}
+    assert (result.smoothness.order, result.smoothness.sharp, result.holder) == (0, False, Exponent())
+    cycle = family([[[1, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 0], [0, 0, 1], [0, 0, 1]]])
+    result = check(cycle, (), Effort(100)).result
+    assert result.convergent is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("k", range(8))
+def test_more_effort_gives_no_less(k: int) -> None:
+    built = SORTS[k % len(SORTS)](seeded(2000 + k))
+    less, more = (check(built.scheme, (), Effort(work)).result for work in (50, 4000))
+    for question in ("convergent", "well_defined"):
+        assert getattr(less, question) in (getattr(more, question), Verdict.UNDECIDED, Verdict.SKIPPED)
+    if less.holder is not None and less.holder.exact is not None:
+        assert more.holder is not None
+        assert more.holder.exact == less.holder.exact
+
+
+@pytest.mark.parametrize("order", [9, 16, 24])
+def test_many_control_points(order: int) -> None:
+    """Bernstein polynomials of high degree, and the same with the points in another order."""
+    rows = []
+    for end in range(order):  # point j of the first half is the mean of binomials
+        rows.append([Fraction(comb(end, k), 2**end) if k <= end else Fraction(0) for k in range(order)])
+    matrices = [rows, [row[::-1] for row in rows[::-1]]]
+    result = check(family(matrices), (), Effort()).result
+    assert (result.smoothness.order, result.polynomials) == (INFINITY, order - 1)

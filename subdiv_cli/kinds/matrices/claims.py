@@ -144,12 +144,7 @@ class _CurveProof:
     @property
     def _space(self) -> str:
         """The family whose radius is that on V: that on e^⊥ where V is all of it."""
-        return "polygons" if self._proof["whole"] and self._is_known else "curve"
-
-    @property
-    def _is_known(self) -> bool:
-        """Whether the radius on e^⊥ is claimed, as it is not where sign patterns prove convergence."""
-        return self.found[rules.CONVERGENCE].witness["by"] == rules.CONVERGENCE.code
+        return "polygons" if self._proof["whole"] else "curve"
 
     @property
     def _proof(self) -> Map:
@@ -175,10 +170,8 @@ class _CurveProof:
 
     def _radius(self) -> int:
         """The claim on ρ, the joint spectral radius on V."""
-        if self._space == "polygons":
-            return self._decay()
         self._annihilators()
-        return self._of_family("curve", cast(Map, self._proof["radius"]), self._order)
+        return self._of_family(self._space, cast(Map, self._proof["radius"]), self._order)
 
     def _bounded(self) -> list[int]:
         """The claims that bound ρ, as rules use them."""

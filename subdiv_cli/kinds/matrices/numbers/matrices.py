@@ -18,6 +18,8 @@ from subdiv_cli.model import Effort
 
 _FINER = 3
 """The levels beyond the coarsest one at which relations of points are looked for."""
+_MOST_POINTS = 2000
+"""The most points among which a relation is looked for."""
 
 
 class MatrixNumbers:
@@ -72,6 +74,8 @@ class MatrixNumbers:
         """A relation of points of the curve that shows that it has no polynomial component of a higher degree."""
         first = smallest_level(self.p, self.curve.span.dimension + 1)
         for level in range(first, first + _FINER):
+            if self.p**level > _MOST_POINTS:
+                break
             if (found := self.curve.components.excluding(self.points(level), level)) is not None:
                 return found
         return None

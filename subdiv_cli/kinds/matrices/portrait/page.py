@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from flint import fmpq_mat
+from flint import fmpq_mat, fmpz_poly
 
-from subdiv_cli.exact.text import polynomial
 from subdiv_cli.kinds.kind import Analysis
 from subdiv_cli.kinds.matrices.numbers.curve import Jet, RefinedCurve
 from subdiv_cli.kinds.matrices.numbers.matrices import MatrixNumbers
@@ -15,7 +14,7 @@ from subdiv_cli.kinds.matrices.stages.smoothness import jets
 from subdiv_cli.model import Data, Result, Verdict
 from subdiv_cli.model.blocks import Block, Formula, Matrix, Portrait, Statements, Text, Words, sections
 from subdiv_cli.model.closed import rational
-from subdiv_cli.model.formulas import brief, derivative, point
+from subdiv_cli.model.formulas import brief, derivative, laurent, point
 
 _MOST_SHOWN = 6
 """The most matrices U_i, and their largest order."""
@@ -78,7 +77,7 @@ class _Page:
         if self.curve is None:
             return
         names = [f"S^({i})" for i in range(len(self.dimensions))]
-        yield Text(f"{' ⊃ '.join(names)}, of dimensions {', '.join(map(str, self.dimensions))}")
+        yield Text(f"{', '.join(names)}, each in the one before, of dimensions {', '.join(map(str, self.dimensions))}")
         what = "annihilates the polynomial components" if self.dimensions[-1] else "is 0: the curve is a polynomial"
         yield Text(f"{names[-1]} {what}")
 
@@ -116,7 +115,11 @@ class _Page:
 
 
 def _factored(b: fmpq_mat) -> str:
-    """The characteristic polynomial in factors, `(z - 1)(2z - 1)^2`, up to a constant."""
+    """The characteristic polynomial in factors, `(-1 + z) (-1 + 2 z)^2`, up to a constant."""
     factors = b.charpoly().numer().factor()[1]
-    text = [(polynomial(f, "z"), n) for f, n in factors]
-    return "".join((name if name == "z" else f"({name})") + (f"^{n}" if n > 1 else "") for name, n in text)
+    text = [(laurent(0, [int(c) for c in f.coeffs()]), n) for f, n in sorted(factors, key=_by_degree)]
+    return " ".join((name if name == "z" else f"({name})") + (f"^{n}" if n > 1 else "") for name, n in text)
+
+
+def _by_degree(factor: tuple[fmpz_poly, int]) -> tuple[int, list[int]]:
+    return factor[0].degree(), [int(c) for c in factor[0].coeffs()]

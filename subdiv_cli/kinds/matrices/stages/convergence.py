@@ -18,6 +18,8 @@ from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import point
 from subdiv_cli.model.formulas import product as product_text
 
+_LONGEST_CYCLE = 200
+"""The most letters of a product that refutes."""
 _PATTERNS_QUESTION = "do products of the matrices get a positive column?"
 
 
@@ -36,6 +38,8 @@ def sign_patterns(numbers: MatrixNumbers, _: Facts) -> tuple[Finding, ...]:
     found = numbers.patterns
     if found is None:
         return (SIGN_PATTERNS.undecided(_PATTERNS_QUESTION, "there are too many sign patterns for this effort"),)
+    if found.length is None and len(found.cycle) > _LONGEST_CYCLE:
+        return (SIGN_PATTERNS.undecided(_PATTERNS_QUESTION, "the product of a cycle of patterns is too long"),)
     if found.length is None:
         name = product_text(found.cycle, "A")
         why = f"no power of {name} has one"
