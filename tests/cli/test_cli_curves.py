@@ -107,10 +107,15 @@ def test_certificates_are_about_the_file(tmp_path):
 def test_show_takes_it_apart():
     text = subdiv("show", CORNERS).stdout
     for said in (
-        "A_0 = ", "det(z - A_0) = (-1 + 8 z) (-1 + 2 z) (-1 + z)", "ψ(0) = f_0 = (1, 0, 0)", "ψ'(0) = (-7/3, 8/3, -1/3)",
-        "do not fit at x = 1/2", "S^(0), S^(1), S^(2), each in the one before, of dimensions 3, 2, 1", "U_1 = ",
+        "A_0 = ",
+        "det(z - A_0) = (-1 + z) (-1 + 2 z) (-1 + 8 z)",
+        "ψ(0) = f_0 = (1, 0, 0)",
+        "ψ'(0) = (-7/3, 8/3, -1/3)",
+        "do not fit at x = 1/2",
+        "S^(0), S^(1), S^(2), each in the one before, of dimensions 3, 2, 1",
+        "U_1 = ",
         "the rows are polygons with the curves 1, x",
-    ):  # fmt: skip
+    ):
         assert said in text, said
     page = json.loads(subdiv("show", CORNERS, "--format", "json").stdout)
     assert page["ends"] == {"left": ["1", "0", "0"], "right": ["0", "0", "1"]} or page["ends"]["left"] == [1, 0, 0]

@@ -21,8 +21,8 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "expectations", "findings", "certificate", "reference"),
-        *("refinable_function", "hints", "regressions"),
+        *("generation", "reproduction", "well_defined", "polynomials", "expectations", "findings", "certificate"),
+        *("reference", "refinable_function", "hints", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],
     "convergent": ["verdict"],
@@ -31,6 +31,7 @@ KEYS = {
     "holder": ["lower", "upper", "exact", "attained", "estimate", "digits"],
     "sobolev": ["lower", "upper", "exact", "digits"],
     "stable": ["verdict"],
+    "well_defined": ["verdict"],
     "linearly_independent": ["verdict"],
     "expectations": ["key", "expected", "verdict", "found", "line"],
     "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "witness", "claims"],
