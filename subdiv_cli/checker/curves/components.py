@@ -57,7 +57,7 @@ def components(c: Claim) -> Span:
     require_few(longest <= MAX_ORDER and level <= MAX_ORDER, "a word or a level is too long")
     points = p**level + 1 if weights else 0
     require_few(points <= _MAX_POINTS, "there are too many points")
-    steps = m * (longest + p * (n - m + d + 1)) + points
+    steps = m * (longest + p * (n - m + d + 1)) + 2 * points
     bits = max(longest, level) * (family.bits + n.bit_length()) + (d + 1) * p.bit_length() * 2 + bits_of(vectors)
     c.count(steps * n**2 + (m + n) ** 3, 2 * bits + bits_of([weights]))
     ends: Ends = c.use("well-defined", holds=True).result

@@ -132,7 +132,7 @@ class _CurveProof:
         witness: Json = {key: [_vector(v) for v in as_tuple(proof[key])] for key in ("annihilator", "polygons")}
         witness |= {"words": spelled(proof["words"]), "level": proof["level"], "weights": _vector(proof["weights"])}
         longest = max(len(as_tuple(word)) for word in as_tuple(proof["words"]))
-        steps = m * (longest + self.p * (self.n - m + d + 1)) + len(as_tuple(proof["weights"]))
+        steps = m * (longest + self.p * (self.n - m + d + 1)) + 2 * len(as_tuple(proof["weights"]))
         work = steps * self.n**2 + (m + self.n) ** 3
         statement = {"property": "polynomials", "degree": d, "dimension": m}
         return self.claims.prove("components", statement, witness, [self._well_defined()], work)

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from subdiv_cli.kinds.kind import Certify, NotDrawnError, Options
 from subdiv_cli.kinds.matrices.scheme import MatrixFamily
-from subdiv_cli.model import Effort, Result
+from subdiv_cli.model import Effort, Result, Verdict
 from subdiv_cli.model.blocks import Block, Curve, Drawing, Matrix, Polygon, Section, Text
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import WELL_DEFINED, answering
@@ -80,7 +80,7 @@ def matrices(scheme: MatrixFamily) -> list[Block]:
 def _ends(result: Result) -> tuple[Vector, Vector] | None:
     """The points ψ(0) and ψ(1) by the finding that proves that there is one curve; None where none does."""
     found = answering(result.findings, WELL_DEFINED)
-    if found is None or result.well_defined.value != "proved":
+    if found is None or result.well_defined is not Verdict.PROVED:
         return None
     left, right = (tuple(map(Fraction, found.witness[side])) for side in ("left", "right"))  # type: ignore[arg-type]
     return left, right
