@@ -136,7 +136,8 @@ def closed_radius(family: Family, effort: Effort) -> Radius | None:
     """
     if not family.size or family.order > LARGEST_BLOCK or not (found := candidates(family, _QUICK)[1]):
         return None
-    return _Attempt(family, _affordable(family, found)).closed(effort.limited(_BRIEF_WORK))
+    brief = effort.limited(_BRIEF_WORK)
+    return brief.in_time(lambda: _Attempt(family, _affordable(family, found), brief.look).closed(brief))
 
 
 def _of_distinct(family: Family, effort: Effort) -> Radius | None:
