@@ -14,6 +14,7 @@ from support import multivariate_scheme, shipped_multivariate
 import subdiv_cli
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.kinds import kind_of
+from subdiv_cli.kinds.matrices import rules as matrices
 from subdiv_cli.kinds.multivariate import rules as multivariate
 from subdiv_cli.kinds.multivariate import witnesses as w
 from subdiv_cli.kinds.option import from_option
@@ -25,10 +26,14 @@ from subdiv_cli.model.proofs import RadiusProof
 
 PACKAGE = Path(subdiv_cli.__file__).parent
 
-RULES = {**scalar.rules(), **multivariate.rules()}
+RULES = {**scalar.rules(), **multivariate.rules(), **matrices.rules()}
 PROOFS = {
     scalar.JOINT_RADIUS.code: RadiusProof,
     scalar.HOLDER_ATTAINED.code: RadiusProof,
+    matrices.CONVERGENCE.code: RadiusProof,
+    matrices.COMPONENTS.code: matrices.w.ComponentsProof,
+    matrices.DIFFERENCE_RADIUS.code: matrices.w.CurveRadiusProof,
+    matrices.JOINTS.code: matrices.w.JointsProof,
     multivariate.DIFFERENCE_RADIUS.code: w.DifferenceRadiusProof,
     multivariate.DIRECTIONAL_NORMS.code: w.QuotientsProof,
     multivariate.DIRECTIONAL_SMOOTHNESS.code: w.QuotientsProof,
@@ -102,7 +107,8 @@ def test_every_witness_has_the_form_of_its_rule():
 def looked_for():
     """The keys in `"key" in x` and `x.get("key")`, with their places: there mypy sees no misspelt one."""
     rooms = [*PACKAGE.glob("kinds/*/claims"), *PACKAGE.glob("kinds/*/stages"), PACKAGE / "jsr"]
-    for file in [*(file for room in rooms for file in room.glob("*.py")), PACKAGE / "certificate" / "radius.py"]:
+    files = [*PACKAGE.glob("kinds/*/claims.py"), PACKAGE / "certificate" / "radius.py"]
+    for file in [*(file for room in rooms for file in room.glob("*.py")), *files]:
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             key = None
             if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.In | ast.NotIn):
@@ -114,7 +120,9 @@ def looked_for():
 
 
 def test_keys_that_are_looked_for_are_declared():
-    forms = [form for module in (scalar.w, w, proofs) for form in vars(module).values() if is_typeddict(form)]
+    forms = [
+        form for module in (scalar.w, w, matrices.w, proofs) for form in vars(module).values() if is_typeddict(form)
+    ]
     declared = {key for form in forms for key in get_type_hints(form)} | {"mask"}  # a statement's
     places = dict(looked_for())
     assert {"root", "tree", "sizes", "part", "sigma"} <= places.keys()

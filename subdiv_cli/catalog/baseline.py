@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Any
 
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.model import Exponent, Judgement, Result, Verdict
+from subdiv_cli.model import INFINITY, Exponent, Judgement, Result, Verdict
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.properties import PROPERTIES
 
@@ -74,12 +74,15 @@ def _same(file: str) -> str:
 
 def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
     for row in PROPERTIES:
-        before, now = _value(old, row.key), getattr(result, row.key)
+        if row.key not in old:  # the report is older than the property
+            continue
+        before, now = old[row.key], getattr(result, row.key)
         match row.form:
             case "verdict":
                 yield from _verdict(row.phrase, before["verdict"], now)
             case "smoothness":
-                yield from _number(row.phrase, before["order"], now.order)
+                order = INFINITY if before["order"] == "infinity" else before["order"]
+                yield from _number(row.phrase, order, now.order)
             case "exponent":
                 yield from _enclosure(row.phrase, before, now)
             case "order" | "degree" | "dimension":
@@ -89,17 +92,12 @@ def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
         yield from _expectation(judged, judged_before.get((judged.expectation.key, judged.expectation.text)))
 
 
-def _value(old: Mapping[str, Any], key: str) -> Any:
-    """The value of a property in a report; None in one that is older than the property."""
-    return old.get(key)
-
-
 def _verdict(name: str, old: str, new: Verdict) -> Iterator[str]:
     if _RANK[new.value] < _RANK[old]:
         yield f"{name} was {old} and is {new.value}"
 
 
-def _number(name: str, old: int | None, new: int | None) -> Iterator[str]:
+def _number(name: str, old: int | float | None, new: int | float | None) -> Iterator[str]:
     if old is not None and (new is None or new < old):
         yield f"{name} was {old} and is {'not known' if new is None else new}"
 
@@ -110,6 +108,9 @@ def _enclosure(name: str, old: Mapping[str, Any] | None, new: Exponent | None) -
         return
     if new is None:
         yield f"{name} was known and is not"
+        return
+    if (old["exact"] == "infinity") is not (new.exact == INFINITY):
+        yield f"{name} was {old['exact']} and is {'infinity' if new.exact == INFINITY else 'finite'}"
         return
     below, above = _or(old["lower"], -1), _or(old["upper"], 1)
     lower, upper = _or(new.lower, -1), _or(new.upper, 1)

@@ -17,6 +17,7 @@ from subdiv_cli.maskfile.option import parse_expectation
 from subdiv_cli.maskfile.problems import Fault, unreadable
 from subdiv_cli.maskfile.properties import TRUTHS
 from subdiv_cli.model import (
+    INFINITY,
     ClosedForm,
     Expectation,
     Exponent,
@@ -147,6 +148,10 @@ def _places(reports: Sequence[Report]) -> list[tuple[Report, int]]:
     return [(parts[i], k) for k in range(longest) for i in numbers if k < len(parts[i].results)]
 
 
+_SKIPPED = {"verdict": Verdict.SKIPPED.value}
+"""The answer to a question that an older report does not have."""
+
+
 def results_of(data: Iterable[Mapping[str, Any]]) -> Sequence[Result]:
     """The results, as far as a report has them, for other formats. Raises KeyError, TypeError or ValueError."""
     return _spooled(map(_result, data))
@@ -176,6 +181,8 @@ def _result(data: Mapping[str, Any]) -> Result:
         generation=data["generation"],
         reproduction=data["reproduction"],
         dimension=data.get("dimension"),
+        well_defined=Verdict(data.get("well_defined", _SKIPPED)["verdict"]),
+        polynomials=data.get("polynomials"),
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),
@@ -199,7 +206,7 @@ def _regressions(data: Mapping[str, Any]) -> tuple[Problem, ...] | None:
 
 
 def _smoothness(data: Mapping[str, Any]) -> Smoothness:
-    return Smoothness(order=data["order"], sharp=data["sharp"])
+    return Smoothness(order=INFINITY if data["order"] == "infinity" else data["order"], sharp=data["sharp"])
 
 
 def _exponent(data: Mapping[str, Any] | None) -> Exponent | None:
@@ -211,8 +218,8 @@ def _exponent(data: Mapping[str, Any] | None) -> Exponent | None:
 
 def _closed(text: str | None) -> ClosedForm | None:
     """The closed form of a text in the reports' grammar; None for another, which stays an enclosure."""
-    if text is None:
-        return None
+    if text is None or text == "infinity":
+        return None if text is None else INFINITY
     try:
         return read_closed_form(text)
     except Fault:

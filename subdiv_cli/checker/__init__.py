@@ -6,8 +6,9 @@ input. `polynomials`, `matrices`, `roots`: the arithmetic, in integers. `plain`:
 
 A kind is a folder with one object, the `RULEBOOK` in its `rules`: what documents of the kind are about, the closed
 lists of properties and rules, the words of the printed line, plain files. A rule is one function, and its docstring is
-what it proves. `radius` has the rules on joint spectral radii of families of matrices, which all kinds share, and the
-kind `matrices`; `scalar`, `multivariate` and `vector` those on masks. `python -m subdiv_cli.checker CERT…` runs it.
+what it proves. `radius` has the rules on joint spectral radii of families of matrices, which all kinds share; `curves`
+those of kind `matrices`; `scalar`, `multivariate` and `vector` those on masks. `python -m subdiv_cli.checker CERT…`
+runs it.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ class _Kinds(dict[str, Any]):
 
 KINDS: MutableMapping[str, Rulebook] = _Kinds(
     scalar="subdiv_cli.checker.scalar.rules",
-    matrices="subdiv_cli.checker.radius.rules",
+    matrices="subdiv_cli.checker.curves.rules",
     multivariate="subdiv_cli.checker.multivariate.rules",
     vector="subdiv_cli.checker.vector.rules",
 )

@@ -55,8 +55,8 @@ def _places(x: Fraction) -> int:
 
 def closed_ball(x: ClosedForm) -> arb:
     """A ball around a closed form, at the current precision."""
-    if isinstance(x, Fraction):
-        return ball(x)
+    if isinstance(x, Fraction | float):
+        return ball(x) if isinstance(x, Fraction) else arb(x)
     if isinstance(x, RootLog):
         return -number_of(x.root).enclosure().real.log() / ball(x.base).log() / x.divisor
     return ball(x.argument).log() / ball(x.base).log() / x.divisor
@@ -64,8 +64,8 @@ def closed_ball(x: ClosedForm) -> arb:
 
 def closed_interval(x: ClosedForm) -> Interval:
     """Outward doubles around a closed form, and its text where expectations can read that."""
-    if isinstance(x, Fraction):
-        return interval(x)
+    if isinstance(x, Fraction | float):
+        return interval(x) if isinstance(x, Fraction) else Interval(exact=spelled(x))
     with ctx.workprec(128):
         return interval(closed_ball(x), spelled(x))
 
@@ -95,7 +95,7 @@ def compare(x: ClosedForm, y: ClosedForm) -> int | None:
     with ctx.workprec(_PRECISION):
         if (sign := _sign(x, y)) is not None:
             return sign
-    if isinstance(x, Fraction) or isinstance(y, Fraction):
+    if isinstance(x, Fraction | float) or isinstance(y, Fraction | float):
         return decide(lambda: _sign(x, y))
     if x.base != y.base:
         return None
@@ -124,4 +124,4 @@ def _canonical(x: ClosedForm) -> ClosedForm:
 
 def digits(x: ClosedForm) -> str | None:
     """Decimals of an irrational number, all of them certain; None for a rational one."""
-    return None if isinstance(x, Fraction) else certain(lambda: closed_ball(x), _DIGITS)
+    return None if isinstance(x, Fraction | float) else certain(lambda: closed_ball(x), _DIGITS)

@@ -15,6 +15,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
 from subdiv_cli.model import (
+    INFINITY,
     Answer,
     ClockStruckError,
     Data,
@@ -210,13 +211,15 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         generation=degree(questions.GENERATION),
         reproduction=degree(questions.REPRODUCTION),
         dimension=degree(questions.DIMENSION),
+        well_defined=verdict(questions.WELL_DEFINED),
+        polynomials=degree(questions.POLYNOMIALS),
         findings=findings,
     )
 
 
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
-    "generation", "reproduction", "dimension",
+    "generation", "reproduction", "dimension", "well_defined", "polynomials",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 
@@ -227,7 +230,7 @@ def _holder(given: Mapping[Question, Answer]) -> Exponent | None:
     above = cast("Exponent | None", given.get(questions.HOLDER_UPPER)) or Exponent()
     if below is None:
         return None
-    if below.exact is None or above.upper is None:
+    if below.exact is None or (above.upper is None and below.exact != INFINITY):
         return above._replace(lower=below.lower)
     attained = {Verdict.PROVED: True, Verdict.REFUTED: False}
     return below._replace(attained=attained.get(cast(Verdict, given.get(questions.HOLDER_ATTAINED))))
@@ -307,6 +310,8 @@ class Kind:
 
     None where the body is wrong, which is recorded.
     """
+    read_family: Read | None = None
+    """Reads the same files, and more, as families of matrices, for `subdiv jsr`."""
     body_of: Callable[[Any], Body]
     """The literal body of a scheme."""
     spell: Callable[[Any], list[str]]

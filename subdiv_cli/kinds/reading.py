@@ -31,8 +31,9 @@ def read_path(
 ) -> MaskFile:
     """The mask of a file; "-" is standard input. Raises MaskFileError, also for a file that cannot be read (SD002).
 
-    `kind`: the one that is wanted here; another is refused (SD013) before its mask is read, and so is, without it, a
-    kind that does not declare the capability, a field of `Kind`. `given` belongs to a list on standard input.
+    `kind`: the one whose family of matrices is wanted; another is refused (SD013) before its mask is read, and so is,
+    without it, a kind that does not declare the capability, a field of `Kind`. `given` belongs to a list on standard
+    input.
     """
     text = text_of(load_path(path), str(path))
     return read_text(text, file=str(path), wanted=kind, capability=capability, given=given)
@@ -112,12 +113,13 @@ def read_text(
     problems = Collector(source)
     document = load(source)
     kind = kind_named(_kind(document, wanted, capability, problems))
+    read = kind.read if wanted is None or kind.read_family is None else kind.read_family
     top = Table(document, (), problems)
     top.only((*_TOP, *kind.keys), _BELONGS if "mask" in kind.keys else {})
     _format(document, problems)
     name, reference = text_at(top, "name"), text_at(top, "reference")
     parameters = read_parameters(top.table("parameters"), problems)
-    body = kind.read(top, parameters, problems)
+    body = read(top, parameters, problems)
     expectations = _expectations(top.table("expect"), kind, problems)
     if body is not None:
         check_fixed_mask(body, problems)
@@ -169,10 +171,10 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
             where,
         )
     elif wanted is None and (message := lacking(kind, capability)) is not None:
-        help = f"this version reads: {known}"
-        if kind == "matrices":
-            help += "; `subdiv jsr` computes the joint spectral radius of matrices"
-        problems.add(Fault(faults.KIND_NOT_BUILT, message, help), where)
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, f"this version reads: {known}"), where)
+    elif wanted is None and "kind" not in document and kind == "matrices":
+        message = "a family of matrices is a scheme where the file says so"
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, 'add kind = "matrices", or use subdiv jsr'), where)
     else:
         return kind
     problems.raise_any()

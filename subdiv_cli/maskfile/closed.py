@@ -24,7 +24,7 @@ from subdiv_cli.model.closed import (
     MAX_LOG_DIVISOR,
     MAX_ROOT_BITS,
     MAX_ROOT_DEGREE,
-    ClosedForm,
+    FiniteForm,
     Log,
     Root,
     RootLog,
@@ -97,10 +97,10 @@ _GRID = 16
 """The denominator of the grid on which logarithms are enclosed: enough for comparing multiples of their divisor."""
 _LOG = f"write log2(64/9) or -log2({ROOT_FORM})"
 
-_Value = ClosedForm | Root
+_Value = FiniteForm | Root
 
 
-def read_closed_form(text: str, at: int = 0) -> ClosedForm:
+def read_closed_form(text: str, at: int = 0) -> FiniteForm:
     """The exact value of `2`, `1.99`, `log2(64/9)`, `2 - log2(3)`, `-log2(root(x^2-x-1, 1.61, 1.62))/2`. Raises Fault.
 
     Values without roots come in canonical form.
@@ -189,7 +189,7 @@ def _root(node: RootOf) -> _Value:
     return Fraction(-coefficients[0], coefficients[1]) if len(coefficients) == 2 else Root(coefficients, low, high)
 
 
-def _logarithm(node: Logarithm) -> ClosedForm:
+def _logarithm(node: Logarithm) -> FiniteForm:
     argument = _value(node.argument)
     if not 2 <= node.base <= MAX_LOG_BASE:
         raise Fault(
@@ -263,7 +263,7 @@ def _plus(x: _Value, y: _Value, at: int) -> _Value:
     return logarithm(x.base, argument, x.divisor * y.divisor)
 
 
-def certainly_less(x: ClosedForm, y: ClosedForm) -> bool:
+def certainly_less(x: FiniteForm, y: FiniteForm) -> bool:
     """Whether x < y, where that is seen exactly: both rational, one base, or apart on a grid; False is unknown."""
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return x < y
@@ -272,7 +272,7 @@ def certainly_less(x: ClosedForm, y: ClosedForm) -> bool:
     return _enclosure(x)[1] <= _enclosure(y)[0]
 
 
-def _enclosure(x: ClosedForm) -> tuple[Fraction, Fraction]:
+def _enclosure(x: FiniteForm) -> tuple[Fraction, Fraction]:
     """The bounds lower < x < upper for an irrational logarithm; x itself twice for a number."""
     if isinstance(x, Fraction):
         return x, x

@@ -18,6 +18,8 @@ from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
 from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.values import Decimal, described
 from subdiv_cli.model import ClosedForm, Expectation
+from subdiv_cli.model.closed import INFINITY, spelled
+from subdiv_cli.model.findings import HOLDER_LOWER, SMOOTHNESS
 from subdiv_cli.model.properties import BY_KEY, EXPECTED
 
 KEYS = EXPECTED
@@ -83,7 +85,7 @@ def comparison(key: str, text: str, at: int = 0) -> Expectation:
     if ".." in body:
         first, second = body.split("..", 1)
         lower, upper = _number(key, first, at), _number(key, second, at + len(first) + 2)
-        if certainly_less(Fraction(upper) if isinstance(upper, int) else upper, _closed(lower)):
+        if _is_less(upper, lower):
             help = "write the smaller end first: 1.99 .. 2.01"
             raise Fault(faults.BAD_EXPECTATION, f"the interval {shown(body)} is empty", help, at)
         return Expectation(key=key, text=f"{first.strip()} .. {second.strip()}", lower=lower, upper=upper)
@@ -98,12 +100,21 @@ def _form(key: str) -> str:
     return f'write {key} = "2" for exactly, ">= 1.99" for at least, or "1.99 .. 2.01"'
 
 
-def _closed(value: int | ClosedForm) -> ClosedForm:
-    return Fraction(value) if isinstance(value, int) else value
+def _is_less(x: int | ClosedForm, y: int | ClosedForm) -> bool:
+    """Whether x < y for certain; infinity is beyond all other numbers."""
+    x, y = (Fraction(value) if isinstance(value, int) else value for value in (x, y))
+    if isinstance(x, float) or isinstance(y, float):
+        return not isinstance(x, float)
+    return certainly_less(x, y)
 
 
 def _number(key: str, text: str, at: int) -> int | ClosedForm:
-    """The number of an expectation: an integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
+    """The number of an expectation: an integer 0 … MAX_ORDER for an order, a closed form for an exponent.
+
+    `infinity`, of polynomial curves, is an order of smoothness and a Hölder exponent.
+    """
+    if text.strip() == spelled(INFINITY) and BY_KEY[key].question in (SMOOTHNESS, HOLDER_LOWER):
+        return INFINITY
     if not text.strip():
         raise Fault(faults.BAD_EXPECTATION, f"a number is missing in the expected {key}", _form(key), at)
     if key == "smoothness" and (order := ORDER.fullmatch(text)):
@@ -148,7 +159,7 @@ def contradictions(expectations: Sequence[Expectation]) -> list[tuple[str, Fault
 
 def _above(x: Expectation, y: Expectation, why: str) -> str | None:
     """The text `why` where everything that x allows is more than everything that y allows, else None."""
-    if y.upper is not None and certainly_less(_closed(y.upper), _closed(x.lower)):
+    if y.upper is not None and _is_less(y.upper, x.lower):
         return why
     return None
 
@@ -180,7 +191,7 @@ def _reproduction_generation(reproduction: Expectation, generation: Expectation)
 def _smoothness_holder(smoothness: Expectation, holder: Expectation) -> str | None:
     if why := _above(smoothness, holder, "C^n has a Hölder exponent of at least n"):
         return why
-    if not isinstance(smoothness.upper, int):
+    if not isinstance(smoothness.upper, int):  # bounded from below alone, or infinite
         return None
     ceiling = Expectation(key="holder", text="", lower=Fraction(0), upper=Fraction(smoothness.upper + 1))
     return _above(holder, ceiling, "a Hölder exponent above n + 1 means C^(n+1)")

@@ -52,6 +52,7 @@ NO_REPORT = FaultRule("SD020", "no-report", "write one with `subdiv check … --
 BAD_POINTS = FaultRule("SD021", "bad-points")
 BAD_DILATION = FaultRule("SD022", "bad-dilation")
 BAD_SHAPE = FaultRule("SD023", "bad-shape")
+ROW_SUM = FaultRule("SD024", "row-sum")
 INTERNAL_ERROR = FaultRule(
     "SD099",
     "internal-error",

@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Literal, NamedTuple, TypeVar
 
 from subdiv_cli.model import watch
+from subdiv_cli.model.closed import INFINITY as INFINITY
 from subdiv_cli.model.closed import ClosedForm as ClosedForm
 from subdiv_cli.model.closed import Log as Log
 from subdiv_cli.model.closed import LogForm as LogForm
@@ -51,7 +52,7 @@ class Expectation:
     text: str
     """The condition as the file spells it: `true`, `1`, `>= 1.99`, `1.99 .. 2.01`."""
     lower: bool | int | ClosedForm
-    """A bool for convergent and stable, an int for smoothness and degrees, a closed form for exponents."""
+    """A bool for verdicts, an int for smoothness and degrees, a closed form for exponents and infinite smoothness."""
     upper: bool | int | ClosedForm | None = None
 
 
@@ -118,6 +119,8 @@ class Result:
     reproduction: int | None = None
     dimension: int | None = None
     """The dimension of the space of constants of a mask of matrices."""
+    well_defined: Verdict = Verdict.SKIPPED
+    polynomials: int | None = None
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None

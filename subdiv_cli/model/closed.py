@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import NamedTuple, TypeVar
@@ -45,10 +46,13 @@ class RootLog(NamedTuple):
         return self.text
 
 
+INFINITY = math.inf
+"""The exponent and the order of smoothness of polynomials; there is no other float among closed forms."""
 LogForm = Fraction | Log
 """A closed form without roots: `2`, `log2(64/9)`."""
-ClosedForm = LogForm | RootLog
-"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`, `-log2(root(x^2-x-1, 1.6180, 1.6181))`."""
+FiniteForm = LogForm | RootLog
+ClosedForm = FiniteForm | float
+"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`, `-log2(root(x^2-x-1, 1.6180, 1.6181))`, `infinity`."""
 
 MAX_LOG_BASE = 1024
 MAX_LOG_DIVISOR = 256
@@ -63,6 +67,8 @@ _LONGEST_BRIEF = 24
 
 def spelled(x: ClosedForm) -> str | None:
     """A closed form as text that expectations read again; None for one that is beyond the bounds of their grammar."""
+    if x == INFINITY:
+        return "infinity"
     if isinstance(x, RootLog):
         bits = max(abs(c).bit_length() for c in x.root.coefficients)
         long = bits > MAX_ROOT_BITS or len(x.root.coefficients) > MAX_ROOT_DEGREE + 1 or x.divisor > MAX_LOG_DIVISOR

@@ -44,9 +44,12 @@ class Interval(NamedTuple):
 
 
 class Smoothness(NamedTuple):
-    """A smoothness: `order` is the largest n with C^n proved, None where not even continuity is."""
+    """A smoothness: `order` is the largest n with C^n proved, None where not even continuity is.
 
-    order: int | None = None
+    It is INFINITY for polynomials, and then sharp.
+    """
+
+    order: int | float | None = None
     sharp: bool = False
     """Whether C^(order+1) is refuted; without an order, whether continuity is."""
 
@@ -102,11 +105,15 @@ STABILITY = Question("stability")
 """Are the integer translates of φ stable? Answered by a verdict."""
 DIMENSION = Question("dimension")
 """The dimension of the space E_A of constants of a mask of matrices: an integer."""
+WELL_DEFINED = Question("well_defined")
+"""Do the ends of the pieces meet, so that there is one curve? Answered by a verdict."""
+POLYNOMIALS = Question("polynomials")
+"""The degree of the polynomials among the components of the curve; None where there is no curve."""
 QUASI_INTERPOLATION = Question("quasi_interpolation")
 """The operator Q with S^∞ Q = 1 on the polynomials that are generated. Answered by a verdict."""
 
 _EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV))
-_DEGREES = frozenset(question.name for question in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION))
+_DEGREES = frozenset(q.name for q in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION, POLYNOMIALS))
 
 Answer = Verdict | int | Smoothness | Exponent | None
 

@@ -57,7 +57,7 @@ def _smoothness(expectation: Expectation, result: Result) -> Verdict:
     return _within(expectation, order, order if result.smoothness.sharp else None)
 
 
-def _within(expectation: Expectation, at_least: int | None, at_most: int | None) -> Verdict:
+def _within(expectation: Expectation, at_least: int | float | None, at_most: int | float | None) -> Verdict:
     """The verdict on an integer between two bounds, None for no bound, against the expected range."""
     low, high = expectation.lower, expectation.upper
     if isinstance(low, Log | RootLog) or isinstance(high, Log | RootLog):

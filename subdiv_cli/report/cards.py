@@ -22,7 +22,6 @@ from subdiv_cli.model.blocks import (
     Words,
 )
 from subdiv_cli.model.closed import rational
-from subdiv_cli.model.formulas import derivative
 from subdiv_cli.model.properties import PROPERTIES
 from subdiv_cli.report import marks, svg, words
 from subdiv_cli.report.blocks import put
@@ -34,7 +33,7 @@ from subdiv_cli.report.page import Page, paint
 
 MOST_WEIGHTS = 40
 """The most weights of a stencil that is shown: the numbers of a longer one are in the mask."""
-_ORDER = re.compile(r"\bC\^(\d+)")
+_ORDER = re.compile(r"\bC\^(\d+|∞)")
 _COLUMNS = 60
 """The columns of the stencils in several variables: half of a wide page."""
 
@@ -148,11 +147,9 @@ def _figures(blocks: Sequence[Block], result: Result) -> str:
     """The HTML of graphs; other pictures are not drawn here."""
     parts = []
     for curve in (block for block in blocks if isinstance(block, Curve)):
-        name = derivative(curve.name, curve.order)
-        of = f" for the data {curve.label}" if curve.label else ""
-        caption = f"<figcaption>{name}{of}, exact values at finitely many points</figcaption>"
-        title = f"the limit function {name}{of}" if of else f"the refinable function {name}"
-        parts.append(f"<figure>{svg.curve(curve, title)}{caption}</figure>")
+        caption = f"<figcaption>{curve.title}, exact values at finitely many points</figcaption>"
+        what = "the limit function" if curve.label else "the refinable function"
+        parts.append(f"<figure>{svg.curve(curve, f'{what} {curve.title}')}{caption}</figure>")
     return "".join(parts)
 
 

@@ -81,7 +81,10 @@ def _row(number: int, result: Result) -> str:
         (f'<span class="{result.status}">{marks.of_status(result.status).text}</span>', result.status),
         (f'<a href="#mask-{number}">{text(name)}</a>', name),
         (text(words.convergence(result)), words.convergence(result)),
-        (maths(words.smoothness_or_that_of_phi(result) or ""), "" if order is None else str(order)),
+        (
+            maths(words.smoothness_or_that_of_phi(result) or ""),
+            "" if order is None else str(order).replace("inf", "Infinity"),
+        ),
         (text(words.holder(result) or ""), "" if lower is None else repr(lower)),
         (("" if result.sum_rule_order is None else str(result.sum_rule_order),) * 2),
         (f"<code>{text(result.file)}</code>", result.file),

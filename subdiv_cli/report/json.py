@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 import subdiv_cli
-from subdiv_cli.model import Data, Exponent, Finding, Interval, Judgement, Problem, Result, Smoothness
+from subdiv_cli.model import INFINITY, Data, Exponent, Finding, Interval, Judgement, Problem, Result, Smoothness
 from subdiv_cli.model.closed import rational, spelled
 from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report.look import Look
@@ -97,7 +97,7 @@ def _property(result: Result, row: Property) -> Any:
 
 
 def _smoothness(smooth: Smoothness) -> dict[str, Any]:
-    return {"order": smooth.order, "sharp": smooth.sharp}
+    return {"order": "infinity" if smooth.order == INFINITY else smooth.order, "sharp": smooth.sharp}
 
 
 def _error(problem: Problem) -> dict[str, Any]:

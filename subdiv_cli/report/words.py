@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from subdiv_cli.model import Data, Expectation, Exponent, Judgement, Log, Result, RootLog, Smoothness, Verdict
+from subdiv_cli.model import INFINITY, Data, Expectation, Exponent, Judgement, Log, Result, RootLog, Smoothness, Verdict
 from subdiv_cli.model.closed import is_brief, rational, spelled
 from subdiv_cli.model.findings import CONVERGENCE, SUMS, answering
 from subdiv_cli.model.order import enclosure
@@ -71,8 +71,8 @@ def smoothness_or_that_of_phi(result: Result) -> str | None:
 
 
 def _order(smooth: Smoothness) -> str | None:
-    if smooth.order is None:
-        return None
+    if smooth.order is None or smooth.order == INFINITY:
+        return None if smooth.order is None else "C^∞"
     return f"C^{smooth.order}, not C^{smooth.order + 1}" if smooth.sharp else f"C^{smooth.order} at least"
 
 
@@ -91,8 +91,8 @@ def facts(result: Result) -> list[str]:
 def _fact(key: str, value: Data) -> str | None:
     """A fact of a mask in words; None for one that goes without saying."""
     match key, value:
-        case "arity" | "coefficients", int():
-            return f"arity {value}" if key == "arity" else _count(value, "coefficient")
+        case "arity" | "coefficients" | "control_points", int():
+            return f"arity {value}" if key == "arity" else _count(value, key[:-1].replace("_", " "))
         case "size", int():
             return f"{value}×{value} matrices"
         case "support", (int(first), int(last)):
@@ -103,7 +103,7 @@ def _fact(key: str, value: Data) -> str | None:
             return f"supported on a lattice of spacing {value}"
         case (("symmetry" | "type"), str()):
             return value
-        case (("interpolatory" | "nonnegative"), True):
+        case (("interpolatory" | "nonnegative" | "stochastic"), True):
             return key
         case "dilation", tuple():
             return f"dilation {_matrix(value)}"
@@ -111,7 +111,10 @@ def _fact(key: str, value: Data) -> str | None:
             return "anisotropic"
         case "symmetries", int() if value > 1:
             return f"{value} symmetries"
-        case (("gaps" | "spacing" | "symmetry" | "type" | "interpolatory" | "nonnegative" | "centre"), _):
+        case (
+            ("gaps" | "spacing" | "symmetry" | "type" | "interpolatory" | "nonnegative" | "stochastic" | "centre"),
+            _,
+        ):
             return None
         case (("dimension" | "cosets" | "isotropic" | "lowest" | "highest" | "symmetries"), _):
             return None

@@ -18,7 +18,8 @@ from hand_made_multivariate import ALL_MULTIVARIATE, MASKS, norm, pair_norm, pai
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.checker import KINDS, check_document
+from subdiv_cli.checker import check_document
+from subdiv_cli.checker.radius.rules import RULEBOOK as RADIUS
 
 
 class Facts(NamedTuple):
@@ -36,7 +37,7 @@ class Facts(NamedTuple):
     directions: list[list[int]] | None = None
 
 
-RADIUS_RULES = KINDS["matrices"].rules
+RADIUS_RULES = RADIUS.rules
 GOLDEN = (1 + math.sqrt(5)) / 2
 FACTS = {
     "bilinear": Facts(2, True, 1, 0, True, 1.5, 1, [[0, 1], [0, 1], [1, 0], [1, 0]]),

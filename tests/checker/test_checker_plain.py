@@ -150,5 +150,11 @@ def test_the_mask_of_a_certificate_in_several_variables(tmp_path, capsys):
     assert capsys.readouterr().out.startswith("NOT VERIFIED mask: ")
 
 
-def test_a_certificate_of_matrices_is_about_no_mask():
-    assert mask_of({"kind": "matrices", "matrices": [[["1"]]]}) is None
+def test_plain_families_of_matrices():
+    found = plain_mask('kind = "matrices"\nmatrices = [[[1, 0], ["2/3", "1/3"]], [["2/3", 0.25], [0, 1]]]\n')
+    assert found == mask_of(
+        {"kind": "matrices", "matrices": [[["1", "0"], ["2/3", "1/3"]], [["2/3", "1/4"], ["0", "1"]]]}
+    )
+    for other in ("[[[w]]]", '[[["w"]]]', "[[1]]", "[1]", "1", '"1"', "{}"):
+        assert plain_mask(f'kind = "matrices"\nmatrices = {other}\n') is None
+    assert plain_mask('kind = "matrices"\n') is None

@@ -31,6 +31,8 @@ MASK = "[mask]\nstart = 0\ncoefficients = [1, 1]\n"
 HEAD = "[mask]\nstart = 0\ncoefficients = "
 VECTOR = 'kind = "vector"\n[mask]\nstart = 0\ncoefficients = '
 W = "[parameters]\nw = 0\n"
+CURVE = 'kind = "matrices"\n'
+LINE = 'matrices = [[[1, 0], ["1/2", "1/2"]], [["1/2", "1/2"], [0, 1]]]\n'
 
 
 def one(name: str, text: str, *problem: object) -> Broken:
@@ -155,10 +157,21 @@ STRUCTURE = [
     ),
     one("kind-planned", 'kind = "hermite"\n' + MASK, "SD013", "kind hermite cannot be checked yet", "kind", 1, 9, "scalar"),
     one("kind-misspelt", 'kind = "scaler"\n' + MASK, "SD013", 'no kind "scaler"', "kind", 1, 9, '"scalar"?'),
-    one("kind-like-a-planned-one", 'kind = "hermit"\n' + MASK, "SD013", 'no kind "hermit"', "kind", 1, 9, "this version reads: scalar, multivariate, vector; planned: hermite"),
+    one("kind-like-a-planned-one", 'kind = "hermit"\n' + MASK, "SD013", 'no kind "hermit"', "kind", 1, 9, "this version reads: scalar, multivariate, matrices, vector; planned: hermite"),
     one("kind-number", "kind = 1\n" + MASK, "SD006", "kind must be a string", "kind", 1, 8, 'kind = "scalar"'),
-    one("matrices", "matrices = [[[1]]]\n", "SD013", "kind matrices", "matrices", 1, 12, "scalar"),
+    one("matrices", "matrices = [[[1]]]\n", "SD013", "a family of matrices is a scheme", "matrices", 1, 12, 'add kind = "matrices", or use subdiv jsr'),
     one("matrices-without-kind", HEAD + "[[[1, 0], [0, 1]]]\n", "SD005", "the coefficients are matrices", "mask.coefficients", 3, 16, 'kind = "vector"'),
+    one("matrices-missing", CURVE[:-1], "SD005", "matrices are missing", "matrices", None, None, "a list of rows"),
+    one("matrices-one", f"{CURVE}matrices = [[[1, 0], [0, 1]]]\n", "SD010", "there is one matrix", "matrices", 2, 12, "every piece"),
+    one("matrices-small", f"{CURVE}matrices = [[[1]], [[1]]]\n", "SD010", "the order is 1", "matrices", 2, 12, "subdiv jsr"),
+    one("matrices-row-sum", f'{CURVE}matrices = [[[1, 0], ["1/2", "1/2"]], [["1/2", "2/3"], [0, 1]]]\n', "SD024", "the row sums to 7/6, must be 1", "matrices[1][0]", 2, 40, "correct its weights"),
+    several("matrices-transposed", f'{CURVE}matrices = [[[1, 0], ["1/2", "1/2"]], [["1/2", 0], ["1/2", 1]]]\n', ("SD024", "sums to 1/2", "matrices[1][0]", 2, 40, "transposed"), ("SD024", "sums to 3/2", "matrices[1][1]", 2, 52, "transposed")),
+    one("matrices-sizes", f"{CURVE}matrices = [[[1, 0], [0, 1]], [[1]]]\n", "SD023", "the first is 2×2, and this one is 1×1", "matrices[1]", 2, 31, "a list of rows"),
+    one("matrices-not-square", f"{CURVE}matrices = [[[1, 0], [0, 1]], [[1, 0]]]\n", "SD006", "not square", "matrices[1][0]", 2, 32, "square matrices"),
+    one("matrices-entry", f"{CURVE}matrices = [[[1, 0], [0, true]], [[1, 0], [0, 1]]]\n", "SD006", "not true", "matrices[0][1][1]", 2, 26, "-1/16"),
+    one("matrices-text", f'{CURVE}matrices = [[[1, 0], ["x", 1]], [[1, 0], [0, 1]]]\n', "SD008", "x", "matrices[0][1][0]", 2, 24, "parameters"),
+    one("matrices-property", f"{CURVE}{LINE}[expect]\nstable = true\n", "SD004", "kind matrices have no property stable", "expect.stable", 4, 1, "well_defined"),
+    one("scalar-property", MASK + "[expect]\npolynomials = 1\n", "SD004", "kind scalar have no property polynomials", "expect.polynomials", 5, 1, "convergent"),
     one("vector-flat", VECTOR + "[1, 2]\n", "SD023", "no matrix; a flat list", "mask.coefficients", 4, 16, "a list of matrices"),
     one("vector-rows", VECTOR + "[[1, 0], [0, 1]]\n", "SD023", "is a row, and not a matrix", "mask.coefficients", 4, 16, "a list of matrices"),
     one("vector-sizes", VECTOR + "[[[1, 0], [0, 1]], [[1]]]\n", "SD023", "the first is 2×2, and this one is 1×1", "mask.coefficients[1]", 4, 35, "a list of matrices"),

@@ -24,8 +24,8 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "dimension", "expectations", "findings", "certificate", "reference"),
-        *("refinable_function", "hints", "regressions"),
+        *("generation", "reproduction", "dimension", "well_defined", "polynomials", "expectations", "findings"),
+        *("certificate", "reference", "refinable_function", "hints", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],
     "convergent": ["verdict"],
@@ -34,6 +34,7 @@ KEYS = {
     "holder": ["lower", "upper", "exact", "attained", "estimate", "digits"],
     "sobolev": ["lower", "upper", "exact", "digits"],
     "stable": ["verdict"],
+    "well_defined": ["verdict"],
     "linearly_independent": ["verdict"],
     "expectations": ["key", "expected", "verdict", "found", "line"],
     "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "why", "witness", "claims"],

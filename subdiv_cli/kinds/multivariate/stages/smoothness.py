@@ -365,7 +365,7 @@ def _order(finding: Finding) -> int:
     """The order of smoothness that a factor is proved to have."""
     answer = dict(finding.answers)[questions.SMOOTHNESS]
     assert isinstance(answer, Smoothness)
-    assert answer.order is not None
+    assert isinstance(answer.order, int)
     return answer.order
 
 

@@ -40,7 +40,7 @@ def functions(scheme: ScalarScheme, effort: Effort, options: Options, certify: C
     proved, wanted = result.refinable.order, options.get("derivatives")
     if proved is None:
         return Drawing((), result, SMOOTHNESS)
-    last = min(proved, _DERIVATIVES if wanted is None else wanted)
+    last = int(min(proved, _DERIVATIVES if wanted is None else wanted))
     return Drawing(refinable(analysis.numbers, last, options["samples"]), result)
 
 

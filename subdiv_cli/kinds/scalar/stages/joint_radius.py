@@ -19,6 +19,7 @@ from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS, SOBOLEV
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
 from subdiv_cli.kinds.scalar.witnesses import JointRadiusWitness, ObstacleWitness, ProductWitness, RadiusWitness
 from subdiv_cli.model import Finding, Interval
+from subdiv_cli.model.proofs import PowerData
 
 
 class Obstacle(NamedTuple):
@@ -143,9 +144,14 @@ def _finding(numbers: ScalarNumbers) -> Finding:
 
 
 def put_radius(witness: RadiusWitness, radius: Radius) -> None:
-    """Write into a witness a word, and ρ^length <= bound or ρ^length = root, both where a norm is attained."""
+    """Write into a witness a product, where one is known, and what is proved of a radius."""
     if radius.word is not None:
         witness["word"] = radius.word
+    put_power(witness, radius)
+
+
+def put_power(witness: PowerData, radius: Radius) -> None:
+    """Write into a witness what is proved of a radius ρ: ρ^length <= bound or = root, both where a norm is attained."""
     witness["length"] = radius.proof["length"]
     if "root" in radius.proof:
         witness["root"] = radius.proof["root"]
