@@ -13,6 +13,7 @@ from subdiv_cli.kinds.reading import read_text
 from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.maskfile.rules import ROWS
 from subdiv_cli.model import Effort, Verdict
+from subdiv_cli.model.properties import PROPERTIES
 from subdiv_cli.pipeline import show
 
 PACKAGE = Path(__file__).parents[1] / "subdiv_cli"
@@ -100,11 +101,17 @@ def test_the_symbol_on_the_page_of_scalar_masks_is_the_mask_there():
     assert coefficients == symbol
 
 
-def test_the_page_of_a_kind_names_the_keys_of_expectations():
-    from subdiv_cli.maskfile.properties import KEYS
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_page_of_a_kind_names_the_keys_of_expectations(kind):
+    keys = {row.key for row in PROPERTIES if row.expected and row.question in answered(kind)}
+    assert keys
+    text = page(kind) + (page("scalar") if kind == "multivariate" else "")  # which says that they are the same
+    assert [key for key in keys if f"`{key}`" not in text and f"{key} =" not in text] == []
 
-    for key in KEYS:
-        assert f"`{key}`" in page("scalar")
+
+def answered(kind):
+    """The questions that the findings of a kind answer."""
+    return {question for rule in kind_named(kind).rules().values() for question in rule.answers}
 
 
 def test_the_page_of_formats_names_every_format_and_every_key():

@@ -20,13 +20,14 @@ from subdiv_cli.kinds.multivariate import witnesses as w
 from subdiv_cli.kinds.option import from_option
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.scalar import rules as scalar
+from subdiv_cli.kinds.vector import rules as vector
 from subdiv_cli.model import DECIDED, Effort, proofs
 from subdiv_cli.model.findings import proof_of, row
 from subdiv_cli.model.proofs import RadiusProof
 
 PACKAGE = Path(subdiv_cli.__file__).parent
 
-RULES = {**scalar.rules(), **multivariate.rules(), **matrices.rules()}
+RULES = {**scalar.rules(), **multivariate.rules(), **matrices.rules(), **vector.rules()}
 PROOFS = {
     scalar.JOINT_RADIUS.code: RadiusProof,
     scalar.HOLDER_ATTAINED.code: RadiusProof,
@@ -39,6 +40,11 @@ PROOFS = {
     multivariate.DIRECTIONAL_SMOOTHNESS.code: w.QuotientsProof,
     multivariate.MATRIX_NORMS.code: w.MatrixNormsProof,
     multivariate.STABILITY.code: w.GramProof,
+    vector.EIGEN_SEQUENCES.code: vector.w.EigenSequencesProof,
+    vector.DECAY_RADIUS.code: vector.w.SequenceRadiusProof,
+    vector.STENCIL_RADIUS.code: vector.w.SequenceRadiusProof,
+    vector.HOLDER_ATTAINED.code: vector.w.VectorAttainedProof,
+    vector.DERIVED_SCHEMES.code: vector.w.VectorDerivedProof,
 }
 """The forms of further data, of other rules those of mean squares."""
 UNSEEN = {("SD201", "eigenvalues"), ("SD201", "matrix")}

@@ -65,8 +65,8 @@ def numbers_are_proved(
         finding = answering(result.findings, question)
         if finding is not None:
             stated = [_stated(statements[number], base) for number in finding.claims]
-            of = "sobolev" if question == SOBOLEV else "holder"
-            about[question.name] = finding, [each for each in stated if each.statement["property"].startswith(of)]
+            own = [s for s in stated if s.statement["property"].startswith("sobolev") is (question == SOBOLEV)]
+            about[question.name] = finding, own
     given = {name: stated for name, (_, stated) in about.items()}
     holder = (*given.get(HOLDER_LOWER.name, ()), *given.get(HOLDER_UPPER.name, ()))
     exponents = (

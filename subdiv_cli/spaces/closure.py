@@ -9,6 +9,7 @@ above only that it holds them and is invariant.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -17,6 +18,8 @@ from flint import fmpq_mat, nmod_mat
 from subdiv_cli.exact.linalg import reduced
 
 LARGEST_DIMENSION = 120
+LARGEST_TREE = 2000
+"""The most nodes of a tree; where more were needed, the vectors themselves generate the space, transients included."""
 LONGEST = 1000
 """The most bits of the numbers of a space; those of the masks of papers have 20."""
 _PRIMES = (2**61 - 1, 2**62 - 57, 2**59 - 55)
@@ -93,12 +96,14 @@ class _Search:
     def tree(self, on_rows: Sequence[fmpq_mat], vectors: fmpq_mat) -> tuple[Tree, fmpq_mat]:
         """The tree of some vectors, and its leaves as rows."""
         recurrent = self._recurrent(_modulo(vectors, self.prime))
-        rows, tree, leaves = [fmpq_mat([row]) for row in vectors.tolist()], [], []
+        rows, tree, leaves = deque(fmpq_mat([row]) for row in vectors.tolist()), [], []
         while rows:
-            row, *rows = rows
+            row = rows.popleft()
             tree.append(_stacked(recurrent, _modulo(row, self.prime)).rank() == recurrent.nrows())
             if tree[-1]:
                 leaves.append(row.tolist()[0])
+            elif len(tree) + len(rows) + len(on_rows) > LARGEST_TREE:
+                return (True,) * vectors.nrows(), vectors
             else:
                 rows += [row * m for m in on_rows]
         return tuple(tree), fmpq_mat(leaves)

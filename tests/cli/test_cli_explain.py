@@ -75,7 +75,7 @@ def test_a_long_summary_is_shortened_to_its_line(run, tmp_path, monkeypatch, uni
 def test_in_a_pipe_nothing_is_cut_or_wrapped(run, tmp_path):
     text = "The first paragraph, " + "which is long, " * 20 + "and its end."
     (tmp_path / "SD201.md").write_text(f"# SD201 convergence\n\n{text}\n", encoding="utf-8")
-    assert run("explain").stdout.splitlines()[1] == f"SD201  convergence   {text}"
+    assert run("explain").stdout.splitlines()[-1] == f"SD201  convergence   {text}"
     assert run("explain", "SD201").stdout == f"# SD201 convergence\n\n{text}\n"
 
 

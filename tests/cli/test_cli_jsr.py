@@ -105,7 +105,7 @@ def test_no_certificate_without_a_bound(family, tmp_path):
 
 def test_a_proof_beyond_the_checker_is_said_not_to_be_written(family, tmp_path, monkeypatch):
     exhausted = Outcome(False, lambda: "NOT VERIFIED claim 0: too much work", exhausted=True)
-    monkeypatch.setattr("subdiv_cli.pipeline.check_document", lambda _: exhausted)
+    monkeypatch.setattr("subdiv_cli.pipeline.check_document", lambda *_: exhausted)
     proof = tmp_path / "proof.json"
     run = subdiv("jsr", family, "--certificate", proof)
     assert run.returncode == 3

@@ -75,7 +75,7 @@ def analyse(scheme, effort, tolerance=None):
         found = SMOOTH.proved("it is smooth", {}, answers={SMOOTHNESS: Smoothness(0)})
     else:
         found = SMOOTH.undecided("is it smooth?", "nobody knows")
-    return Analysis(scheme, {"size": scheme.size}, (CONVERGES.undecided("does it?", "who knows"), found), scheme)
+    return Analysis(scheme, {"extent": scheme.size}, (CONVERGES.undecided("does it?", "who knows"), found), scheme)
 
 
 def portrait(analysis, result):
@@ -91,7 +91,7 @@ def portrait(analysis, result):
         Statements(result.findings),
         Words("exponents"),
     )
-    return Portrait((Section("All", blocks), Section("Found", (Statements(result.findings, full=True),))), {"size": 3})
+    return Portrait((Section("All", blocks), Section("Found", (Statements(result.findings, full=True),))), {"extent": 3})
 
 
 def functions(scheme, effort, options, certify):
@@ -167,7 +167,7 @@ def run(monkeypatch, tmp_path):
 def test_show_in_every_format(run):
     text = run("show", "toy3.toml")
     assert (text.exit_code, text.stderr) == (0, "")
-    for part in ("  size: 3\n", "x = 1/2 y", "    a_i  1/2\n    b_i       3\n", " 2 │  ·  -2", "⎣ 3  40 ⎦", "█"):
+    for part in ("  extent: 3\n", "x = 1/2 y", "    a_i  1/2\n    b_i       3\n", " 2 │  ·  -2", "⎣ 3  40 ⎦", "█"):
         assert part in text.stdout
     assert "it is smooth (proved, SD999)" in text.stdout
     assert "✓ proved     SD999 toy-smoothness\n               it is smooth\n               nobody\n" in text.stdout
