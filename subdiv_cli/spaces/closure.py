@@ -2,7 +2,8 @@
 
 What happens to the vectors in the long run happens on its recurrent part, the intersection U of the spaces spanned by
 all images under products of length 1, 2, 3, …: on the rest long products are 0. So the vectors are replaced by images
-until these are in U, a tree whose leaves generate U. U is spanned by words applied to them, M_(w_ℓ) ⋯ M_(w_1) g, and
+until these are in U, a tree whose leaves generate U; where it has too many nodes they stay, and what is called U is all
+that they generate. U is spanned by words applied to them, M_(w_ℓ) ⋯ M_(w_1) g, and
 comes with words that do: a bound from below of what the family does to the vectors needs that they span it, one from
 above only that it holds them and is invariant.
 """

@@ -117,7 +117,10 @@ class StencilSpaces:
         return tuple(_combined(row, self.fixed) for row in dual.inv().tolist())
 
     def differences(self, k: int) -> SequenceSpace | None:
-        """The space V_k(w); None without stencils, and where it is too large."""
+        """The space V_k(w); None without stencils, and where it is too large.
+
+        That the dilation is as theorem 3 asks is the caller's to check.
+        """
         if self.stencils is None:
             return None
         orders = list(indices_of_degree(self.operators.lattice.dimension, k))

@@ -91,7 +91,9 @@ def portrait(analysis, result):
         Statements(result.findings),
         Words("exponents"),
     )
-    return Portrait((Section("All", blocks), Section("Found", (Statements(result.findings, full=True),))), {"extent": 3})
+    return Portrait(
+        (Section("All", blocks), Section("Found", (Statements(result.findings, full=True),))), {"extent": 3}
+    )
 
 
 def functions(scheme, effort, options, certify):

@@ -33,7 +33,7 @@ from subdiv_cli.model import findings as questions
 from subdiv_cli.spaces.stencils import SequenceSpace, VectorSequence
 
 NO_CONSTANTS = "no vector is reproduced as constant data: E_A = 0"
-TOO_LARGE = "the space of sequences is too large for this effort"
+TOO_LARGE = "the space of sequences is too large: more than 400 coordinates, or a dimension above 120"
 
 
 def constants(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
