@@ -48,21 +48,21 @@ class Components:
     def polygons(self) -> tuple[Vector, ...]:
         """The polygons u_0, …, u_d."""
         p, n = len(self._operators), self._span.ncols()
-        found: list[Vector] = [(Fraction(1),) * n]
-        while len(found) < self._span.nrows():
-            d = len(found)
+        polygons: list[Vector] = [(Fraction(1),) * n]
+        while len(polygons) < self._span.nrows():
+            d = len(polygons)
             rows: list[Vector] = []
             values: list[Fraction] = []
             for i, b in enumerate(self._operators):
                 rows += rows_of(self._span * (b.transpose() - identity(n) * to_fmpq(Fraction(1, p**d))))
                 weights = [Fraction(comb(d, j) * i ** (d - j), p**d) for j in range(d)]
-                lower = [sum((w * u[k] for w, u in zip(weights, found, strict=True)), Fraction(0)) for k in range(n)]
+                lower = [sum((w * u[k] for w, u in zip(weights, polygons, strict=True)), Fraction(0)) for k in range(n)]
                 column = self._span * fmpq_mat([[to_fmpq(x)] for x in lower])
                 values += [to_fraction(x) for x in column.entries()]
             if (following := solution(matrix(rows), values)) is None:
                 break
-            found.append(following)
-        return tuple(found)
+            polygons.append(following)
+        return tuple(polygons)
 
     @property
     def degree(self) -> int:

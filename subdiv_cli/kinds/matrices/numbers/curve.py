@@ -110,9 +110,9 @@ class RefinedCurve:
     @cached_property
     def span(self) -> InvariantSpace:
         """The space Σ, with a word for each vector of a basis."""
-        found = invariant_space(self.operators, matrix([self._ends[0]]))
-        assert found is not None, "the order is bounded"
-        return found
+        span = invariant_space(self.operators, matrix([self._ends[0]]))
+        assert span is not None, "the order is bounded"
+        return span
 
     @cached_property
     def annihilator(self) -> tuple[Vector, ...]:
@@ -148,9 +148,9 @@ class RefinedCurve:
         n = self.operators[0].nrows()
         shifted = self.operators[letter] - identity(n) * to_fmpq(Fraction(1, self.p**order))
         rows = [*rows_of(shifted), *self.components.polygons, *self.annihilator]
-        found = solution(matrix(rows), [*[Fraction(0)] * n, *moments, *[Fraction(0)] * len(self.annihilator)])
-        assert found is not None, "the eigenvalue is simple, with this eigenvector modulo V"
-        return found
+        eigenvector = solution(matrix(rows), [*[Fraction(0)] * n, *moments, *[Fraction(0)] * len(self.annihilator)])
+        assert eigenvector is not None, "the eigenvalue is simple, with this eigenvector modulo V"
+        return eigenvector
 
 
 def first_misfit(operators: Sequence[fmpq_mat], left: Vector, right: Vector) -> int | None:
@@ -163,9 +163,9 @@ def first_misfit(operators: Sequence[fmpq_mat], left: Vector, right: Vector) -> 
 def fixed_vector(operator: fmpq_mat) -> Vector:
     """The vector f with B f = f whose entries sum to 1, for B with the simple eigenvalue 1 and columns that do."""
     n = operator.nrows()
-    found = solution(matrix([*rows_of(operator - identity(n)), [Fraction(1)] * n]), [*[Fraction(0)] * n, Fraction(1)])
-    assert found is not None, "S converges, so that e^⊥ has no eigenvalue 1"
-    return found
+    fixed = solution(matrix([*rows_of(operator - identity(n)), [Fraction(1)] * n]), [*[Fraction(0)] * n, Fraction(1)])
+    assert fixed is not None, "S converges, so that e^⊥ has no eigenvalue 1"
+    return fixed
 
 
 def on_grid(operators: Sequence[fmpq_mat], left: Vector, right: Vector, level: int) -> list[fmpq_mat]:

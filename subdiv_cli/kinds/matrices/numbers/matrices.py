@@ -77,8 +77,8 @@ class MatrixNumbers:
             if self.p**level > _MOST_POINTS:
                 break
             self.effort.look()
-            if (found := self.curve.components.excluding(self.points(level), level)) is not None:
-                return found
+            if (relation := self.curve.components.excluding(self.points(level), level)) is not None:
+                return relation
         return None
 
     def points(self, level: int) -> list[fmpq_mat]:
@@ -93,17 +93,17 @@ class MatrixNumbers:
     @cached_property
     def radius(self) -> Radius | None:
         """The joint spectral radius on V ≠ 0."""
-        found = self.curve.annihilated
-        assert found is not None, "a polynomial has none"
-        return self.decay if self.is_whole else self._radius(found.matrices)
+        space = self.curve.annihilated
+        assert space is not None, "a polynomial has none"
+        return self.decay if self.is_whole else self._radius(space.matrices)
 
     @cached_property
     def product(self) -> WordProduct | None:
         """The product that bounds the radius on V from below."""
-        found = self.curve.annihilated
-        if found is None or self.radius is None or self.radius.word is None:
+        space = self.curve.annihilated
+        if space is None or self.radius is None or self.radius.word is None:
             return None
-        return WordProduct.of_word(self.differences if self.is_whole else found.matrices, self.radius.word)
+        return WordProduct.of_word(self.differences if self.is_whole else space.matrices, self.radius.word)
 
     def _radius(self, family: tuple[fmpq_mat, ...]) -> Radius | None:
         from subdiv_cli.jsr.radius import joint_spectral_radius  # numpy comes with it

@@ -95,7 +95,7 @@ class _Page:
 
     def data(self) -> dict[str, Data]:
         """The JSON page: numbers are exact."""
-        found: dict[str, Data] = {
+        data: dict[str, Data] = {
             "matrices": self.numbers.scheme.matrices,
             "spectra": tuple(_factored(b) for b in self.numbers.operators),
             "ends": None,
@@ -105,13 +105,13 @@ class _Page:
         }
         if self.curve is not None:
             left, right = self.numbers.ends
-            found["ends"] = {"left": left, "right": right}
-            found["derivatives"] = tuple(
+            data["ends"] = {"left": left, "right": right}
+            data["derivatives"] = tuple(
                 {"order": jet.order, "left": jet.left, "right": jet.right, "joint": jet.joint} for jet in self.jets
             )
             known = self.curve.components
-            found["polynomials"] = {"polygons": known.polygons, "fixed_points": known.fixed_points()}
-        return found
+            data["polynomials"] = {"polygons": known.polygons, "fixed_points": known.fixed_points()}
+        return data
 
 
 def _factored(b: fmpq_mat) -> str:

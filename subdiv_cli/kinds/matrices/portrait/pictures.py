@@ -81,10 +81,10 @@ def matrices(scheme: MatrixFamily) -> list[Block]:
 
 def _ends(result: Result) -> tuple[Vector, Vector] | None:
     """The points ψ(0) and ψ(1) by the finding that proves that there is one curve; None where none does."""
-    found = answering(result.findings, q.WELL_DEFINED)
-    if found is None or result.well_defined is not Verdict.PROVED:
+    finding = answering(result.findings, q.WELL_DEFINED)
+    if finding is None or result.well_defined is not Verdict.PROVED:
         return None
-    witness = WELL_DEFINED.witness_of(found)
+    witness = WELL_DEFINED.witness_of(finding)
     return witness["left"], witness["right"]
 
 

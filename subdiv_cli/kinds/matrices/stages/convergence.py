@@ -43,18 +43,18 @@ def sign_patterns(numbers: MatrixNumbers, _: Facts) -> tuple[Finding, ...]:
     """
     if not numbers.is_stochastic:
         return ()
-    found = numbers.patterns
-    if found is None:
+    known = numbers.patterns
+    if known is None:
         return (SIGN_PATTERNS.undecided(_PATTERNS_QUESTION, "there are too many sign patterns for this effort"),)
-    if found.length is None and len(found.cycle) > _LONGEST_CYCLE:
+    if known.length is None and len(known.cycle) > _LONGEST_CYCLE:
         return (SIGN_PATTERNS.undecided(_PATTERNS_QUESTION, "the product of a cycle of patterns is too long"),)
-    if found.length is None:
-        why = f"no power of {product_text(found.cycle, 'A')} has one"
+    if known.length is None:
+        why = f"no power of {product_text(known.cycle, 'A')} has one"
         statement = f"products do not get a positive column: {why}"
-        return (SIGN_PATTERNS.refuted(statement, {"word": found.cycle}, why=why),)
-    matrices = "every matrix has" if found.length == 1 else f"all products of {found.length} matrices have"
-    by = "the longest path of sign patterns without one" if found.corollary is None else f"Corollary {found.corollary}"
-    witness: SignPatternsWitness = {"length": found.length, "by": found.corollary or "graph", "steps": found.steps}
+        return (SIGN_PATTERNS.refuted(statement, {"word": known.cycle}, why=why),)
+    matrices = "every matrix has" if known.length == 1 else f"all products of {known.length} matrices have"
+    by = "the longest path of sign patterns without one" if known.corollary is None else f"Corollary {known.corollary}"
+    witness: SignPatternsWitness = {"length": known.length, "by": known.corollary or "graph", "steps": known.steps}
     return (SIGN_PATTERNS.proved(f"{matrices} a positive column, by {by}", witness, why=f"by {by}"),)
 
 
@@ -197,6 +197,6 @@ def _no_curve(facts: Facts) -> str | None:
 
 def family_data(numbers: MatrixNumbers) -> SpaceData:
     """The space V of the curve, as certificates have it."""
-    found = numbers.curve.annihilated
-    assert found is not None
-    return {"basis": rows_of(found.basis), "matrices": tuple(rows_of(m) for m in found.matrices)}
+    space = numbers.curve.annihilated
+    assert space is not None
+    return {"basis": rows_of(space.basis), "matrices": tuple(rows_of(m) for m in space.matrices)}

@@ -58,20 +58,20 @@ def radius(numbers: MatrixNumbers, facts: Facts) -> tuple[Finding, ...]:
     """
     if (reason := _unasked(numbers, facts)) is not None:
         return (DIFFERENCE_RADIUS.skipped(_RADIUS_QUESTION, reason),)
-    found = numbers.radius
-    if found is None:
+    known = numbers.radius
+    if known is None:
         return (DIFFERENCE_RADIUS.undecided(_RADIUS_QUESTION, "the effort ended before a bound"),)
     space = family_data(numbers)
     size = len(space["basis"])
-    witness: CurveRadiusWitness = {"dimension": size, "method": found.method}
-    put_radius(witness, found)
-    value = enclosed(found)
-    text = shown(found) if found.exact is not None else rounded_up(value.upper or 0.0, 12)
-    relation = "=" if found.exact is not None or not found.upper[1] else "≤"
+    witness: CurveRadiusWitness = {"dimension": size, "method": known.method}
+    put_radius(witness, known)
+    value = enclosed(known)
+    text = shown(known) if known.exact is not None else rounded_up(value.upper or 0.0, 12)
+    relation = "=" if known.exact is not None or not known.upper[1] else "≤"
     statement = f"ρ {relation} {text} on V of dimension {size}"
-    if found.word is not None and found.exact is not None:
-        statement += f", attained by {product_text(found.word, 'B')}"
-    proof: CurveRadiusProof = {**space, "whole": numbers.is_whole, "radius": found.proof}
+    if known.word is not None and known.exact is not None:
+        statement += f", attained by {product_text(known.word, 'B')}"
+    proof: CurveRadiusProof = {**space, "whole": numbers.is_whole, "radius": known.proof}
     return (DIFFERENCE_RADIUS.proved(statement, witness, value, proof=proof),)
 
 
@@ -87,14 +87,14 @@ def _unasked(numbers: MatrixNumbers, facts: Facts) -> str | None:
 def jets(numbers: MatrixNumbers) -> tuple[Jet, ...]:
     """The derivatives of order 1, 2, … <= d that a curve has one-sidedly, up to the first ones that do not fit."""
     radius = None if numbers.curve.annihilated is None else numbers.radius
-    found: list[Jet] = []
+    asked: list[Jet] = []
     for order in range(1, numbers.curve.components.degree + 1):
         if radius is None or not radius.is_below(Fraction(1, numbers.p**order)):
             break
-        found.append(numbers.curve.jet(order))
-        if not found[-1].fits:
+        asked.append(numbers.curve.jet(order))
+        if not asked[-1].fits:
             break
-    return tuple(found)
+    return tuple(asked)
 
 
 _JOINTS_QUESTION = "do derivatives fit at the joints?"
@@ -161,14 +161,14 @@ def smoothness(numbers: MatrixNumbers, facts: Facts) -> tuple[Finding, ...]:
         why = f"it is a polynomial of degree {d}"
         witness: CurveSmoothnessWitness = {"by": COMPONENTS.code, "degree": d}
         return (SMOOTHNESS.proved(f"the curve is C^∞ on [0, 1]: {why}", witness, answers=answers, why=why),)
-    found = _decay(numbers, facts)
-    if found is None:
+    decay = _decay(numbers, facts)
+    if decay is None:
         return (
             _proved(0, WELL_DEFINED.code, "its pieces meet"),
             NEXT_SMOOTHNESS.undecided("is the curve C^1?", _unknown(facts)),
         )
     corner, n = _corner(facts), 0
-    while found.is_below(Fraction(1, numbers.p ** (n + 1))) and n + 1 != corner:
+    while decay.is_below(Fraction(1, numbers.p ** (n + 1))) and n + 1 != corner:
         n += 1
     why = f"ρ < {_power(numbers.p, n)}" + (", and derivatives fit at the joints" if n else "")
     first = _proved(n, DIFFERENCE_RADIUS.code, why) if n else _proved(0, WELL_DEFINED.code, "its pieces meet")
@@ -198,7 +198,7 @@ def _power(p: int, n: int) -> str:
 def _unknown(facts: Facts) -> str:
     """The reason why neither ρ nor V nor the joints are of use."""
     asked = (facts.find(rule) for rule in (DIFFERENCE_RADIUS, COMPONENTS, JOINTS))
-    return next(found.reason for found in asked if found is not None and found.reason is not None)
+    return next(finding.reason for finding in asked if finding is not None and finding.reason is not None)
 
 
 _BELOW, _ABOVE = "how regular is the curve at least?", "how regular is the curve at most?"
@@ -224,8 +224,8 @@ def holder(numbers: MatrixNumbers, facts: Facts) -> tuple[Finding, ...]:
         why = "the curve is a polynomial"
         value = closed_interval(INFINITY)
         return (HOLDER_LOWER.proved(f"α is infinite: {why}", {"by": COMPONENTS.code}, value, INFINITY, why=why),)
-    found = _decay(numbers, facts)
-    if found is None:
+    decay = _decay(numbers, facts)
+    if decay is None:
         return (HOLDER_LOWER.undecided(_BELOW, _unknown(facts)), HOLDER_UPPER.undecided(_ABOVE, _unknown(facts)))
     if (corner := _corner(facts)) is not None:
         exact, why = Fraction(corner), facts[JOINTS].statement
@@ -235,18 +235,18 @@ def holder(numbers: MatrixNumbers, facts: Facts) -> tuple[Finding, ...]:
             HOLDER_LOWER.proved(f"α = {corner}: {why}", below, interval(exact), exact, why=why),
             HOLDER_UPPER.proved(f"α ≤ {corner}: {why}", above, interval(exact), exact, why=why),
         )
-    if not found.upper[1]:
+    if not decay.upper[1]:
         raise ContradictionError("a curve that is no polynomial has infinitely many derivatives")
-    return (_below(numbers, found), _above(numbers, found))
+    return (_below(numbers, decay), _above(numbers, decay))
 
 
-def _below(numbers: MatrixNumbers, found: Radius) -> Finding:
-    witness: CurveHolderLowerWitness = {"by": DIFFERENCE_RADIUS.code, "length": found.upper[0]}
-    if found.exact is not None:
-        exact, why = exponent(numbers.p, *found.exact), f"ρ = {shown(found)}"
-        witness["root"] = root_data(found.exact[1])
+def _below(numbers: MatrixNumbers, decay: Radius) -> Finding:
+    witness: CurveHolderLowerWitness = {"by": DIFFERENCE_RADIUS.code, "length": decay.upper[0]}
+    if decay.exact is not None:
+        exact, why = exponent(numbers.p, *decay.exact), f"ρ = {shown(decay)}"
+        witness["root"] = root_data(decay.exact[1])
         return HOLDER_LOWER.proved(f"α = {worded(exact)}, as {why}", witness, closed_interval(exact), exact, why=why)
-    length, bound = found.upper
+    length, bound = decay.upper
     with ctx.workprec(128):
         lower = interval(-ball(bound).log() / ball(numbers.p).log() / length).lower
     assert lower is not None
@@ -255,14 +255,14 @@ def _below(numbers: MatrixNumbers, found: Radius) -> Finding:
     return HOLDER_LOWER.proved(f"α ≥ {rounded_down(lower)}, {why}", witness, Interval(lower=lower), why=why)
 
 
-def _above(numbers: MatrixNumbers, found: Radius) -> Finding:
+def _above(numbers: MatrixNumbers, decay: Radius) -> Finding:
     product = numbers.product
     if product is None or product.eigenvalue.rational == 0:
         return HOLDER_UPPER.undecided(_ABOVE, "no product is known that bounds ρ from below")
     bound, length = radius_bound(product), len(product.word)
     base, divisor = unpowered(numbers.p, length)
     upper = closed_interval(logarithm(base, 1 / bound, divisor)).upper
-    text = rounded_up(upper or 0.0) if found.exact is None else worded(exponent(numbers.p, *found.exact))
+    text = rounded_up(upper or 0.0) if decay.exact is None else worded(exponent(numbers.p, *decay.exact))
     witness: CurveHolderUpperWitness = {
         "by": DIFFERENCE_RADIUS.code,
         "word": product.word,
