@@ -66,7 +66,7 @@ def restricted(operators: Sequence[fmpq_mat], basis: Columns) -> list[fmpq_mat]:
 
 
 def exponent(numbers: MatrixNumbers, k: int) -> tuple[float, float]:
-    """The numbers -log_p JSR(B | V_k) and -log_p ρ(C | P); infinite where the radius is 0."""
+    """The numbers -log_p JSR(B | V_k), a bound where it is enclosed, and -log_p ρ(C | P); infinite where it is 0."""
     b, p, n = numbers.operators, numbers.p, numbers.n
     level = smallest_level(p, k + 1)
     points = on_grid(b, *numbers.ends, level)
@@ -88,7 +88,6 @@ def exponent(numbers: MatrixNumbers, k: int) -> tuple[float, float]:
     radius = joint_spectral_radius(Family(restricted(b, space)), Effort(4000))
     assert radius is not None
     size = 0.0 if not radius.upper[1] else float(radius.upper[1]) ** (1 / radius.upper[0])
-    assert radius.exact is not None or not size
     # modulo the null pairs: the coordinates r x for all functionals r in the rows of D_i C^n
     seen = closure([row.transpose() for d in across for row in rows(d)], [c.transpose()])
     r = joined(seen).transpose()
