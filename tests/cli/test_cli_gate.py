@@ -228,7 +228,7 @@ def test_select_and_ignore_show_less_and_change_no_exit_code(mask):
     assert [f["code"] for f in read["results"][0]["findings"]] == ["SD101", "SD102", "SD103", "SD104"]
     done = subdiv("check", mask, "--select", "SDX")
     assert done.returncode == 2
-    assert "no finding code begins with 'SD7'" in done.stderr
+    assert "no finding code begins with 'SDX'" in done.stderr
 
 
 # which files
