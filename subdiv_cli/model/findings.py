@@ -146,7 +146,7 @@ class Finding:
     """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
     """The claims of the certificate that state the same, checked independently."""
-    otherwise: tuple[Finding, ...] = ()
+    otherwise: tuple[Finding, ...] = field(default=(), repr=False)
     """Findings of the rule that prove no more, by other routes: the first that can be certified, where this cannot."""
 
 
