@@ -33,7 +33,7 @@ A family is a TOML file with one list of square matrices, each a list of rows; n
 Exit codes:
   0    the radius is enclosed within a tenth of itself, or known exactly
   2    not computed: usage, an unreadable or invalid file, an internal error
-  3    no such bounds within the effort, or a certificate is asked for and there is none
+  3    no such bounds within the effort, or a certificate is asked for and a bound has none
 """
 _WIDE = 0.1
 """The relative width beyond which an enclosure is no answer."""
