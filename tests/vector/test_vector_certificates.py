@@ -15,7 +15,8 @@ from matrix_masks import DGHM, DOUBLE_KNOT_CUBIC, blocked, diagonal, merrien, sc
 from support import cases
 
 import subdiv_cli
-from subdiv_cli.checker import KINDS, check_document
+from subdiv_cli.checker import check_document
+from subdiv_cli.checker.radius.rules import RULEBOOK as RADIUS
 from subdiv_cli.checker.vector.rules import RULES
 from subdiv_cli.kinds.scalar.stages.holder import defect
 from subdiv_cli.kinds.vector import KIND
@@ -29,7 +30,7 @@ PACKAGE = Path(subdiv_cli.__file__).parent
 TEXT = (PACKAGE / "kinds" / "vector" / "FORMAT.md").read_text(encoding="utf-8")
 SCHEMA = json.loads((PACKAGE / "certificate" / "schema.json").read_text(encoding="utf-8"))
 (EXAMPLE,) = map(json.loads, re.findall(r"```json\n(.*?)```", TEXT, re.DOTALL))
-RADIUS_RULES = set(KINDS["matrices"].rules)
+RADIUS_RULES = set(RADIUS.rules)
 FOUR_POINT = ("-1/16", 0, "9/16", 1, "9/16", 0, "-1/16")
 ENDS = {0: [[1, 0], ["1/2", "1/2"]], 1: [["1/2", "1/2"], [0, 1]]}
 UNEQUAL = {-1: [["1/2", 0], [0, "1/4"]], 0: [["3/2", 0], [0, "1/2"]], 1: [[0, 0], [0, "1/4"]]}
@@ -58,6 +59,12 @@ DOCUMENTS = {name: document(name) for name in MASKS} | {"example": EXAMPLE}
 def test_certificates_verify_and_have_the_form(name):
     assert check_document(DOCUMENTS[name]).verified, check_document(DOCUMENTS[name]).line
     jsonschema.Draft202012Validator(SCHEMA).validate(DOCUMENTS[name])
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_a_radius_is_proved_once(name):
+    families = [claim["statement"]["family"] for claim in DOCUMENTS[name]["claims"] if claim["rule"] == "blocks"]
+    assert len(families) == len(set(families))
 
 
 def test_every_rule_is_specified_and_met():

@@ -29,6 +29,8 @@ class VectorProof:
         self.size = len(mask["coefficients"][0])
         self._families: list[None] = []
         self._spaces: dict[int, int] = {}
+        self._radii: dict[int, list[tuple[RadiusProof, int]]] = {}
+        """The claims on radii by the order of their spaces, each with the proof that it is made of."""
 
     @property
     def entries(self) -> int:
@@ -62,8 +64,13 @@ class VectorProof:
     def radius(self, order: int, space: SequenceSpaceData, radius: RadiusProof) -> list[int]:
         """The claims on a radius, and on the space of this order."""
         introduced = self.space(order, space)
-        number, n = self._number(introduced), len(space["basis"])
-        return [Radii(self.claims, self._families, self.p, []).claim(radius, number, n), introduced]
+        known = self._radii.setdefault(order, [])
+        claim = next((claim for proof, claim in known if proof == radius), None)
+        if claim is None:
+            number, n = self._number(introduced), len(space["basis"])
+            claim = Radii(self.claims, self._families, self.p, []).claim(radius, number, n)
+            known.append((radius, claim))
+        return [claim, introduced]
 
     def _number(self, introduced: int) -> int:
         number: int = self.claims.statement(introduced)["family"]
