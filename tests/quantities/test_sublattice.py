@@ -10,7 +10,8 @@ from support import answer, cases, findings, multivariate_scheme, seeded
 
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated
 from subdiv_cli.kinds.multivariate.numbers.sublattice import sublattice
-from subdiv_cli.model import Verdict
+from subdiv_cli.model import Effort, Verdict
+from subdiv_cli.pipeline import check
 from subdiv_cli.spaces.lattice import Lattice
 
 QUINCUNX, TWO = ((1, -1), (1, 1)), ((2, 0), (0, 2))
@@ -71,3 +72,14 @@ def test_masks_that_converge_stay_nowhere():
             converge += 1
             assert stays is None
     assert converge > 5
+
+
+@pytest.mark.parametrize(("step", "index", "modulus"), [((102, 1), 10199, 7), ((104, 1), 10607, None)])
+def test_of_a_large_index_a_small_factor_is_named(step, index, modulus):
+    """10199 = 7·31·47; 10607 is a prime, which certificates have no number for: then nothing is found."""
+    doubled = tuple(2 * i for i in step)
+    mask = multivariate_scheme({(0, 0): Fraction(1, 2), step: 1, doubled: Fraction(1, 2)}, ((1, 1), (1, -1)))
+    stays = sublattice(mask, Lattice(mask.dilation))
+    assert (stays and (stays.cosets, stays.modulus)) == (modulus and (index, modulus))
+    result = check(mask, (), Effort(200)).result
+    assert result.convergent is (Verdict.UNDECIDED if modulus is None else Verdict.REFUTED)

@@ -115,9 +115,9 @@ def _growing(numbers: MatrixNumbers) -> tuple[int, ...] | None:
 
 def _size(radius: Radius) -> str:
     """The radius on e^⊥ as text: `JSR = 1/2`, or a bound."""
-    return (
-        f"JSR = {shown(radius)}" if radius.exact is not None else f"JSR ≤ {rounded_up(enclosed(radius).upper or 0.0)}"
-    )
+    if radius.exact is not None:
+        return f"JSR = {shown(radius)}"
+    return f"JSR ≤ {rounded_up(enclosed(radius).upper or 0.0)}" if radius.upper[1] else "JSR = 0"
 
 
 _WELL_DEFINED_QUESTION = "is there one curve?"

@@ -11,8 +11,8 @@ to x, and φ(x) = lim φ(M^-L α_L) = lim a^[L](α_L) = 0. So φ = 0, and the li
 shifts of φ by linearity, is 0.
 
 Γ is spanned by the M^j (α - t), j < s (Cayley & Hamilton). Where it is not Z^s there are u and n with u·x = 0 modulo n
-for all x in Γ, and u ≠ 0 modulo n: of a lattice of index n a column of the adjugate of a basis, as rows; n = 2 where
-the rank is less than s, as then the rank modulo 2 is.
+for all x in Γ, and u ≠ 0 modulo n: of a lattice of index n a column of the adjugate of a basis, as rows, and instead of
+n its smallest prime factor; n = 2 where the rank is less than s, as then the rank modulo 2 is.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from flint import fmpq_mat, fmpz_mat, nmod_mat
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.spaces.lattice import Index, Lattice
 
-_LARGEST = 1_000_000
-"""The largest modulus: certificates have no larger numbers here."""
+_LARGEST = 10_000
+"""The largest modulus: the checker reads no larger numbers here."""
 
 
 class Sublattice(NamedTuple):
@@ -62,6 +62,7 @@ def sublattice(scheme: MultivariateScheme, lattice: Lattice) -> Sublattice | Non
     for column in adjugate.transpose().tolist():
         u = [int(x.p) for x in column]
         common = gcd(index, *u)
-        if 1 < (n := index // common) <= _LARGEST:
-            return Sublattice(index, tuple(x // common % n for x in u), n)
+        n = index // common  # no prime factor of it divides all of u / common
+        if (q := next((q for q in range(2, _LARGEST + 1) if n % q == 0), None)) is not None:
+            return Sublattice(index, tuple(x // common % q for x in u), q)
     return None

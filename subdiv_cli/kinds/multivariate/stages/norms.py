@@ -79,8 +79,8 @@ def stays_in_sublattice(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding
     stays = None if numbers.parts else numbers.sublattice
     if stays is None:
         return ()
-    where = "a hyperplane" if stays.cosets is None else f"a lattice of index {stays.cosets}"
-    statement = f"S^L δ is zero outside of a shift of {where}, for every L"
+    u = ", ".join(map(str, stays.functional))
+    statement = f"for every L, ({u})·α is one number modulo {stays.modulus} for all α with S^L δ ≠ 0 there"
     witness: SublatticeWitness = {
         "index": stays.cosets,
         "functional": stays.functional,
