@@ -47,7 +47,7 @@ PROOFS = {
     vector.DERIVED_SCHEMES.code: vector.w.VectorDerivedProof,
 }
 """The forms of further data, of other rules those of mean squares."""
-UNSEEN = {("SD201", "eigenvalues"), ("SD201", "matrix")}
+UNSEEN = {("SD201", "eigenvalues"), ("SD201", "matrix"), *((code, "bound") for code in ("SD704", "SD707", "SD710"))}
 """A mask that fails its eigen-condition has a product that shows it too, and that comes first."""
 
 

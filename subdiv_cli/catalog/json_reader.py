@@ -12,6 +12,7 @@ from typing import Any
 BLOCK = 1 << 20
 """The bytes that are read at a time, of a long value more."""
 _BLANK = re.compile(r"[ \t\n\r]*")
+_OF_NUMBERS = "0123456789.eE+-"
 
 
 class JsonReader:
@@ -46,7 +47,8 @@ class JsonReader:
                     raise
                 continue
             size = end - self._at
-            if end < len(self._text) or not self._more():  # a number at the end of a block may go on
+            ended = self._text[end:].strip(_OF_NUMBERS) != ""  # else a number may go on in the next block
+            if ended or not self._more():
                 self._at += size
                 return value
 

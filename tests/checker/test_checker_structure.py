@@ -287,7 +287,7 @@ def test_unknown_names():
     )
     rejected(changed(("version",), 2), "version")
     rejected(changed(("format",), "subdiv-report"), "format")
-    rejected(changed(("mask", "kind"), "vector"), "kind")
+    rejected(changed(("mask", "kind"), "vectors"), "kind")
 
 
 @pytest.mark.parametrize("other", [poly(0, 1, 3, 3, 1, over=4), poly(-1, 1, 4, 6, 4, 1, over=8), poly(0)])

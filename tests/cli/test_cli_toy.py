@@ -179,7 +179,7 @@ def test_show_in_every_format(run):
     latex = run("show", "toy3.toml", "--format", "latex").stdout
     assert latex.count("\\begin{tikzpicture}") == 2
     page = json.loads(run("show", "toy3.toml", "--format", "json").stdout)
-    assert (page["size"], page["report"]["kind"]) == (3, "toy")
+    assert (page["extent"], page["report"]["kind"]) == (3, "toy")
     refused = run("show", "toy3.toml", "--tolerance", "1/2")
     assert refused.exit_code == 2
     assert "--tolerance belongs to curves" in refused.stderr

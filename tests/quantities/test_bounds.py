@@ -122,7 +122,7 @@ def test_long_masks():
 
 
 def test_the_catalog():
-    for result in shipped_results():
+    for result in (each for each in shipped_results() if each.kind in ("scalar", "multivariate")):
         assert not [*missing(read_path(result.file).scheme(), result)], result.file
 
 
