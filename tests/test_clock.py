@@ -28,6 +28,10 @@ def box_spline(times):
     return read_text(BOX.format(times), file="box.toml").scheme({})
 
 
+def vector(name):
+    return read_path(masks_directory() / "vector" / f"{name}.toml").scheme({})
+
+
 def curve(name, **parameters):
     file = read_path(masks_directory() / "matrices" / f"{name}.toml")
     return file.scheme({key: Fraction(value) for key, value in parameters.items()})
@@ -46,6 +50,9 @@ MASKS = {
     "corner cutting": curve("corner_cutting_5_8_1_8"),
     "corners": curve("takagi", a="1/8"),
     "de Rham": curve("de_rham_1_3"),
+    "double knots": vector("double_knot_cubic"),
+    "blocks": vector("six_point_in_threes"),
+    "two schemes": vector("two_four_points"),
 }
 
 

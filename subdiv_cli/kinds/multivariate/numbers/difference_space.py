@@ -18,21 +18,18 @@ Written for what the joint spectral radius ρ_k of the T_ε on V_k decides:
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import lcm
 
-from flint import fmpq_mat, fmpz_mat
+from flint import fmpq_mat
 
-from subdiv_cli.exact.linalg import reduced
+from subdiv_cli.exact.linalg import matrix, reduced
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort
+from subdiv_cli.spaces.closure import LARGEST_DIMENSION, LONGEST, longest
 from subdiv_cli.spaces.lattice import Index, Lattice, indices_of_degree
-
-LARGEST_WINDOW = 1000
-LARGEST_DIMENSION = 120
-_LONGEST = 1000
-"""The most bits of the numbers of a space; those of the masks of papers have 20."""
+from subdiv_cli.spaces.stencils import difference
+from subdiv_cli.spaces.transition import TransitionOperators
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,12 +56,11 @@ def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int, effor
     Raises ClockStruckError.
     """
     starts = [difference(mu) for mu in indices_of_degree(lattice.dimension, k)]
-    corner, _ = scheme.bounds()
-    cosets = tuple(tuple(map(sum, zip(epsilon, corner, strict=True))) for epsilon in lattice.representatives)
-    window = _invariant_window(scheme, lattice, cosets, {alpha for v in starts for alpha in v}, effort)
+    transition = TransitionOperators(lattice, {index: matrix([[x]]) for index, x in scheme.terms.items()})
+    window = transition.closed_window({alpha for v in starts for alpha in v}, effort.look)
     if window is None:
         return None
-    operators = [transition_matrix(scheme, lattice, epsilon, window, effort) for epsilon in cosets]
+    operators = transition.on(window, effort.look)
     places = {alpha: j for j, alpha in enumerate(window)}
     first = fmpq_mat([_row(v, places) for v in starts])
     span = _closure(first, operators, effort)
@@ -75,55 +71,12 @@ def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int, effor
     coordinates = basis.transpose() * (basis * basis.transpose()).inv()
     return DifferenceSpace(
         order=k,
-        cosets=cosets,
+        cosets=transition.cosets,
         window=tuple(window[j] for j in used),
         basis=fmpq_mat([[row[j] for j in used] for row in basis.table()]),
         matrices=tuple((basis * t.transpose() * coordinates).transpose() for t in operators),
         generators=first * coordinates,
     )
-
-
-def difference(mu: Index) -> dict[Index, int]:
-    """The difference ∇^μ δ with ∇_j v = v - v(· - e_j)."""
-    v = {(0,) * len(mu): 1}
-    for j, times in enumerate(mu):
-        for _ in range(times):
-            shifted = {(*alpha[:j], alpha[j] + 1, *alpha[j + 1 :]): x for alpha, x in v.items()}
-            v = {alpha: v.get(alpha, 0) - shifted.get(alpha, 0) for alpha in {**v, **shifted}}
-    return v
-
-
-def _invariant_window(
-    scheme: MultivariateScheme, lattice: Lattice, cosets: Sequence[Index], start: Iterable[Index], effort: Effort
-) -> list[Index] | None:
-    """The smallest set that holds the start and the supports of all images of sequences on it."""
-    shifts = {tuple(g - e for g, e in zip(gamma, epsilon, strict=True)) for gamma in scheme.terms for epsilon in cosets}
-    window, queue = set(start), list(start)
-    while queue:
-        effort.look()
-        beta = queue.pop()
-        for shift in shifts:
-            alpha = lattice.preimage(tuple(b + g for b, g in zip(beta, shift, strict=True)))
-            if alpha is not None and alpha not in window:
-                window.add(alpha)
-                queue.append(alpha)
-        if len(window) > LARGEST_WINDOW:
-            return None
-    return sorted(window)
-
-
-def transition_matrix(
-    scheme: MultivariateScheme, lattice: Lattice, epsilon: Index, window: Sequence[Index], effort: Effort
-) -> fmpq_mat:
-    """The square matrix of T_ε on sequences over the window: entry (α, β) is a(ε+Mα-β). Raises ClockStruckError."""
-    common = lcm(*(x.denominator for x in scheme.terms.values()))
-    numerators = {gamma: int(x * common) for gamma, x in scheme.terms.items()}
-    rows = []
-    for alpha in window:
-        effort.look()
-        at = tuple(e + x for e, x in zip(epsilon, lattice.image(alpha), strict=True))
-        rows.append([numerators.get(tuple(x - b for x, b in zip(at, beta, strict=True)), 0) for beta in window])
-    return fmpq_mat(fmpz_mat(rows)) / common
 
 
 def _row(v: Mapping[Index, int], places: Mapping[Index, int]) -> list[int]:
@@ -140,16 +93,11 @@ def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat], effort: Effort) -> f
     while rank < span.nrows():
         effort.look()
         rank = span.nrows()
-        if rank > LARGEST_DIMENSION or _longest(span) > _LONGEST:
+        if rank > LARGEST_DIMENSION or longest(span) > LONGEST:
             return None
         images = [row for t in transposed for row in (span * t).tolist()]
         span = _echelon(fmpq_mat([*span.tolist(), *images]))
     return span
-
-
-def _longest(rows: fmpq_mat) -> int:
-    """The bits of the longest numerator or denominator."""
-    return max(max(abs(int(x.p)).bit_length(), int(x.q).bit_length()) for x in rows.entries())
 
 
 def _echelon(rows: fmpq_mat) -> fmpq_mat:

@@ -34,10 +34,10 @@ from typing import NamedTuple
 
 from subdiv_cli.exact.linalg import Combination, combinations
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated, multiplied
-from subdiv_cli.kinds.multivariate.numbers.difference_space import difference
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort
 from subdiv_cli.spaces.lattice import Index, Lattice, box, indices_of_degree, times
+from subdiv_cli.spaces.stencils import difference
 
 Terms = dict[Index, Fraction]
 Shifted = tuple[Index, Index]

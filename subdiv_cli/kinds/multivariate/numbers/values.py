@@ -10,10 +10,8 @@ from fractions import Fraction
 from itertools import product
 from math import ceil, floor, lcm, prod
 
-from subdiv_cli.exact.linalg import eigenvectors
-from subdiv_cli.kinds.multivariate.numbers.difference_space import transition_matrix
+from subdiv_cli.exact.linalg import eigenvectors, matrix
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.model import UNHURRIED
 from subdiv_cli.spaces.lattice import Index, Lattice
 
 LARGEST_WINDOW = 500
@@ -42,8 +40,11 @@ def at_integers(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fra
     window = integers_of_support(scheme, lattice)
     if len(window) > LARGEST_WINDOW:
         raise NoValuesError(f"the support has {len(window)} integers; the limit is {LARGEST_WINDOW}")
-    zero = (0,) * lattice.dimension
-    vectors = eigenvectors(transition_matrix(scheme, lattice, zero, window, UNHURRIED), 1) if window else ()
+    rows = [
+        [scheme.terms.get(tuple(x - b for x, b in zip(image, beta, strict=True)), 0) for beta in window]
+        for image in map(lattice.image, window)
+    ]
+    vectors = eigenvectors(matrix(rows), 1) if window else ()
     total = sum(vectors[0]) if len(vectors) == 1 else 0
     if not total:
         raise NoValuesError("the refinement equation alone does not determine φ at the integers")

@@ -47,7 +47,7 @@ class VectorNumbers:
         self.matrices = tuple(matrix(rows) for rows in scheme.coefficients)
         terms: dict[Index, fmpq_mat] = {(i,): a for i, a in enumerate(self.matrices)}
         self.operators = TransitionOperators(Lattice(((scheme.arity,),)), terms)
-        self.spaces = StencilSpaces(self.operators)
+        self.spaces = StencilSpaces(self.operators, effort.look)
 
     @property
     def p(self) -> int:
