@@ -21,6 +21,8 @@ from subdiv_cli.model import HALF, UNHURRIED, Effort
 from subdiv_cli.model.proofs import RadiusProof, root_data
 
 LARGEST_ORDER = 120
+_LEAST_ORDER = 10
+"""The order below which a block takes no less time: what is done once for each block."""
 _SHORT = 4
 """The length of the products that tell which block seems largest."""
 _CLEARLY = math.log2(1 - 1e-3)
@@ -86,15 +88,17 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
 def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
     """The radius of every part, as far as it is known, or a bound that does not exceed the largest one.
 
-    Each part has a share of the time, by its order; where it gives no bound, its columns may have one that is small.
+    Each part has a share of the time, by its order, small ones as one of order `_LEAST_ORDER`. Where it gives no bound,
+    its columns may have one that is small.
     """
     seems = [_logarithm(candidates(part, _SHORT)[0]) + _logarithm(part.unit) for part in parts]
     found: dict[int, Radius] = {}
     top: Radius | None = None
-    cost = sum(part.order**3 for part in parts)
+    costs = [max(part.order, _LEAST_ORDER) ** 3 for part in parts]
+    cost = sum(costs)
     for k in sorted(range(len(parts)), key=lambda k: (-seems[k], k)):
-        radius, part = None, effort.limited(effort.work, parts[k].order ** 3 / cost)
-        cost -= parts[k].order ** 3
+        radius, part = None, effort.limited(effort.work, costs[k] / cost)
+        cost -= costs[k]
         if top is not None and seems[k] < _CLEARLY + _logarithm(top.upper[1]) / top.upper[0]:
             radius = bounded(parts[k], _floor(top), part)
         if radius is None and (radius := irreducible_radius(parts[k], part)) is None:

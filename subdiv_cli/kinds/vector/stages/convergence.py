@@ -8,7 +8,7 @@ from subdiv_cli.exact.algebraic import roots
 from subdiv_cli.exact.linalg import Vector, matrix, nullspace, rows_of
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.exact.text import modulus, number, rounded_up
-from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.kind import ContradictionError, Facts, asking
 from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, put_radius, shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
 from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
@@ -116,6 +116,7 @@ def mean_matrix(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
 _DECAY_QUESTION = "how fast do the sequences die out that must?"
 
 
+@asking((DECAY_RADIUS, _DECAY_QUESTION))
 def decay_radius(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD704: ρ_1, the joint spectral radius of the transition operators T_ε on V_1 = {v : Σ v(α) orthogonal to E_A}.
 
@@ -132,7 +133,7 @@ def decay_radius(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
     if _surplus(numbers):
         return (DECAY_RADIUS.skipped(_DECAY_QUESTION, "T_0 fixes more sequences than converge"),)
     if (growth := numbers.decay) is None:
-        return (DECAY_RADIUS.undecided(_DECAY_QUESTION, _ended(numbers)),)
+        return (DECAY_RADIUS.undecided(_DECAY_QUESTION, TOO_LARGE),)
     space = space_data(growth.on)
     space["orthogonal"] = nullspace(matrix(numbers.constants))
     return (radius_finding(DECAY_RADIUS, growth, "ρ_1", space),)
@@ -141,10 +142,6 @@ def decay_radius(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
 def _surplus(numbers: VectorNumbers) -> bool:
     """Whether the kernel of T_0 - 1 has a higher dimension than E_A."""
     return numbers.fixed is not None and len(numbers.fixed) > len(numbers.constants)
-
-
-def _ended(numbers: VectorNumbers) -> str:
-    return "the time budget ended before a bound" if numbers.effort.struck else TOO_LARGE
 
 
 def radius_finding(
@@ -186,6 +183,7 @@ def space_data(on: SequenceSpace) -> SequenceSpaceData:
 _CONVERGENCE_QUESTION = "does S converge uniformly?"
 
 
+@asking((CONVERGENCE, _CONVERGENCE_QUESTION))
 def convergence(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD705: whether S converges uniformly, to a limit that is not 0 for some data.
 
@@ -242,6 +240,10 @@ def sequence_rows(sequences: tuple[VectorSequence, ...], m: int) -> tuple[int, t
     return first, tuple(rows)
 
 
+_STENCILS_QUESTION = "what are the limit stencils?"
+
+
+@asking((LIMIT_STENCILS, _STENCILS_QUESTION))
 def limit_stencils(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD706: the limit stencils w_1, …, w_r, by which limits of a scheme that converges are computed exactly.
 
@@ -253,9 +255,8 @@ def limit_stencils(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
 
     Raises ContradictionError where there are not as many as the theorem says.
     """
-    question = "what are the limit stencils?"
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
-        return (LIMIT_STENCILS.skipped(question, "it is not proved that S converges"),)
+        return (LIMIT_STENCILS.skipped(_STENCILS_QUESTION, "it is not proved that S converges"),)
     if numbers.stencils is None:
         raise ContradictionError("S converges and has not as many limit stencils as constants")
     r, m = len(numbers.stencils), numbers.size

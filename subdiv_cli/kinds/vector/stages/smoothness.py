@@ -14,7 +14,7 @@ from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import number, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.family import Word
 from subdiv_cli.jsr.products import WordProduct, lyndon_words, radius_bound
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.scalar.stages.holder import defect
 from subdiv_cli.kinds.scalar.stages.joint_radius import shown, threshold
 from subdiv_cli.kinds.scalar.stages.wording import product_name
@@ -47,6 +47,7 @@ _DIVERGES = "it is not proved that S converges"
 _RADIUS_QUESTION = "how fast do differences of the limits decay?"
 
 
+@asking((STENCIL_RADIUS, _RADIUS_QUESTION))
 def stencil_radius(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD707: ρ_k, the joint spectral radius of the T_ε on V_k(w).
 
@@ -61,14 +62,14 @@ def stencil_radius(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
         return (STENCIL_RADIUS.skipped(_RADIUS_QUESTION, _DIVERGES),)
     if (growth := numbers.growth) is None:
-        reason = "the time budget ended before a bound" if numbers.effort.struck else TOO_LARGE
-        return (STENCIL_RADIUS.undecided(_RADIUS_QUESTION, reason),)
+        return (STENCIL_RADIUS.undecided(_RADIUS_QUESTION, TOO_LARGE),)
     return (radius_finding(STENCIL_RADIUS, growth, f"ρ_{growth.order}", space_data(growth.on)),)
 
 
 _SMOOTHNESS_QUESTION = "how smooth are the limits?"
 
 
+@asking((SMOOTHNESS, _SMOOTHNESS_QUESTION))
 def smoothness(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD708: the largest n for which all limits are proved C^n. SD709: they are not all C^(n+1).
 
@@ -118,6 +119,7 @@ def _excludes(product: WordProduct, p: int, k: int, n: int) -> bool:
 _BELOW, _ABOVE = "how regular are the limits at least?", "how regular are the limits at most?"
 
 
+@asking((HOLDER_LOWER, _BELOW), (HOLDER_UPPER, _ABOVE))
 def holder(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD710: the Hölder exponent of the limits from below. SD711: from above.
 
@@ -176,6 +178,7 @@ _ATTAINED_QUESTION = "is the Hölder exponent attained?"
 _WORDS = 5
 
 
+@asking((HOLDER_ATTAINED, _ATTAINED_QUESTION))
 def holder_attained(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD712: whether the Hölder exponent is attained.
 
@@ -256,6 +259,10 @@ _DERIVATIONS = 6
 """The most derived schemes where it is not known how smooth the limits are."""
 
 
+_DERIVED_QUESTION = "does a derived scheme contract?"
+
+
+@asking((DERIVED_SCHEMES, _DERIVED_QUESTION))
 def derived_schemes(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD713: derived schemes that contract, a second proof of convergence and smoothness.
 
@@ -267,16 +274,15 @@ def derived_schemes(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
     Witness: `derivations`, n; `level` and `norm`; `order`, n - 1. `proof`: `transformations` by rows, the
     `dimensions`, and the derived `masks`, each with its `starts`.
     """
-    question = "does a derived scheme contract?"
     if not numbers.constants:
-        return (DERIVED_SCHEMES.skipped(question, "there is no derived scheme: E_A = 0"),)
+        return (DERIVED_SCHEMES.skipped(_DERIVED_QUESTION, "there is no derived scheme: E_A = 0"),)
     if facts.verdict(CONVERGENCE) is Verdict.REFUTED:
-        return (DERIVED_SCHEMES.skipped(question, "S does not converge"),)
+        return (DERIVED_SCHEMES.skipped(_DERIVED_QUESTION, "S does not converge"),)
     derivation = numbers.derivation(_most(facts))
     n = derivation.contracting
     if not n:
         reason = "no norm of it is seen to be below 1" if derivation.steps else "M_A has no canonical transformation"
-        return (DERIVED_SCHEMES.undecided(question, reason),)
+        return (DERIVED_SCHEMES.undecided(_DERIVED_QUESTION, reason),)
     steps = derivation.steps[:n]
     norm = steps[-1].norm
     assert norm is not None
