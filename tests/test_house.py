@@ -31,7 +31,7 @@ ARROWS = {
 """Room -> the rooms it may import."""
 BETWEEN_KINDS = {
     "scalar": set(),
-    "matrices": {"scalar"},
+    "matrices": set(),
     "multivariate": {"scalar"},
     "vector": {"scalar", "matrices"},
 }

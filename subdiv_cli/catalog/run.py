@@ -76,14 +76,13 @@ def check_all(
     )
     found = discover((target for target in targets if isinstance(target, str)), exclude)
     on_skipped(found.skipped, found.left_out)
-    entries = [*found.entries, *(target for target in targets if isinstance(target, MaskFile))]
-    made = [_task(entry) for entry in entries]
+    tasks = [_task(entry) for entry in (*found.entries, *(each for each in targets if isinstance(each, MaskFile)))]
     if overrides:
-        made = _varied(made, overrides, settings.given)
+        tasks = _varied(tasks, overrides, settings.given)
     if shard is not None:
-        made = made[shard[0] - 1 :: shard[1]]
-    on_total(len(made))
-    for done in _run(made, settings, jobs, cluster, on_done):
+        tasks = tasks[shard[0] - 1 :: shard[1]]
+    on_total(len(tasks))
+    for done in _run(tasks, settings, jobs, cluster, on_done):
         result = replace(done.result, seconds=done.seconds)
         if directory is None or done.certificate is None:
             yield result

@@ -7,6 +7,10 @@ from typing import NotRequired, TypedDict
 
 from subdiv_cli.model.closed import Root
 
+Numbers = tuple[Fraction, ...]
+Integers = tuple[int, ...]
+"""Several integers: a word, or the first indices of several sequences."""
+
 
 class RootData(TypedDict):
     """A real algebraic number, the only root of a polynomial, the lowest power first, in [low, high]."""
@@ -27,6 +31,12 @@ class PowerData(TypedDict, total=False):
     length: int
     root: RootData
     bound: Fraction
+
+
+class RadiusWitness(PowerData, total=False):
+    """What is known of a joint spectral radius, and a product that attains its lower bound where one is known."""
+
+    word: Integers
 
 
 def upper_bound(power: PowerData) -> Fraction:

@@ -16,11 +16,10 @@ from subdiv_cli.kinds.matrices.witnesses import (
     CurveRadiusProof,
     JointsProof,
 )
-from subdiv_cli.kinds.scalar.witnesses import Numbers
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import proof_of
-from subdiv_cli.model.proofs import RadiusProof
+from subdiv_cli.model.proofs import Numbers, RadiusProof
 
 
 def claims_of(analysis: Analysis) -> Proofs:

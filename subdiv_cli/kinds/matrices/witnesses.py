@@ -5,8 +5,7 @@
 from fractions import Fraction
 from typing import NotRequired, Required, TypedDict
 
-from subdiv_cli.kinds.scalar.witnesses import Integers, Numbers, RadiusWitness
-from subdiv_cli.model.proofs import PowerData, RadiusProof
+from subdiv_cli.model.proofs import Integers, Numbers, PowerData, RadiusProof, RadiusWitness
 
 
 class ComponentsWitness(TypedDict):

@@ -8,8 +8,7 @@ As those of scalar schemes: `rules.py` says which rule has which witness, the do
 from fractions import Fraction
 from typing import NotRequired, TypedDict
 
-from subdiv_cli.kinds.scalar.witnesses import RadiusWitness
-from subdiv_cli.model.proofs import RadiusProof, RootData
+from subdiv_cli.model.proofs import RadiusProof, RadiusWitness, RootData
 from subdiv_cli.spaces.lattice import Index
 
 Numbers = tuple[Fraction, ...]

@@ -9,11 +9,8 @@ finding of a rule has is optional.
 from fractions import Fraction
 from typing import NotRequired, Required, TypedDict
 
-from subdiv_cli.model.proofs import PowerData
+from subdiv_cli.model.proofs import Integers, Numbers, PowerData, RadiusWitness
 
-Numbers = tuple[Fraction, ...]
-Integers = tuple[int, ...]
-"""Several integers: a word, or the first indices of several sequences."""
 Spectra = tuple[tuple[str, ...], ...]
 
 
@@ -121,12 +118,6 @@ class SmoothnessSpectrumWitness(TypedDict):
 
     nu: int
     eigenvalues: Spectra
-
-
-class RadiusWitness(PowerData, total=False):
-    """What is known of a joint spectral radius, and a product that attains its lower bound where one is known."""
-
-    word: Integers
 
 
 class JointRadiusWitness(RadiusWitness):

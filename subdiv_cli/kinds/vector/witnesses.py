@@ -8,8 +8,8 @@
 from fractions import Fraction
 from typing import NotRequired, Required, TypedDict
 
-from subdiv_cli.kinds.scalar.witnesses import Integers, JordanBlockWitness, Numbers, RadiusWitness
-from subdiv_cli.model.proofs import PowerData, RadiusProof
+from subdiv_cli.kinds.scalar.witnesses import JordanBlockWitness
+from subdiv_cli.model.proofs import Integers, Numbers, PowerData, RadiusProof, RadiusWitness
 
 Rows = tuple[Numbers, ...]
 

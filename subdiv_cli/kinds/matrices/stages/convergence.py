@@ -18,7 +18,7 @@ from subdiv_cli.kinds.matrices.witnesses import (
     SpaceData,
     WellDefinedWitness,
 )
-from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, put_power, shown
+from subdiv_cli.kinds.radius import enclosed, put_power, shown
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import point

@@ -35,7 +35,7 @@ from subdiv_cli.kinds.matrices.witnesses import (
     JointsProof,
     JointsWitness,
 )
-from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, put_radius, shown
+from subdiv_cli.kinds.radius import enclosed, put_radius, shown
 from subdiv_cli.model import INFINITY, Finding, Interval, Smoothness, Verdict, logarithm, unpowered
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import product as product_text

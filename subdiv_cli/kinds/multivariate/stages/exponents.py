@@ -42,8 +42,8 @@ from subdiv_cli.kinds.multivariate.witnesses import (
     MultivariateHolderUpperWitness,
     MultivariateSobolevWitness,
 )
+from subdiv_cli.kinds.radius import shown
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth
-from subdiv_cli.kinds.scalar.stages.joint_radius import shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
 from subdiv_cli.model import Finding, Interval, Root, Verdict, exact_root, logarithm, unpowered
 from subdiv_cli.model import findings as questions

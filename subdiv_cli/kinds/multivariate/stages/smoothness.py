@@ -42,7 +42,7 @@ from subdiv_cli.kinds.multivariate.witnesses import (
     MultivariateStabilityWitness,
     SpaceProof,
 )
-from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, put_radius, shown
+from subdiv_cli.kinds.radius import enclosed, put_radius, shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
 from subdiv_cli.model import Finding, Smoothness, Verdict, exact_root
 from subdiv_cli.model import findings as questions

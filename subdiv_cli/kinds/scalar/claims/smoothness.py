@@ -12,12 +12,7 @@ from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.claims import radius
 from subdiv_cli.kinds.scalar.claims.proof import Proof
 from subdiv_cli.kinds.scalar.claims.structure import eigen_condition, residue_sums
-from subdiv_cli.kinds.scalar.witnesses import (
-    ConvergenceWitness,
-    HolderLowerWitness,
-    ObstacleWitness,
-    SobolevWitness,
-)
+from subdiv_cli.kinds.scalar.witnesses import ConvergenceWitness, HolderLowerWitness, ObstacleWitness, SobolevWitness
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import proof_of

@@ -16,6 +16,7 @@ from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.products import lyndon_words, radius_bound
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts, asking
+from subdiv_cli.kinds.radius import shown
 from subdiv_cli.kinds.scalar.numbers.estimate import estimated_exponent
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
@@ -23,7 +24,7 @@ from subdiv_cli.kinds.scalar.numbers.radius import exponent_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import HOLDER_ATTAINED, HOLDER_LOWER, HOLDER_UPPER, JOINT_RADIUS, SOBOLEV
 from subdiv_cli.kinds.scalar.stages.decay import Decay, decays, logarithmic
-from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, put_product, shown
+from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, put_product
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
 from subdiv_cli.kinds.scalar.witnesses import HolderLowerWitness, HolderUpperWitness
 from subdiv_cli.model import Exponent, Finding, Interval, Verdict

@@ -6,20 +6,16 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from flint import ctx
-
-from subdiv_cli.exact.algebraic import number_of
-from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, is_short, modulus, number, rounded_up, valued
+from subdiv_cli.exact.text import modulus, number, rounded_up, valued
 from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import Facts, asking
+from subdiv_cli.kinds.radius import enclosed, put_radius, shown
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS, SOBOLEV
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
-from subdiv_cli.kinds.scalar.witnesses import JointRadiusWitness, ObstacleWitness, ProductWitness, RadiusWitness
-from subdiv_cli.model import Finding, Interval
-from subdiv_cli.model.proofs import PowerData
+from subdiv_cli.kinds.scalar.witnesses import JointRadiusWitness, ObstacleWitness, ProductWitness
+from subdiv_cli.model import Finding
 
 
 class Obstacle(NamedTuple):
@@ -141,46 +137,6 @@ def _finding(numbers: ScalarNumbers) -> Finding:
     value = enclosed(radius)
     size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
     return JOINT_RADIUS.proved(f"{name} {size}: {_how(numbers, radius)}", witness, value, proof=radius.proof)
-
-
-def put_radius(witness: RadiusWitness, radius: Radius) -> None:
-    """Write into a witness a product, where one is known, and what is proved of a radius."""
-    if radius.word is not None:
-        witness["word"] = radius.word
-    put_power(witness, radius)
-
-
-def put_power(witness: PowerData, radius: Radius) -> None:
-    """Write into a witness what is proved of a radius ρ: ρ^length <= bound or = root, both where a norm is attained."""
-    witness["length"] = radius.proof["length"]
-    if "root" in radius.proof:
-        witness["root"] = radius.proof["root"]
-    if "bound" in radius.proof:
-        witness["bound"] = radius.proof["bound"]
-
-
-def enclosed(radius: Radius) -> Interval:
-    """The radius in outward doubles; only from above where it is not known exactly."""
-    length, bound = radius.upper
-    with ctx.workprec(128):
-        power = ball(1) / length
-        if radius.exact is None:
-            return Interval(upper=interval(ball(bound) ** power if length > 1 else bound).upper)
-        root = radius.exact[1]
-        if root.low == root.high and length == 1:
-            return interval(root.low)
-        return interval(number_of(root).enclosure().real ** power)
-
-
-def shown(radius: Radius) -> str:
-    """The radius as text: exactly where it is a short rational, else its digits, and behind them a short power."""
-    assert radius.exact is not None
-    length, root = radius.exact
-    exact = number(root.low) if root.low == root.high and is_short(root.low) else None
-    if exact is not None and length == 1:
-        return valued(root.low)
-    figures = certain(lambda: number_of(root).enclosure().real ** (ball(1) / length))
-    return figures if exact is None or "…" in exact else f"{figures} = ({exact})^(1/{length})"
 
 
 def _how(numbers: ScalarNumbers, radius: Radius) -> str:

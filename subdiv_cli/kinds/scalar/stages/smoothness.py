@@ -8,6 +8,7 @@ from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import certain, rounded_up, sized, valued
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.kind import ContradictionError, Facts, asking
+from subdiv_cli.kinds.radius import enclosed, shown
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import (
     CONTRACTIVITY,
@@ -22,12 +23,10 @@ from subdiv_cli.kinds.scalar.rules import (
 from subdiv_cli.kinds.scalar.stages.decay import decays, mean_decay
 from subdiv_cli.kinds.scalar.stages.joint_radius import (
     Obstacle,
-    enclosed,
     obstacle_to,
     obstacles_to,
     product_obstacle,
     put_product,
-    shown,
     threshold,
     who_is_stable,
 )
