@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from fractions import Fraction
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 _Number = TypeVar("_Number", int, Fraction)
 
@@ -156,6 +156,14 @@ def rational(x: Fraction | int) -> str:
     """The text `p/q`, or `p` for an integer, of any length: Python itself refuses more than 4300 digits."""
     x = Fraction(x)
     return _integer_text(x.numerator) + ("" if x.denominator == 1 else f"/{_integer_text(x.denominator)}")
+
+
+Nested = Fraction | int | tuple["Nested", ...]
+
+
+def rationals(numbers: Nested) -> Any:
+    """Nested tuples of rationals as nested lists of their texts, integers too."""
+    return [rationals(x) for x in numbers] if isinstance(numbers, tuple) else rational(numbers)
 
 
 def _integer_text(n: int) -> str:

@@ -20,10 +20,10 @@ from subdiv_cli.checker.radius.rules import RULEBOOK as RADIUS
 from subdiv_cli.checker.vector.rules import RULES
 from subdiv_cli.kinds.scalar.stages.holder import defect
 from subdiv_cli.kinds.vector import KIND
-from subdiv_cli.kinds.vector.claims.proof import rationals
 from subdiv_cli.kinds.vector.numbers.vector import VectorNumbers
 from subdiv_cli.kinds.vector.stages.convergence import space_data
 from subdiv_cli.model import Effort, Verdict
+from subdiv_cli.model.closed import rationals
 from subdiv_cli.pipeline import DisagreementError, certified, check
 
 PACKAGE = Path(subdiv_cli.__file__).parent

@@ -17,12 +17,11 @@ from subdiv_cli.checker.curves.convergence import (
     joints_fit,
     scaled,
 )
-from subdiv_cli.checker.matrices import RationalFamily
+from subdiv_cli.checker.matrices import RationalFamily, dependent_rows
 from subdiv_cli.checker.radius.families import UPPER, bound_of
 from subdiv_cli.checker.reading import MAX_ORDER, require, require_few
 from subdiv_cli.checker.roots import fraction_bits
 
-_PRIME = (1 << 61) - 1
 _MAX_POINTS = 10_000
 
 
@@ -96,16 +95,8 @@ def _over_one(rows: Sequence[Sequence[Fraction]]) -> tuple[list[list[int]], int]
 
 def independent(rows: Sequence[Sequence[int]]) -> None:
     """Check that the rows have full rank modulo a prime: then over Q as well."""
-    reduced: list[tuple[int, list[int]]] = []
-    for i, row in enumerate(rows):
-        rest = [x % _PRIME for x in row]
-        for pivot, other in reduced:
-            if f := rest[pivot]:
-                rest = [(x - f * y) % _PRIME for x, y in zip(rest, other, strict=True)]
-        pivot = next((j for j, x in enumerate(rest) if x), -1)
-        require(pivot >= 0, f"vector {i} depends on those before it, modulo 2^61 - 1")
-        inverse = pow(rest[pivot], -1, _PRIME)
-        reduced.append((pivot, [inverse * x % _PRIME for x in rest]))
+    dependent = next(iter(dependent_rows(rows)), None)
+    require(dependent is None, f"vector {dependent} depends on those before it, modulo 2^61 - 1")
 
 
 def _refines(family: RationalFamily, letter: int, polygons: list[list[int]], span: list[list[int]]) -> None:

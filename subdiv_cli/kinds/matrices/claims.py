@@ -17,9 +17,9 @@ from subdiv_cli.kinds.matrices.witnesses import (
     JointsProof,
 )
 from subdiv_cli.model import Finding, Verdict
-from subdiv_cli.model.closed import rational
+from subdiv_cli.model.closed import rational, rationals
 from subdiv_cli.model.findings import proof_of
-from subdiv_cli.model.proofs import Numbers, RadiusProof
+from subdiv_cli.model.proofs import RadiusProof
 
 
 def claims_of(analysis: Analysis) -> Proofs:
@@ -123,7 +123,7 @@ class _CurveProof:
     def _well_defined(self) -> int:
         holds, known = self.facts.verdict(rules.WELL_DEFINED), self.facts.witness(rules.WELL_DEFINED)
         statement = {"property": "well-defined", "holds": holds is Verdict.PROVED}
-        witness = {"left": _vector(known["left"]), "right": _vector(known["right"])}
+        witness = {"left": rationals(known["left"]), "right": rationals(known["right"])}
         work = 2 * self.p * self.n**2
         return self.claims.prove("meets", statement, witness, [self._convergent()], work)
 
@@ -133,8 +133,8 @@ class _CurveProof:
         known = self.facts.witness(rules.COMPONENTS)
         d, m = known["degree"], known["dimension"]
         proof = proof_of(self.facts[rules.COMPONENTS], ComponentsProof)
-        witness: Json = {"annihilator": _vectors(proof["annihilator"]), "polygons": _vectors(proof["polygons"])}
-        witness |= {"words": spelled(proof["words"]), "level": proof["level"], "weights": _vector(proof["weights"])}
+        witness: Json = {"annihilator": rationals(proof["annihilator"]), "polygons": rationals(proof["polygons"])}
+        witness |= {"words": spelled(proof["words"]), "level": proof["level"], "weights": rationals(proof["weights"])}
         longest = max(map(len, proof["words"]))
         steps = m * (longest + self.p * (self.n - m + d + 1)) + 2 * len(proof["weights"])
         work = steps * self.n**2 + (m + self.n) ** 3
@@ -166,8 +166,8 @@ class _CurveProof:
         used, number = self._polynomials(), self._number("curve")
         work = size * n * (n + self.p * (n + size)) + n * size**2
         witness = {
-            "basis": _vectors(self._proof["basis"]),
-            "matrices": [_vectors(m) for m in self._proof["matrices"]],
+            "basis": rationals(self._proof["basis"]),
+            "matrices": rationals(self._proof["matrices"]),
         }
         statement = {"property": "family", "family": number, "on": "curve"}
         return self.claims.prove("annihilators", statement, witness, [used], work)
@@ -197,7 +197,7 @@ class _CurveProof:
         for order in orders:
             place = asked.index(order)
             fits = fit is Verdict.PROVED or order < asked[-1]
-            witness = {"left": _vector(proof["left"][place]), "right": _vector(proof["right"][place])}
+            witness = {"left": rationals(proof["left"][place]), "right": rationals(proof["right"][place])}
             work = 2 * (self.p + self.n) * self.n**2
             made.append(
                 self.claims.prove("derivative", {"order": order, "holds": fits}, witness, self._bounded(), work)
@@ -276,13 +276,3 @@ class _CurveProof:
         statement = {"length": witness["length"], "bound": rational(witness["radius"])}
         uses = self._growing(witness["word"], witness["radius"])
         return self.claims.prove("holder-upper", statement, uses=uses)
-
-
-def _vector(x: Numbers) -> list[str]:
-    """A vector of rationals, each as `p/q`."""
-    return [rational(entry) for entry in x]
-
-
-def _vectors(rows: Sequence[Numbers]) -> list[list[str]]:
-    """Vectors of rationals, as the rows of a matrix."""
-    return list(map(_vector, rows))

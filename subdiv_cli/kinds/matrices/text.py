@@ -19,7 +19,7 @@ from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, KeyPath, shown_number
 from subdiv_cli.maskfile.spelling import listed, nested
 from subdiv_cli.maskfile.values import described
-from subdiv_cli.model.closed import rational
+from subdiv_cli.model.closed import rationals
 
 _HELP = 'write matrices = [[["1/2", 1], [0, 1]], [[1, 0], [1, "1/2"]]]: a list of matrices, each a list of rows'
 
@@ -112,11 +112,6 @@ def spell(body: Matrices) -> list[str]:
 def canonical(family: MatrixFamily) -> Mapping[str, Any]:
     """The family as certificates embed it."""
     return {"kind": family.kind, "matrices": rationals(family.matrices)}
-
-
-def rationals(matrices: Iterable[Matrix]) -> list[list[list[str]]]:
-    """Matrices as certificates have them, each entry as `p/q`."""
-    return [[[rational(x) for x in row] for row in matrix] for matrix in matrices]
 
 
 class Shape(NamedTuple):

@@ -24,7 +24,7 @@ from subdiv_cli.kinds.multivariate.witnesses import (
 )
 from subdiv_cli.kinds.scalar.claims import claims_of as univariate_claims
 from subdiv_cli.model import DECIDED, Finding, Verdict, exact_root
-from subdiv_cli.model.closed import rational
+from subdiv_cli.model.closed import rational, rationals
 from subdiv_cli.model.findings import proof_of
 from subdiv_cli.model.proofs import RootData, upper_bound
 
@@ -174,8 +174,8 @@ class _Proof:
                 "cosets": spelled(space["cosets"]),
                 "window": spelled(space["window"]),
                 "basis": spelled(space["basis"]),
-                "matrices": _rationals(space["matrices"]),
-                "generators": _rationals(space["generators"]),
+                "matrices": rationals(space["matrices"]),
+                "generators": rationals(space["generators"]),
             }
             statement = {"property": "family", "family": 0, "order": k}
             self._family = self.claims.prove("differences", statement, witness, [self._sum_rules()], work)
@@ -400,11 +400,3 @@ class _Proof:
 def _terms(numbers: PlacedNumbers) -> list[Any]:
     """The terms of a mask as plain data: pairs of an index and a number."""
     return [[list(index), rational(x)] for index, x in numbers]
-
-
-_Nested = Fraction | tuple["_Nested", ...]
-
-
-def _rationals(numbers: _Nested) -> Any:
-    """Nested tuples of numbers, each as `p/q`."""
-    return [_rationals(x) for x in numbers] if isinstance(numbers, tuple) else rational(numbers)

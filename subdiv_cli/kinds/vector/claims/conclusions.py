@@ -7,7 +7,7 @@ from fractions import Fraction
 from subdiv_cli.certificate.claims import Json
 from subdiv_cli.certificate.radius import root_fields
 from subdiv_cli.kinds.vector import rules
-from subdiv_cli.kinds.vector.claims.proof import VectorProof, rationals
+from subdiv_cli.kinds.vector.claims.proof import VectorProof
 from subdiv_cli.kinds.vector.witnesses import (
     EigenSequencesProof,
     SequenceRadiusProof,
@@ -16,7 +16,7 @@ from subdiv_cli.kinds.vector.witnesses import (
     VectorDerivedProof,
 )
 from subdiv_cli.model import Finding, Verdict
-from subdiv_cli.model.closed import rational
+from subdiv_cli.model.closed import rational, rationals
 from subdiv_cli.model.findings import proof_of
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, cast
 
 from subdiv_cli.certificate.claims import Claims, Json
 from subdiv_cli.certificate.radius import Radii
@@ -12,8 +11,8 @@ from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.witnesses import JordanBlockWitness
 from subdiv_cli.kinds.vector import rules
 from subdiv_cli.kinds.vector.witnesses import SequenceRadiusProof, SequenceRadiusWitness, SequenceSpaceData
-from subdiv_cli.model import Data, Finding, Rule, Verdict
-from subdiv_cli.model.closed import rational
+from subdiv_cli.model import Finding, Rule, Verdict
+from subdiv_cli.model.closed import rational, rationals
 from subdiv_cli.model.findings import proof_of
 from subdiv_cli.model.proofs import RadiusProof
 
@@ -150,8 +149,3 @@ class VectorProof:
 
     def _fixed(self, count: int, length: int) -> int:
         return count * (length // self.size + 1) * self.entries + (count + self.size) ** 2 * length
-
-
-def rationals(data: Data) -> Any:
-    """Nested tuples of numbers, each as `p/q`, integers too."""
-    return [rationals(x) for x in data] if isinstance(data, tuple) else rational(cast("Fraction | int", data))
