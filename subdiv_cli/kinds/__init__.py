@@ -40,7 +40,7 @@ def kinds_that(capability: str) -> tuple[str, ...]:
     return tuple(name for name in KINDS if getattr(kind_named(name), capability) is not None)
 
 
-_DONE = {"analyse": "checked", "portraits": "taken apart", "drawings": "drawn"}
+_DONE = {"analyse": "checked", "portraits": "taken apart", "drawings": "drawn", "smoothing": "smoothed"}
 
 
 def lacking(name: str, capability: str) -> str | None:
