@@ -99,10 +99,10 @@ def check_steps(scheme: Scheme, steps: Sequence[SmoothingStep], effort: Effort) 
     orders that the steps gain.
     """
     before, after = check(scheme, (), effort).result, check(steps[-1].scheme, (), effort).result
-    orders = sum(step.orders for step in steps)
-    if before.convergent is after.convergent is Verdict.PROVED and before.holder and after.holder:
-        if not (_reaches(before.holder, orders, after.holder) and _reaches(after.holder, -orders, before.holder)):
-            raise DisagreementError(f"the exponents of two schemes do not differ by {orders}")
+    orders, one, other = sum(step.orders for step in steps), before.holder, after.holder
+    both = before.convergent is after.convergent is Verdict.PROVED
+    if both and one and other and not (_reaches(one, orders, other) and _reaches(other, -orders, one)):
+        raise DisagreementError(f"the exponents of two schemes do not differ by {orders}")
     return before, after
 
 
