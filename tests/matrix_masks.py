@@ -14,6 +14,11 @@ HERMITE_CUBIC = {
     0: [["1", "0"], ["0", "1/2"]],
     1: [["1/2", "1/8"], ["-3/4", "-1/8"]],
 }
+HERMITE_QUINTIC = {
+    -1: [["1/2", "-5/32", "1/64"], ["15/16", "-7/32", "1/64"], ["0", "3/8", "-1/16"]],
+    0: [["1", "0", "0"], ["0", "1/2", "0"], ["0", "0", "1/4"]],
+    1: [["1/2", "5/32", "1/64"], ["-15/16", "-7/32", "-1/64"], ["0", "-3/8", "-1/16"]],
+}
 DOUBLE_KNOT_CUBIC = {
     0: [["1/4", "0"], ["5/8", "1/8"]],
     1: [["3/4", "1/4"], ["1/4", "3/4"]],
@@ -35,6 +40,74 @@ def merrien(lam, mu):
         0: [["1", "0"], ["0", "1/2"]],
         1: [["1/2", -lam], [-(1 - mu) / 2, mu / 4]],
     }
+
+
+def de_rham(mask):
+    """The de Rham transform of a binary Hermite mask: A_i = D^-1 (A∘A)_(2i+1), A∘A that of two steps."""
+    twice = {}
+    for i, a in mask.items():
+        for j, b in mask.items():
+            found, k = times(a, b), i + 2 * j
+            old = twice.get(k, [[0] * len(a)] * len(a))
+            twice[k] = [[x + y for x, y in zip(r, s, strict=True)] for r, s in zip(old, found, strict=True)]
+    return {(k - 1) // 2: [[2**j * x for x in row] for j, row in enumerate(a)] for k, a in twice.items() if k % 2}
+
+
+def smoothed_jets(mask):
+    """Procedure 40 of Moosmüller & Dyn for α_12(1) = 0, formula (44), for functions and their derivatives."""
+    entries = {(r, c): {i: Fraction(a[r][c]) for i, a in mask.items()} for r in (0, 1) for c in (0, 1)}
+    one, half = {0: Fraction(1)}, {0: Fraction(1, 2)}
+    a11, a12, a21, a22 = (entries[r, c] for r in (0, 1) for c in (0, 1))
+    shift = lambda k, x: {k: Fraction(1), 0: Fraction(x)}  # noqa: E731, z^k + x
+    quotient, total = {}, Fraction(0)
+    for i in range(max(a12), min(a12) - 1, -1):  # (z^-1 - 1) q = α_12
+        total -= a12.get(i, 0)
+        quotient[i] = total
+    assert total == 0
+    c11 = product(half, shift(-1, 1), sum_of(product(shift(-2, -2), a12), a11))
+    inner = sum_of(
+        a21,
+        product({0: Fraction(-1)}, a11, shift(-1, -2)),
+        product(a22, shift(-2, -2)),
+        product({0: Fraction(-1)}, a12, shift(-1, -2), shift(-2, -2)),
+    )
+    c21 = product(half, shift(-2, -1), inner)
+    c22 = product(half, sum_of(a22, product({0: Fraction(-1)}, a12, shift(-1, -2))))
+    c12 = product(half, quotient, one)
+    support = sorted({i for f in (c11, c12, c21, c22) for i, x in f.items() if x})
+    return {i: [[c11.get(i, 0), c12.get(i, 0)], [c21.get(i, 0), c22.get(i, 0)]] for i in support}
+
+
+def product(*factors):
+    """The product of Laurent polynomials, exponent -> coefficient."""
+    total = {0: Fraction(1)}
+    for f in factors:
+        found = {}
+        for i, x in total.items():
+            for j, y in f.items():
+                found[i + j] = found.get(i + j, 0) + x * y
+        total = found
+    return total
+
+
+def sum_of(*terms):
+    """The sum of Laurent polynomials."""
+    return {i: sum(f.get(i, 0) for f in terms) for i in {i for f in terms for i in f}}
+
+
+UNSEEN = {
+    0: [["1/4", 0], ["1/16", 0]],
+    1: [["1/4", 0], ["1/16", 0]],
+    2: [["1/2", 0], ["1/8", 0]],
+    3: [["1/2", 0], ["1/8", 0]],
+    4: [["1/4", 0], [0, 0]],
+    5: [["1/4", 0], [0, 0]],
+    6: [[0, 0], ["-1/8", 0]],
+    7: [[0, 0], ["-1/8", 0]],
+    8: [[0, 0], ["-1/16", 0]],
+    9: [[0, 0], ["-1/16", 0]],
+}
+"""φ of the mask (1,1,2,2,1,1)/4, which is not stable, with the derivative as a difference of its limit stencil."""
 
 
 def scalar(coefficients, start=0):
@@ -129,12 +202,12 @@ def box_spline(*directions):
     return {index: [[value]] for index, value in terms.items()}
 
 
-def scheme(mask, arity=2):
-    """The vector scheme of a mask."""
+def scheme(mask, arity=2, kind="vector"):
+    """The scheme of a mask, of vectors or of jets."""
     m, low, high = len(next(iter(mask.values()))), min(mask), max(mask)
     rows = [mask.get(i, [[0] * m] * m) for i in range(low, high + 1)]
     coefficients = tuple(tuple(tuple(map(Fraction, row)) for row in matrix) for matrix in rows)
-    return VectorScheme(arity=arity, start=low, coefficients=coefficients)
+    return VectorScheme(arity=arity, start=low, coefficients=coefficients, kind=kind)
 
 
 def spaces(mask, dilation=((2,),)):

@@ -13,7 +13,7 @@ from typing import Any
 
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.model import Exponent, Judgement, Result, Verdict
-from subdiv_cli.model.properties import PROPERTIES
+from subdiv_cli.model.properties import BY_KEY, PROPERTIES
 
 _RANK = {"refuted": 0, "undecided": 1, "skipped": 1, "proved": 2}
 
@@ -62,8 +62,8 @@ def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _value(old: Mapping[str, Any], key: str) -> Any:
-    """The value of a property in a report; None in one that is older than the property."""
-    return old.get(key)
+    """The value of a property in a report; that of one without an answer in a report that is older than it."""
+    return old.get(key, {"verdict": Verdict.SKIPPED.value} if BY_KEY[key].form == "verdict" else None)
 
 
 def _verdict(name: str, old: str, new: Verdict) -> Iterator[str]:

@@ -145,6 +145,8 @@ def _result(data: Mapping[str, Any]) -> Result:
         generation=data["generation"],
         reproduction=data["reproduction"],
         dimension=data.get("dimension"),
+        spectral=Verdict(data.get("spectral", {"verdict": "skipped"})["verdict"]),
+        derivatives=None if data.get("derivatives") is None else len(data["derivatives"]),
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),

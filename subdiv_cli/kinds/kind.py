@@ -167,13 +167,15 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         generation=degree(questions.GENERATION),
         reproduction=degree(questions.REPRODUCTION),
         dimension=degree(questions.DIMENSION),
+        spectral=verdict(questions.SPECTRAL),
+        derivatives=degree(questions.DERIVATIVES),
         findings=findings,
     )
 
 
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
-    "generation", "reproduction", "dimension",
+    "generation", "reproduction", "dimension", "spectral", "derivatives",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 

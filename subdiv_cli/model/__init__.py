@@ -114,6 +114,9 @@ class Result:
     reproduction: int | None = None
     dimension: int | None = None
     """The dimension of the space of constants of a mask of matrices."""
+    spectral: Verdict = Verdict.SKIPPED
+    derivatives: int | None = None
+    """The number of derivatives of the limit that a Hermite scheme converges to, beside the limit itself."""
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None

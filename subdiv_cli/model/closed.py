@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from fractions import Fraction
+from math import gcd
 from typing import NamedTuple, TypeVar
 
 _Number = TypeVar("_Number", int, Fraction)
@@ -113,6 +114,29 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
     if exponent is not None and min(argument.numerator, argument.denominator) == 1:
         return Fraction(exponent if argument > 1 else -exponent, divisor)
     return Log(base=base, argument=argument, divisor=divisor)
+
+
+def less(x: ClosedForm, n: int) -> ClosedForm:
+    """The number x - n, n >= 0: of a root that of the root times a power of the base, in decimals that isolate it."""
+    if isinstance(x, Fraction):
+        return x - n
+    scale: int = x.base ** (n * x.divisor)
+    if isinstance(x, Log):
+        return logarithm(x.base, x.argument / scale, x.divisor)
+    f, low, high = x.root
+    scaled = [c * scale ** (len(f) - 1 - i) for i, c in enumerate(f)]
+    coefficients = tuple(c // gcd(*scaled) for c in scaled)
+    below, above = x.text[x.text.index(", ") + 2 : x.text.index("))")].split(", ")
+    polynomial = spelled_terms(reversed(list(enumerate(coefficients))), "x", "*", str)
+    text = root_log_text(x.base, polynomial, _times(below, scale), _times(above, scale), x.divisor)
+    return RootLog(x.base, Root(coefficients, low * scale, high * scale), x.divisor, text)
+
+
+def _times(decimal: str, factor: int) -> str:
+    """A decimal times an integer, both positive, as a decimal."""
+    whole, _, places = decimal.partition(".")
+    digits = str(int(whole + places) * factor).zfill(len(places) + 1)
+    return f"{digits[: len(digits) - len(places)]}.{digits[len(digits) - len(places) :]}"
 
 
 def unpowered(base: int, divisor: int) -> tuple[int, int]:

@@ -41,6 +41,7 @@ PROPERTIES = (
     Property("generation", "generation", "the generation degree", "degree", q.GENERATION),
     Property("reproduction", "reproduction", "the reproduction degree", "degree", q.REPRODUCTION),
     Property("dimension", "constants", "the dimension of the space of constants", "dimension", q.DIMENSION),
+    Property("spectral", "spectral condition", "the spectral condition", "verdict", q.SPECTRAL),
 )
 """The properties in the order of tables."""
 BY_KEY: Mapping[str, Property] = {row.key: row for row in PROPERTIES}

@@ -38,6 +38,7 @@ class MatrixCoefficients(NamedTuple):
     arity: int
     start: int
     matrices: Expressions
+    kind: str = "vector"
 
     def expressions(self) -> Iterable[Expression]:
         return (entry for matrix in self.matrices for row in matrix for entry in row)
@@ -52,7 +53,7 @@ class MatrixCoefficients(NamedTuple):
         if fault:
             problems.add(fault, ("mask", "coefficients"))
             return None
-        return VectorScheme(arity=self.arity, start=self.start, coefficients=found)
+        return VectorScheme(arity=self.arity, start=self.start, coefficients=found, kind=self.kind)
 
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> MatrixCoefficients | None:
@@ -94,7 +95,7 @@ def _flat(value: object) -> str | None:
 
 def body_of(scheme: VectorScheme) -> MatrixCoefficients:
     """The literal coefficients of a scheme."""
-    return MatrixCoefficients(scheme.arity, scheme.start, literals(scheme.coefficients))
+    return MatrixCoefficients(scheme.arity, scheme.start, literals(scheme.coefficients), scheme.kind)
 
 
 def spell(body: MatrixCoefficients) -> list[str]:

@@ -60,7 +60,10 @@ class VectorProof:
 
     def radius(self, order: int, space: Map, radius: Map) -> list[int]:
         """The claims on a radius, and on the space of this order."""
-        introduced = self.space(order, space)
+        return self.radius_on(self.space(order, space), space, radius)
+
+    def radius_on(self, introduced: int, space: Map, radius: Map) -> list[int]:
+        """The claims on a radius, and on the space that a claim introduces."""
         number, n = self._number(introduced), len(as_tuple(space["basis"]))
         return [Radii(self.claims, self._families, self.p, []).claim(radius, number, n), introduced]
 
@@ -72,33 +75,47 @@ class VectorProof:
         """The claim that introduces the operators on an invariant space: of order 0 that of what dies out."""
         if order in self._spaces:
             return self._spaces[order]
+        given = order + 2 + self.stencil_width() if order else 2
+        witness, work = self.space_witness(space, given)
+        if order:
+            words, more = spanning_words(space)
+            witness, work = {**witness, "words": words}, work + more
+            rule, uses = "stencil-differences", [self.stencils()]
+        else:
+            witness["orthogonal"] = rationals(space["orthogonal"])
+            rule, uses, work = "decay", [self.constants()], work + len(as_tuple(space["basis"])) * self.size**2
+        statement = {"property": "family", "family": self.next_family(), "order": order}
+        self._spaces[order] = self.claims.prove(rule, statement, witness, uses, work)
+        return self._spaces[order]
+
+    def next_family(self) -> int:
+        """The number of a new family."""
+        self._families.append(None)
+        return len(self._families) - 1
+
+    def space_witness(self, space: Map, given: int) -> tuple[Json, int]:
+        """The witness of an invariant space, and its work where the given sequences have so many indices at most."""
         basis, tree, m = as_tuple(space["basis"]), as_tuple(space["tree"]), self.size
         n, width = len(basis), len(as_tuple(basis[0]))
-        given = order + 2 + self._stencil_width() if order else 2
         longest = max(self.length, given) + 2
         work = len(tree) * longest * self.entries + sum(as_word({"word": tree})) * n * width
         work += n * width * (n * (self.p + 1) + self.entries // m)
         witness: Json = {"start": space["start"], "tree": list(tree)}
         witness |= {key: rationals(space[key]) for key in ("basis", "matrices", "leaves")}
-        if order:
-            words = [list(as_tuple(word)) for word in as_tuple(space["words"])]
-            witness["words"], work = words, work + sum(map(len, words)) * n * n + n**3
-            rule, uses = "stencil-differences", [self.stencils()]
-        else:
-            witness["orthogonal"] = rationals(space["orthogonal"])
-            rule, uses, work = "decay", [self.constants()], work + n * m * m
-        statement = {"property": "family", "family": len(self._families), "order": order}
-        self._families.append(None)
-        self._spaces[order] = self.claims.prove(rule, statement, witness, uses, work)
-        return self._spaces[order]
+        return witness, work
 
-    def _stencil_width(self) -> int:
+    def stencil_width(self) -> int:
+        """The number of indices of the limit stencils."""
         rows = as_tuple(self.found[rules.LIMIT_STENCILS].witness["rows"])
         return len(as_tuple(rows[0])) // self.size
 
     def word(self, order: int, space: Map, word: Sequence[int], bound: Fraction) -> list[int]:
         """The claims that a product bounds the radius on a space from below, and on that space."""
-        introduced, n = self.space(order, space), len(as_tuple(space["basis"]))
+        return self.word_on(self.space(order, space), space, word, bound)
+
+    def word_on(self, introduced: int, space: Map, word: Sequence[int], bound: Fraction) -> list[int]:
+        """The claims that a product bounds the radius from below, and on the space that a claim introduces."""
+        n = len(as_tuple(space["basis"]))
         statement = {
             "property": "radius-lower",
             "family": self._number(introduced),
@@ -144,6 +161,12 @@ class VectorProof:
 
     def _fixed(self, count: int, length: int) -> int:
         return count * (length // self.size + 1) * self.entries + (count + self.size) ** 2 * length
+
+
+def spanning_words(space: Map) -> tuple[list[list[Data]], int]:
+    """The words that span an invariant space, a leaf and letters each, and the work of checking that they do."""
+    words, n = [list(as_tuple(word)) for word in as_tuple(space["words"])], len(as_tuple(space["basis"]))
+    return words, sum(map(len, words)) * n * n + n**3
 
 
 def rationals(data: Data) -> Any:

@@ -1,0 +1,92 @@
+"""The claims of findings on Hermite schemes, as FORMAT.md in this kind's folder says; `claims_of` begins."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any, cast
+
+from subdiv_cli.certificate.claims import Json, Proofs, proofs
+from subdiv_cli.certificate.witness import as_integer, as_word
+from subdiv_cli.kinds.hermite import rules
+from subdiv_cli.kinds.kind import Analysis
+from subdiv_cli.kinds.vector import rules as vector
+from subdiv_cli.kinds.vector.claims import CLAIMS as OF_VECTORS
+from subdiv_cli.kinds.vector.claims.proof import Map, VectorProof, rationals, spanning_words
+from subdiv_cli.kinds.vector.text import canonical
+from subdiv_cli.model import Finding, Verdict
+
+
+class HermiteProof(VectorProof):
+    """A certificate under construction: each method returns the numbers of claims, made if there are none yet."""
+
+    def __init__(self, mask: Json, findings: Sequence[Finding]) -> None:
+        super().__init__(mask, findings)
+        self._jets: dict[int, int] = {}
+        self._radii: dict[int, list[int]] = {}
+
+    def jet(self, finding: Finding) -> int:
+        """The claim that introduces the operators on the space of a derivative."""
+        j, space = as_integer(finding.witness["order"]), cast(Map, finding.proof["space"])
+        if j not in self._jets:
+            start = as_integer(self.found[vector.LIMIT_STENCILS].witness["start"])
+            witness, work = self.space_witness(space, abs(start) + self.stencil_width() + j + 3)
+            words, more = spanning_words(space)
+            uses = [self.constants(), self.stencils()]
+            statement = {"property": "jet", "family": self.next_family(), "component": j}
+            self._jets[j] = self.claims.prove("jet", statement, {**witness, "words": words}, uses, work + more)
+        return self._jets[j]
+
+    def jet_radius(self, finding: Finding) -> list[int]:
+        """The claims on the radius of a derivative, and on its space."""
+        introduced, found = self.jet(finding), finding.proof
+        if introduced not in self._radii:
+            self._radii[introduced] = self.radius_on(introduced, cast(Map, found["space"]), cast(Map, found["radius"]))
+        return self._radii[introduced]
+
+
+def spectral_condition(proof: HermiteProof, finding: Finding) -> list[int]:
+    """The claim of SD714."""
+    k = as_integer(finding.witness["order"])
+    statement = {"order": k, "holds": finding.verdict is Verdict.PROVED}
+    witness: Json = {"shifts": rationals(finding.witness["shifts"])}
+    work = (k + 1) ** 2 * (proof.entries + proof.p * proof.size)
+    return [proof.claims.prove("spectral", statement, witness, work=work)]
+
+
+def hermite_convergence(proof: HermiteProof, finding: Finding) -> list[int]:
+    """The claim of SD716: S is Hermite convergent, or is not."""
+    d, holds, by = proof.size, finding.verdict is Verdict.PROVED, finding.witness["by"]
+    statement: Json = {"property": "hermite-convergent", "order": as_integer(finding.witness["order"]), "holds": holds}
+    if holds:
+        uses = [
+            proof.convergent(),
+            *(claim for each in proof.found.all(rules.JET_RADIUS) for claim in proof.jet_radius(each)),
+        ]
+        return [proof.claims.prove("hermite-converges", statement, uses=uses, work=d)]
+    if by == vector.CONSTANTS.code:
+        uses = [proof.constants()]
+    elif by == vector.CONVERGENCE.code:
+        uses = [proof.convergent()]
+    else:
+        j, word = as_integer(finding.witness["derivative"]), as_word(finding.witness)
+        (each,) = (found for found in proof.found.all(rules.JET_RADIUS) if found.witness.get("order") == j)
+        bound = Fraction(1, proof.p ** (j * len(word)))
+        uses = proof.word_on(proof.jet(each), cast(Map, each.proof["space"]), word, bound)
+    return [proof.claims.prove("hermite-diverges", statement, uses=uses, work=d)]
+
+
+CLAIMS: dict[str, Callable[[Any, Finding], list[int]]] = {
+    **OF_VECTORS,
+    rules.SPECTRAL_CONDITION.code: spectral_condition,
+    rules.JET_RADIUS.code: HermiteProof.jet_radius,
+    rules.HERMITE_CONVERGENCE.code: hermite_convergence,
+}
+"""For each code what makes the claims of a decided finding."""
+
+
+def claims_of(analysis: Analysis) -> Proofs:
+    """The claims that prove what was found of a Hermite mask."""
+    mask: dict[str, Any] = dict(canonical(analysis.scheme))
+    proof = HermiteProof(mask, analysis.findings)
+    return proofs(proof.claims, mask, analysis.findings, lambda finding: CLAIMS[finding.code](proof, finding))

@@ -1,0 +1,40 @@
+"""The codes of Hermite schemes: those of kind vector, of which convergence is one step, and those on jets."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from subdiv_cli.kinds.vector import rules as vector
+from subdiv_cli.model import findings as q
+from subdiv_cli.model.findings import Rule, row, table
+
+SPECTRAL_CONDITION = row(
+    "SD714",
+    "spectral-condition",
+    "Dubuc & Merrien 2009; Moosmüller & Dyn 2018, (28) and Lemma 28",
+    answers=q.SPECTRAL,
+    proves="spectral",
+    holds=True,
+)
+JET_RADIUS = row(
+    "SD715",
+    "jet-radius",
+    "Dubuc & Merrien 2009; Rota & Strang 1960; Guglielmi, Wirth & Zennaro 2005",
+    proves="jet radius bounded radius-upper",
+    radius=True,
+)
+HERMITE_CONVERGENCE = row(
+    "SD716",
+    "hermite-convergence",
+    "Dubuc & Merrien 2009; Moosmüller & Dyn 2018, Definition 3",
+    answers=(q.CONVERGENCE, q.DERIVATIVES),
+    proves="hermite-convergent",
+    holds=True,
+)
+
+
+def rules() -> Mapping[str, Rule]:
+    """Every row by its code."""
+    shared = {code: rule for code, rule in vector.rules().items() if code != vector.DERIVED_SCHEMES.code}
+    shared[vector.CONVERGENCE.code] = vector.CONVERGENCE._replace(answers=())
+    return {**shared, **table(globals())}
