@@ -29,7 +29,13 @@ ARROWS = {
     "__init__": set(),
 }
 """Room -> the rooms it may import."""
-BETWEEN_KINDS = {"scalar": set(), "matrices": set(), "multivariate": {"scalar"}, "vector": {"scalar", "matrices"}}
+BETWEEN_KINDS = {
+    "scalar": set(),
+    "matrices": set(),
+    "multivariate": {"scalar"},
+    "vector": {"scalar", "matrices"},
+    "hermite": {"scalar", "vector"},
+}
 """Kind -> the kinds below it. All of them may import the hallway of kinds, the files beside their folders."""
 TERMINAL = {"click", "rich"}
 TO_TERMINALS = {"cli", "report", "__main__"}

@@ -23,7 +23,6 @@ class HermiteProof(VectorProof):
     def __init__(self, mask: Json, findings: Sequence[Finding]) -> None:
         super().__init__(mask, findings)
         self._jets: dict[int, int] = {}
-        self._radii: dict[int, list[int]] = {}
 
     def jet(self, finding: Finding) -> int:
         """The claim that introduces the operators on the space of a derivative."""
@@ -39,10 +38,7 @@ class HermiteProof(VectorProof):
 
     def jet_radius(self, finding: Finding) -> list[int]:
         """The claims on the radius of a derivative, and on its space."""
-        introduced, found = self.jet(finding), finding.proof
-        if introduced not in self._radii:
-            self._radii[introduced] = self.radius_on(introduced, cast(Map, found["space"]), cast(Map, found["radius"]))
-        return self._radii[introduced]
+        return self.radius_of(finding, self.jet(finding))
 
 
 def spectral_condition(proof: HermiteProof, finding: Finding) -> list[int]:

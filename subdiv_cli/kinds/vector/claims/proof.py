@@ -28,6 +28,7 @@ class VectorProof:
         self.size = len(mask["coefficients"][0])
         self._families: list[None] = []
         self._spaces: dict[int, int] = {}
+        self._radii: dict[int, list[int]] = {}
 
     @property
     def entries(self) -> int:
@@ -56,14 +57,20 @@ class VectorProof:
 
     def _radius(self, finding: Finding) -> list[int]:
         order, space = as_integer(finding.witness["order"]), cast(Map, finding.proof["space"])
-        return self.radius(order, space, cast(Map, finding.proof["radius"]))
+        return self.radius_of(finding, self.space(order, space))
+
+    def radius_of(self, finding: Finding, introduced: int) -> list[int]:
+        """The claims on the radius that a finding has on its space, which a claim introduces; made once."""
+        if introduced not in self._radii:
+            space, radius = cast(Map, finding.proof["space"]), cast(Map, finding.proof["radius"])
+            self._radii[introduced] = self._radius_on(introduced, space, radius)
+        return self._radii[introduced]
 
     def radius(self, order: int, space: Map, radius: Map) -> list[int]:
         """The claims on a radius, and on the space of this order."""
-        return self.radius_on(self.space(order, space), space, radius)
+        return self._radius_on(self.space(order, space), space, radius)
 
-    def radius_on(self, introduced: int, space: Map, radius: Map) -> list[int]:
-        """The claims on a radius, and on the space that a claim introduces."""
+    def _radius_on(self, introduced: int, space: Map, radius: Map) -> list[int]:
         number, n = self._number(introduced), len(as_tuple(space["basis"]))
         return [Radii(self.claims, self._families, self.p, []).claim(radius, number, n), introduced]
 
