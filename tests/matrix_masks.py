@@ -1,5 +1,6 @@
 """Masks of matrices on Z, for tests: index -> rows of rationals as text."""
 
+import math
 from fractions import Fraction
 
 from flint import fmpq, fmpq_mat
@@ -40,6 +41,19 @@ def merrien(lam, mu):
         0: [["1", "0"], ["0", "1/2"]],
         1: [["1/2", -lam], [-(1 - mu) / 2, mu / 4]],
     }
+
+
+def hermite_interpolation(components, arity=2):
+    """Interpolation of jets by polynomials of degree 2·components - 1 on every interval, by Hermite's equations."""
+    d, n = components, 2 * components
+    jet = lambda i, x, k: Fraction(math.perm(i, k)) * Fraction(x) ** (i - k) if i >= k else Fraction(0)  # noqa: E731
+    ends = fmpq_mat([[_rational(jet(i, x, k)) for i in range(n)] for x in (0, 1) for k in range(d)]).inv()
+    mask = {0: [[Fraction(int(k == l), arity**k) for l in range(d)] for k in range(d)]}
+    for r in range(1, arity):
+        values = fmpq_mat([[_rational(jet(i, Fraction(r, arity), k) / arity**k) for i in range(n)] for k in range(d)])
+        rows = [[Fraction(int(x.p), int(x.q)) for x in row] for row in (values * ends).tolist()]
+        mask[r], mask[r - arity] = [row[:d] for row in rows], [row[d:] for row in rows]
+    return mask
 
 
 def de_rham(mask):

@@ -67,7 +67,10 @@ def _jet(shifts: Sequence[Fraction], j: int, x: int, d: int) -> list[Fraction]:
     """The values of f_j, f_j', …, f_j^(d-1) at an integer."""
     known = [*shifts[: j + 1], *([Fraction(0)] * (j + 1 - len(shifts)))]
     return [
-        sum((phi * x ** (j - i - l) / factorial(j - i - l) for l, phi in enumerate(known[: j - i + 1])), Fraction(0))
+        sum(
+            (phi * x ** (j - i - l) / factorial(j - i - l) for l, phi in enumerate(known[: max(j - i + 1, 0)])),
+            Fraction(0),
+        )
         for i in range(d)
     ]
 
