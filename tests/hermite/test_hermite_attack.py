@@ -148,7 +148,7 @@ def test_random_masks_against_floats(seed, seen):
         radii = [p ** f.witness["order"] * f.value.upper for f in result.findings if f.code == "SD715" and f.value]
         if result.convergent is Verdict.REFUTED:
             seen["refuted"] += 1
-            assert found > max(0.93, *radii[-1:], 0) - 0.05, (mask, p, found, left)
+            assert found > 0.93, (mask, p, found, left)
             assert left > 1e-3, (mask, p, found, left)
         elif result.convergent is Verdict.PROVED:
             seen["proved"] += 1
@@ -171,7 +171,7 @@ def test_a_change_of_data_that_dies_out_changes_nothing():
         one = check(scheme(mask, kind="hermite"), (), Effort()).result
         other = check(scheme(conjugated(mask, change, inverse), kind="hermite"), (), Effort()).result
         assert one.convergent is other.convergent is Verdict.PROVED
-        assert (one.holder, one.smoothness) == (other.holder, other.smoothness)
+        assert (str(one.holder.exact), one.smoothness) == (str(other.holder.exact), other.smoothness)
 
 
 @pytest.mark.parametrize("c", ["2", "1/3", "-1", "99/100"])
