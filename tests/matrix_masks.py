@@ -68,26 +68,40 @@ def de_rham(mask):
 
 
 def smoothed_jets(mask):
-    """Procedure 40 of Moosmüller & Dyn for α_12(1) = 0, formula (44), for functions and their derivatives."""
-    entries = {(r, c): {i: Fraction(a[r][c]) for i, a in mask.items()} for r in (0, 1) for c in (0, 1)}
-    one, half = {0: Fraction(1)}, {0: Fraction(1, 2)}
-    a11, a12, a21, a22 = (entries[r, c] for r in (0, 1) for c in (0, 1))
-    shift = lambda k, x: {k: Fraction(1), 0: Fraction(x)}  # noqa: E731, z^k + x
-    quotient, total = {}, Fraction(0)
-    for i in range(max(a12), min(a12) - 1, -1):  # (z^-1 - 1) q = α_12
-        total -= a12.get(i, 0)
-        quotient[i] = total
+    """Procedure 40 of Moosmüller & Dyn for functions and their derivatives, formula (43)."""
+    a11, a12, a21, a22 = ({i: Fraction(a[r][c]) for i, a in mask.items()} for r in (0, 1) for c in (0, 1))
+    zeta = 1 + sum(a12.values()) / (2 - sum(a22.values()))
+    z = lambda **powers: {-int(k[1:]): Fraction(x) for k, x in powers.items()}  # noqa: E731, d2=x is x z^-2
+    square, half, rest = zeta**2, z(d0=Fraction(1, 2)), 1 - zeta
+    c11 = product(half, z(d1=1, d0=1), sum_of(
+        product(a12, z(d3=zeta - square, d2=square, d1=square - 1, d0=-square - zeta)),
+        product(a11, z(d1=zeta * rest, d0=square)),
+        product(a22, z(d2=zeta * -rest, d0=(zeta + 1) * rest)),
+        product(a21, z(d0=square - zeta)),
+    ))  # fmt: skip
+    numerator = product(half, sum_of(
+        product(a12, z(d3=rest**2, d2=zeta * rest, d1=zeta * rest, d0=square)),
+        product(a22, z(d2=-(rest**2), d0=rest**2 - rest)),
+        product(a11, z(d1=rest**2, d0=rest - rest**2)),
+        product(a21, z(d0=-(rest**2))),
+    ))  # fmt: skip
+    c12, total = {}, Fraction(0)
+    for i in range(max(numerator), min(numerator) - 1, -1):  # divided by z^-1 - 1
+        total -= numerator.get(i, 0)
+        c12[i] = total
     assert total == 0
-    c11 = product(half, shift(-1, 1), sum_of(product(shift(-2, -2), a12), a11))
-    inner = sum_of(
-        a21,
-        product({0: Fraction(-1)}, a11, shift(-1, -2)),
-        product(a22, shift(-2, -2)),
-        product({0: Fraction(-1)}, a12, shift(-1, -2), shift(-2, -2)),
-    )
-    c21 = product(half, shift(-2, -1), inner)
-    c22 = product(half, sum_of(a22, product({0: Fraction(-1)}, a12, shift(-1, -2))))
-    c12 = product(half, quotient, one)
+    c21 = product(half, z(d2=1, d0=-1), sum_of(
+        product(a12, z(d3=-square, d2=zeta + square, d1=zeta + square, d0=-((zeta + 1) ** 2))),
+        product(a11, z(d1=-square, d0=zeta + square)),
+        product(a22, z(d2=square, d0=-square - zeta)),
+        product(a21, z(d0=square)),
+    ))  # fmt: skip
+    c22 = product(half, sum_of(
+        product(a12, z(d3=square - zeta, d2=1 - square, d1=-square, d0=square + zeta)),
+        product(a11, z(d1=-zeta * rest, d0=rest * (1 + zeta))),
+        product(a22, z(d2=zeta * rest, d0=square)),
+        product(a21, z(d0=zeta - square)),
+    ))  # fmt: skip
     support = sorted({i for f in (c11, c12, c21, c22) for i, x in f.items() if x})
     return {i: [[c11.get(i, 0), c12.get(i, 0)], [c21.get(i, 0), c22.get(i, 0)]] for i in support}
 

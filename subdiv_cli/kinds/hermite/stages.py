@@ -37,8 +37,17 @@ def spectral_condition(numbers: HermiteNumbers, _: Facts) -> tuple[Finding, ...]
     if k >= d:
         statement = f"the spectral condition holds up to degree {k - 1}, and no further: φ = {phi}"
         return (SPECTRAL_CONDITION.proved(statement, witness),)
-    what = "e_0 is not reproduced as a constant" if not k else f"no φ_{k} makes a jet of degree {k} an eigen-sequence"
+    what = (
+        f"{_first(d)} is not reproduced as a constant"
+        if not k
+        else f"no φ_{k} makes a jet of degree {k} an eigen-sequence"
+    )
     return (SPECTRAL_CONDITION.refuted("the spectral condition does not hold", witness, why=what),)
+
+
+def _first(d: int) -> str:
+    """The vector e_0 = (1, 0, …) as text."""
+    return f"(1{', 0' * (d - 1)})"
 
 
 def vector_convergence(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding, ...]:
@@ -63,7 +72,7 @@ def jet_radius(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding, ...]:
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
         return (JET_RADIUS.skipped(_RADIUS_QUESTION, "it is not proved that S converges"),)
     if not numbers.is_function:
-        return (JET_RADIUS.skipped(_RADIUS_QUESTION, "E_A is not spanned by e_0"),)
+        return (JET_RADIUS.skipped(_RADIUS_QUESTION, f"E_A is not spanned by {_first(numbers.size)}"),)
     found = []
     for j in range(1, numbers.size):
         if (growth := numbers.jet_growth(j)) is None:
@@ -87,7 +96,7 @@ def hermite_convergence(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding,
     d, p = numbers.size, numbers.p
     statement, witness = f"S is not HC^{d - 1}", {"order": d - 1}
     if not numbers.is_function:
-        why = "E_A is not spanned by e_0"
+        why = f"E_A is not spanned by {_first(d)}"
         return (HERMITE_CONVERGENCE.refuted(statement, {**witness, "by": CONSTANTS.code}, why=why),)
     if facts.verdict(CONVERGENCE) is Verdict.REFUTED:
         why = "D^n c^n does not converge"
