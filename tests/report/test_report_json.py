@@ -21,8 +21,8 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "expectations", "findings", "certificate", "reference"),
-        *("refinable_function", "hints", "regressions"),
+        *("generation", "reproduction", "dimension", "spectral", "expectations", "findings", "certificate", "reference"),
+        *("refinable_function", "hints", "derivatives", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],
     "convergent": ["verdict"],
@@ -32,6 +32,7 @@ KEYS = {
     "sobolev": ["lower", "upper", "exact", "digits"],
     "stable": ["verdict"],
     "linearly_independent": ["verdict"],
+    "spectral": ["verdict"],
     "expectations": ["key", "expected", "verdict", "found", "line"],
     "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "witness", "claims"],
     "value": ["exact", "lower", "upper"],
