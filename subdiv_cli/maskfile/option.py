@@ -15,7 +15,7 @@ from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.model import Expectation
 
-_ORDER = re.compile(r"C\^?([0-9]+)")
+_ORDER = re.compile(r"H?C\^?([0-9]+)")
 _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
 
 
@@ -58,7 +58,7 @@ def parse_expectation(key: str, value: object) -> Expectation:
 
 
 def parse_property(text: str) -> Expectation:
-    """The expectation that `holder>=1.5`, `C1` (smoothness >= 1) or `stable=false` states. Raises MaskFileError."""
+    """The expectation that `holder>=1.5`, `C1` or `HC1` (smoothness >= 1) or `stable=false` states. Raises MaskFileError."""
     try:
         return _property(text)
     except Fault as fault:

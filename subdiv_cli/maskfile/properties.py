@@ -22,7 +22,7 @@ from subdiv_cli.model.properties import BY_KEY, EXPECTED
 
 KEYS = EXPECTED
 TRUTHS = tuple(key for key in KEYS if BY_KEY[key].form == "verdict")
-_ORDER = re.compile(r"[Cc]\s*\^?\s*\(?([0-9]{1,4})\)?")
+_ORDER = re.compile(r"H?[Cc]\s*\^?\s*\(?([0-9]{1,4})\)?")
 ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree", "dimension"))
 
 

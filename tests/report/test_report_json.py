@@ -21,8 +21,8 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "dimension", "spectral", "expectations", "findings", "certificate", "reference"),
-        *("refinable_function", "hints", "derivatives", "regressions"),
+        *("generation", "reproduction", "dimension", "spectral", "expectations", "findings", "certificate"),
+        *("reference", "refinable_function", "hints", "derivatives", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],
     "convergent": ["verdict"],
