@@ -185,3 +185,16 @@ def test_a_multiple_of_the_derivative_is_refuted_with_the_way_out(c):
     assert f"is {c} times the derivative: with R = diag(1, {c})" in hint
     back = conjugated(mask, [[1, 0], [0, c]], [[1, 0], [0, 1 / c]])
     assert back == hermite_interpolation(2)
+
+
+@pytest.mark.parametrize(("components", "arity"), [(2, 2), (3, 2), (2, 3)])
+@pytest.mark.parametrize("shift", [-4, 6])
+def test_a_shift_of_the_mask_changes_nothing_but_the_shift_of_jets(components, arity, shift):
+    mask = hermite_interpolation(components, arity)
+    moved = {i + shift: a for i, a in mask.items()}
+    one, other = (check(scheme(m, arity, "hermite"), (), Effort()).result for m in (mask, moved))
+    assert one.convergent is other.convergent is Verdict.PROVED
+    assert (one.holder, one.smoothness, one.generation) == (other.holder, other.smoothness, other.generation)
+    (found,) = (each for each in other.findings if each.code == "SD714")
+    tau = Fraction(shift, arity - 1)  # limits move by τ: f_j = (x - τ)^j/j!
+    assert found.witness["shifts"][:3] == (1, -tau, tau**2 / 2)

@@ -52,7 +52,10 @@ def _first(d: int) -> str:
 
 def vector_convergence(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD705, whether S converges as a scheme of vectors: a step to SD716, which answers for a Hermite scheme."""
-    return tuple(replace(finding, answers=()) for finding in convergence.convergence(numbers, facts))
+    (found,) = convergence.convergence(numbers, facts)
+    if found.verdict is Verdict.PROVED and numbers.is_function:
+        found = replace(found, statement=f"D^n c^n converges uniformly, to functions f {_first(numbers.size)}: ρ_1 < 1")
+    return (replace(found, answers=()),)
 
 
 _RADIUS_QUESTION = "how fast do data approach the derivatives of the limit?"
