@@ -58,7 +58,7 @@ def parse_expectation(key: str, value: object) -> Expectation:
 
 
 def parse_property(text: str) -> Expectation:
-    """The expectation that `holder>=1.5`, `C1` or `HC1` (smoothness >= 1), `stable=false` state. Raises MaskFileError."""
+    """The expectation that `holder>=1.5`, `C1` or `HC1` (smoothness >= 1), `stable` state. Raises MaskFileError."""
     try:
         return _property(text)
     except Fault as fault:

@@ -196,5 +196,5 @@ def test_a_shift_of_the_mask_changes_nothing_but_the_shift_of_jets(components, a
     assert one.convergent is other.convergent is Verdict.PROVED
     assert (one.holder, one.smoothness, one.generation) == (other.holder, other.smoothness, other.generation)
     (found,) = (each for each in other.findings if each.code == "SD714")
-    tau = Fraction(shift, arity - 1)  # limits move by τ: f_j = (x - τ)^j/j!
-    assert found.witness["shifts"][:3] == (1, -tau, tau**2 / 2)
+    tau = Fraction(shift, arity - 1)  # limits move by τ: the jets of f_j = (x + τ)^j/j! have the limit x^j/j!
+    assert found.witness["shifts"][:3] == (1, tau, tau**2 / 2)
