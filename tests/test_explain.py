@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from subdiv_cli.catalog.run import check_all
-from subdiv_cli.explain import codes, page, title
+from subdiv_cli.explain import codes, kinds, page, title
 from subdiv_cli.kinds import KINDS, kind_named
 from subdiv_cli.kinds.reading import read_text
 from subdiv_cli.maskfile import MaskFileError
@@ -48,6 +48,15 @@ def test_pages_are_the_rows_of_all_tables():
     names = {(code, row.name, row.source) for table in tables for code, row in table.items() if code >= "SD100"}
     assert len(names) == len([code for code in rows if code >= "SD100"]), "a code has two meanings"
     assert rows == {code: title(code) for code in codes()}
+
+
+def test_kinds_have_pages_whose_examples_pass(tmp_path):
+    assert kinds() == ["hermite", "vector"]
+    for kind in kinds():
+        text = page(kind.upper())
+        assert text.startswith(f"# {kind}\n")
+        (body,) = fences(text, "passes")
+        assert result_of(body, tmp_path).status == "passed"
 
 
 @pytest.mark.parametrize("file", PAGES, ids=lambda file: file.stem)

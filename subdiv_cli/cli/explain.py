@@ -14,6 +14,7 @@ Examples:
   subdiv explain
   subdiv explain SD301
   subdiv explain contractivity
+  subdiv explain hermite
 
 \b
 Exit codes:
@@ -30,7 +31,8 @@ _LEAST = 20
 def command(code: str | None) -> None:
     """Explain a finding CODE: what it means, why it matters, how to mend it, its source.
 
-    CODE is as in a report, SD201, or its name, convergence. Without CODE the codes are listed.
+    CODE is as in a report, SD201, or its name, convergence; or a kind of masks, hermite, of which the page says what
+    stands in a file. Without CODE the codes are listed.
     """
     from subdiv_cli.explain import UnknownCodeError, page
 
@@ -49,17 +51,17 @@ def command(code: str | None) -> None:
 
 def _list() -> str:
     """The text with a line for each code: its name and the beginning of its page."""
-    from subdiv_cli.explain import codes, page, title
+    from subdiv_cli.explain import codes, kinds, page, title
     from subdiv_cli.report.letters import letters, width
     from subdiv_cli.report.page import wrap
 
     unicode = speaks_mathematics(sys.stdout)
     dots = " …" if unicode else " ..."
-    known = {code: title(code) for code in codes()}
+    known = {code: title(code) for code in codes()} | dict.fromkeys(kinds(), "")
     longest = max(map(width, known.values()), default=0)
     lines = []
     for code, name in known.items():
-        lead = f"{code}  {name}{' ' * (longest - width(name))}  "
+        lead = f"{code}  {name}{' ' * (longest + 5 - width(code + name))}  "
         _, _, text = page(code).partition("\n\n")
         summary = letters(" ".join(text.partition("\n\n")[0].split()), unicode)
         room = columns(sys.stdout) - width(lead)

@@ -1,4 +1,7 @@
-"""The pages for finding codes, as Markdown in `pages/SDnnn.md`; the first line of each is `# SD101 residue-sums`."""
+"""The pages for finding codes, as Markdown in `pages/SDnnn.md`; the first line of each is `# SD101 residue-sums`.
+
+Pages on kinds of masks stand beside them, `pages/hermite.md`, and begin with the name of the kind.
+"""
 
 from __future__ import annotations
 
@@ -25,6 +28,11 @@ def codes() -> list[str]:
     return sorted(path.stem for path in _PAGES.glob("SD*.md"))
 
 
+def kinds() -> list[str]:
+    """All kinds of masks that have a page, in order."""
+    return sorted(path.stem for path in _PAGES.glob("[a-z]*.md"))
+
+
 def title(code: str) -> str:
     """The code in words, for instance `residue-sums`: the rest of the first line of its page."""
     with (_PAGES / f"{code}.md").open(encoding="utf-8") as file:
@@ -32,7 +40,9 @@ def title(code: str) -> str:
 
 
 def page(code: str) -> str:
-    """The page of a code (`SD101`, `sd101`) or of a name (`residue-sums`). Raises UnknownCodeError."""
+    """The page of a code (`SD101`, `sd101`), of its name (`residue-sums`) or of a kind. Raises UnknownCodeError."""
+    if (kind := code.strip().lower()) in kinds():
+        return (_PAGES / f"{kind}.md").read_text(encoding="utf-8")
     known = codes()
     wanted = code.strip().upper()
     if wanted not in known:

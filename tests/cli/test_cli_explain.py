@@ -11,7 +11,7 @@ def pages(tmp_path, monkeypatch):
         "# SD101 residue-sums\n\nΣ of each class is 1 ≥ ½.\n\n    code\n", encoding="utf-8"
     )
     (tmp_path / "SD201.md").write_text("# SD201 convergence\n\nText.\n", encoding="utf-8")
-    (tmp_path / "notes.md").write_text("# no code\n", encoding="utf-8")
+    (tmp_path / "vector.md").write_text("# no code\n", encoding="utf-8")
     monkeypatch.setattr(explain, "_PAGES", tmp_path)
 
 
@@ -45,7 +45,13 @@ def test_command(run):
 
 
 def test_command_without_a_code(run):
-    assert run("explain").stdout == "SD101  residue-sums  Σ of each class is 1 ≥ ½.\nSD201  convergence   Text.\n"
+    codes = "SD101  residue-sums  Σ of each class is 1 ≥ ½.\nSD201  convergence   Text.\n"
+    assert run("explain").stdout == codes + "vector\n"
+
+
+def test_pages_of_kinds():
+    assert explain.kinds() == ["vector"]
+    assert explain.page(" Vector ") == explain.page("vector")
 
 
 @pytest.mark.parametrize(("unicode", "dots"), [(True, " …"), (False, " ...")])
