@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from subdiv_cli.certificate import Certificate, Proofs, document_text, family_certificate
@@ -15,13 +16,13 @@ from subdiv_cli.checker import Outcome, check_document
 from subdiv_cli.exact.closed import compare, digits
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import Analysis, Drawings, Kind, Options, Scheme, gather
-from subdiv_cli.model import DECIDED, Effort, Expectation, Exponent, Finding, Judgement, Result
-from subdiv_cli.model.findings import TOO_DEAR, UNWRITTEN, uncertified
+from subdiv_cli.model import DECIDED, UNHURRIED, Effort, Expectation, Exponent, Finding, Judgement, Result, watch
+from subdiv_cli.model.family import FamilyRadius
+from subdiv_cli.model.findings import OUT_OF_TIME, TOO_DEAR, UNWRITTEN, uncertified
 from subdiv_cli.model.judge import judge, status
 
 if TYPE_CHECKING:
     from subdiv_cli.model.blocks import Drawing, Portrait
-    from subdiv_cli.model.family import FamilyRadius
 
 
 class DisagreementError(Exception):
@@ -58,6 +59,7 @@ def show(scheme: Scheme, tolerance: Fraction, effort: Effort) -> tuple[Checked, 
     assert kind.portraits is not None, "a mask of a kind that is not taken apart is not read"
     analysis = kind.portraits.analyse(scheme, effort, tolerance)
     checked = certified(kind, analysis, (), effort)
+    watch.begin("page")
     return checked, kind.portraits.make(analysis, checked.result)
 
 
@@ -72,7 +74,9 @@ def draw(scheme: Scheme, drawings: Drawings, options: Options, effort: Effort) -
 
     def certify(part: Effort) -> tuple[Analysis, Result]:
         analysis = analyse(scheme, part)
-        return analysis, certified(kind, analysis, (), part).result
+        result = certified(kind, analysis, (), part).result
+        watch.begin("picture")
+        return analysis, result
 
     return drawings.make(scheme, effort, options, certify)
 
@@ -83,14 +87,17 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
     Raises DisagreementError.
     """
     assert kind.proofs is not None, "a kind that finds something proves it"
+    watch.begin("certificate")
     proofs = kind.proofs(analysis)
-    certificate = _verified(proofs)
-    claims = certificate.claims if certificate is not None else [()] * len(analysis.findings)
-    gathered = gather(tuple(map(_claimed, analysis.findings, claims, proofs.numbers)))
+    certificate = _verified(proofs, effort)
+    dear = OUT_OF_TIME if effort.seconds_left() is not None else TOO_DEAR
+    findings = certificate.findings if certificate is not None else analysis.findings
+    claims = certificate.claims if certificate is not None else [()] * len(findings)
+    gathered = gather(tuple(map(partial(_claimed, dear), findings, claims, proofs.numbers)))
     result = replace(
         gathered,
         kind=kind.name,
-        stopped="budget" if effort.struck else None,
+        stopped="budget" if effort.struck or any(f.reason == OUT_OF_TIME for f in gathered.findings) else None,
         facts=analysis.facts,
         hints=analysis.hints,
         holder=_with_digits(gathered.holder),
@@ -101,25 +108,29 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
     return Checked(result, None if certificate is None else certificate.document)
 
 
-def _verified(proofs: Proofs) -> Certificate | None:
+def _verified(proofs: Proofs, effort: Effort) -> Certificate | None:
     """The certificate, without the claims that the checker finds too dear and all that rests on them.
 
+    Under a clock the claims are checked in the order of the questions, and those before the first that fails are kept.
     None where nothing is left. Raises DisagreementError.
     """
-    dear = set[int]()
-    while (certificate := proofs.certificate(dear)) is not None:
-        outcome = _outcome(certificate.document)
+    dear, seconds = set[int](), effort.seconds_left()
+    while (certificate := proofs.certificate(dear, seconds)) is not None:
+        outcome = _outcome(certificate.document, effort)
         if outcome.verified:
             return certificate
         if outcome.claim is None:
             return None
+        if seconds is not None:
+            return certificate.first(outcome.claim)
         dear.add(certificate.made[outcome.claim])
     return None
 
 
-def _outcome(document: Mapping[str, Any]) -> Outcome:
+def _outcome(document: Mapping[str, Any], effort: Effort) -> Outcome:
     """The checker's outcome: verified, or too much work. Raises DisagreementError where the checker says no."""
-    outcome = check_document(document)
+    watch.begin("checker")
+    outcome = check_document(document, effort.time_to_check())
     if not outcome.verified and not outcome.exhausted:
         raise DisagreementError(f"the checker rejects the certificate: {outcome.line}")
     return outcome
@@ -130,14 +141,14 @@ def judged(expectations: Sequence[Expectation], result: Result) -> tuple[Judgeme
     return tuple(Judgement(expectation=e, verdict=judge(compare, e, result)) for e in expectations)
 
 
-def _claimed(finding: Finding, claims: tuple[int, ...], made: Sequence[int]) -> Finding:
+def _claimed(dear: str, finding: Finding, claims: tuple[int, ...], made: Sequence[int]) -> Finding:
     """With the numbers of its claims, which have its proof, a long one; undecided where no verified claim says it.
 
-    `made` are the claims that say it, verified or not.
+    `made` are the claims that say it, verified or not, and `dear` is the reason where they are not.
     """
     if finding.verdict in DECIDED and not claims:
-        return uncertified(finding, TOO_DEAR if made else UNWRITTEN)
-    return replace(finding, claims=claims, proof={}) if claims or finding.proof else finding
+        return uncertified(finding, dear if made else UNWRITTEN)
+    return replace(finding, claims=claims, proof={}, otherwise=()) if claims or finding.proof else finding
 
 
 def _with_digits(exponent: Exponent | None) -> Exponent | None:
@@ -161,12 +172,21 @@ class CheckedRadius(NamedTuple):
 def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> CheckedRadius:
     """The joint spectral radius of a family of square matrices of one order, checked independently.
 
-    Raises DisagreementError where the checker says no.
+    Where the proof is too dear, what takes next to nothing to prove; nothing where that is too dear as well. Raises
+    DisagreementError where the checker says no.
     """
     from subdiv_cli.jsr.answer import answer  # numpy comes with it
 
-    radius = answer(matrices, effort)
-    document = family_certificate(matrices, radius)
-    if document is not None and not _outcome(document).verified:
-        document = None
-    return CheckedRadius(radius, document)
+    watch.begin("joint spectral radius")
+    found = answer(matrices, effort)
+    document = family_certificate(matrices, found, effort.seconds_left())
+    if not found.proof or (document is not None and _outcome(document, effort).verified):
+        return CheckedRadius(found, document)
+    why = TOO_DEAR
+    if effort.seconds_left() is not None:
+        why, found = OUT_OF_TIME, replace(found, stopped="budget")
+    rough = answer(matrices, UNHURRIED, rough=True)
+    document = family_certificate(matrices, rough)
+    if document is None or not _outcome(document, UNHURRIED).verified:
+        rough, document = FamilyRadius(order=found.order, letters=found.letters), None
+    return CheckedRadius(replace(rough, left_out=why, stopped=found.stopped), document)

@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NotRequired, TypedDict
 
 import pytest
 from click.testing import CliRunner
@@ -31,7 +31,14 @@ from subdiv_cli.model.findings import CONVERGENCE, row, table
 from subdiv_cli.report import FORMATS
 from subdiv_cli.report.show import FORMATS as PAGES
 
-CONVERGES = row("SD899", "toy-convergence", "folklore", answers=CONVERGENCE, proves="convergent", holds=True)
+
+class ToyWitness(TypedDict):
+    weight: NotRequired[Fraction]
+
+
+CONVERGES = row(
+    "SD899", "toy-convergence", "folklore", ToyWitness, answers=CONVERGENCE, proves="convergent", holds=True
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,8 +176,9 @@ def check(file, *more, code=0):
 def test_check_decides_and_judges(file, tmp_path):
     text = check(file, "--no-cache")
     assert "a toy: convergent — convergence proved" in text
-    assert "SD899 toy-convergence" in text
-    assert "expectation is proved" in text
+    assert "SD899\n" in text
+    assert "✓ passed: converges; 1 of 1 expectation proved\n" in text
+    assert "SD899 toy-convergence" in check(file, "--no-cache", "-v")
     report = json.loads(check(file, "-p", "w=-2", "--no-cache", "--format", "json", code=1))
     (result,) = report["results"]
     assert (result["kind"], result["parameters"], result["status"]) == ("toy", {"w": "-2"}, "failed")

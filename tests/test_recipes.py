@@ -1,4 +1,4 @@
-"""The CI recipes of the README, acted out: every `subdiv` command in them is run as it is written, and passes."""
+"""The CI recipes of `subdiv explain ci`, acted out: every `subdiv` command in them runs as written, and passes."""
 
 import os
 import re
@@ -14,10 +14,11 @@ from junitparser import JUnitXml
 from support import subdiv
 
 from subdiv_cli.cli.settings import KEYS
+from subdiv_cli.explain import page
 
 ROOT = Path(__file__).parents[1]
-README = (ROOT / "README.md").read_text("utf-8")
-RECIPES = [yaml.safe_load(text) for text in re.findall(r"^```yaml\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)]
+PAGE = page("ci")
+RECIPES = [yaml.safe_load(text) for text in re.findall(r"^```yaml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)]
 HOOK, WORKFLOW, JOB = RECIPES
 
 
@@ -64,7 +65,7 @@ def test_the_gitlab_job(project):
     assert (project / JOB["masks"]["cache"]["paths"][0] / "CACHEDIR.TAG").is_file()
 
 
-def test_the_hook_is_the_one_the_readme_names():
+def test_the_hook_is_the_one_the_page_names():
     (hook,) = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text("utf-8"))
     assert HOOK["repos"][0]["hooks"] == [{"id": hook["id"]}]
     assert re.search(hook["files"], "masks/scalar/four_point.toml")
@@ -105,8 +106,8 @@ def test_the_action_runs_its_command(project):
     assert "::error" in done.stdout
 
 
-def test_the_settings_in_the_readme_are_settings():
+def test_the_settings_on_the_page_are_settings():
     import tomllib
 
-    (table,) = re.findall(r"^```toml\n(\[tool\.subdiv\]\n.*?)^```$", README, re.MULTILINE | re.DOTALL)
+    (table,) = re.findall(r"^```toml\n(\[tool\.subdiv\]\n.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
     assert set(tomllib.loads(table)["tool"]["subdiv"]) <= set(KEYS)

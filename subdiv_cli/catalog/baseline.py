@@ -12,32 +12,60 @@ from dataclasses import replace
 from typing import Any
 
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.model import Exponent, Judgement, Result, Verdict
-from subdiv_cli.model.properties import BY_KEY, PROPERTIES
+from subdiv_cli.model import INFINITY, Exponent, Judgement, Result, Verdict
+from subdiv_cli.model.closed import rational
+from subdiv_cli.model.properties import PROPERTIES
 
+_LONG = ("findings", "facts")
+"""The keys that nothing is held to: they are most of a result."""
 _RANK = {"refuted": 0, "undecided": 1, "skipped": 1, "proved": 2}
 
 
+_Key = tuple[str, tuple[tuple[str, str], ...]]
+"""A file and its parameters, as a report spells them."""
+
+
 class Baseline:
-    """The results of a report, as JSON data, by their files."""
+    """The results of a report, as JSON data, by their files and parameters."""
 
     def __init__(self, results: Sequence[Mapping[str, Any]]) -> None:
-        self._old = {_same(old["file"]): old for old in results}
-        self._seen: set[str] = set()
+        self._old = {
+            (_same(old["file"]), _at(old.get("parameters", {}))): {key: old[key] for key in old if key not in _LONG}
+            for old in results
+        }
+        self._only: dict[str, _Key | None] = {}
+        """The key of each file that the report has once; None for a file that it has at several parameters."""
+        for key in self._old:
+            self._only[key[0]] = key if key[0] not in self._only else None
+        self._seen: set[_Key] = set()
 
     def judge(self, result: Result) -> Result:
         """The result with its regressions, which decide its status; unchanged where the baseline has no such mask."""
-        file = _same(result.file)
-        self._seen.add(file)
-        old = self._old.get(file)
+        key: _Key | None = (
+            _same(result.file),
+            _at({name: rational(value) for name, value in result.parameters.items()}),
+        )
+        if key not in self._old and not result.varied:
+            key = self._only.get(_same(result.file))  # another default than then
+        old = None if key is None else self._old.get(key)
+        if key is not None:
+            self._seen.add(key)
         if old is None or old["status"] == "invalid" or result.status == "invalid":
             return result
         worse = tuple(faults.BASELINE.problem(message, file=result.file) for message in _worse(result, old))
         return replace(result, regressions=worse, status="failed" if worse else "passed")
 
     def missing(self) -> tuple[str, ...]:
-        """The files of the baseline that no result was about."""
-        return tuple(sorted(old["file"] for file, old in self._old.items() if file not in self._seen))
+        """The files of the baseline that no result was about, with the parameters where it has several of a file."""
+        return tuple(sorted(self._name(key, old["file"]) for key, old in self._old.items() if key not in self._seen))
+
+    def _name(self, key: _Key, file: str) -> str:
+        at = ",".join(f"{name}={value}" for name, value in key[1])
+        return f"{file}[{at}]" if at and self._only[key[0]] is None else file
+
+
+def _at(parameters: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
+    return tuple(sorted(parameters.items()))
 
 
 def _same(file: str) -> str:
@@ -46,12 +74,15 @@ def _same(file: str) -> str:
 
 def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
     for row in PROPERTIES:
-        before, now = _value(old, row.key), getattr(result, row.key)
+        if row.key not in old:  # the report is older than the property
+            continue
+        before, now = old[row.key], getattr(result, row.key)
         match row.form:
             case "verdict":
                 yield from _verdict(row.phrase, before["verdict"], now)
             case "smoothness":
-                yield from _number(row.phrase, before["order"], now.order)
+                order = INFINITY if before["order"] == "infinity" else before["order"]
+                yield from _number(row.phrase, order, now.order)
             case "exponent":
                 yield from _enclosure(row.phrase, before, now)
             case "order" | "degree" | "dimension":
@@ -61,17 +92,12 @@ def _worse(result: Result, old: Mapping[str, Any]) -> Iterator[str]:
         yield from _expectation(judged, judged_before.get((judged.expectation.key, judged.expectation.text)))
 
 
-def _value(old: Mapping[str, Any], key: str) -> Any:
-    """The value of a property in a report; that of one without an answer in a report that is older than it."""
-    return old.get(key, {"verdict": Verdict.SKIPPED.value} if BY_KEY[key].form == "verdict" else None)
-
-
 def _verdict(name: str, old: str, new: Verdict) -> Iterator[str]:
     if _RANK[new.value] < _RANK[old]:
         yield f"{name} was {old} and is {new.value}"
 
 
-def _number(name: str, old: int | None, new: int | None) -> Iterator[str]:
+def _number(name: str, old: int | float | None, new: int | float | None) -> Iterator[str]:
     if old is not None and (new is None or new < old):
         yield f"{name} was {old} and is {'not known' if new is None else new}"
 
@@ -82,6 +108,9 @@ def _enclosure(name: str, old: Mapping[str, Any] | None, new: Exponent | None) -
         return
     if new is None:
         yield f"{name} was known and is not"
+        return
+    if (old["exact"] == "infinity") is not (new.exact == INFINITY):
+        yield f"{name} was {old['exact']} and is {'infinity' if new.exact == INFINITY else 'finite'}"
         return
     below, above = _or(old["lower"], -1), _or(old["upper"], 1)
     lower, upper = _or(new.lower, -1), _or(new.upper, 1)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from subdiv_cli.catalog.exclusion import Exclusion, ignored_by_git
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.problems import unreadable
@@ -25,19 +26,22 @@ class Discovery(NamedTuple):
     """The paths for `maskfile.read_path` ("-" is standard input), or problems, in the order of the arguments."""
     skipped: int = 0
     """The number of `*.toml` files met in directories that are no masks."""
+    left_out: int = 0
+    """The number of `*.toml` files and of directories that are excluded, or that git ignores."""
 
 
-def discover(paths: Iterable[str | Path]) -> Discovery:
+def discover(paths: Iterable[str | Path], exclude: Iterable[str] = ()) -> Discovery:
     """The files and problems of all arguments.
 
     A directory is searched recursively for `*.toml` that are meant as masks (`is_mask`), sorted by path; hidden files
-    and directories are left out, links are followed once. A pattern (`masks/**/*.toml`) names the files and
-    directories that match. A file named explicitly is always an entry: whether it is a mask, the reader says (SD016).
+    and directories are left out, and what `exclude` has a pattern for or git ignores; links are followed once. A
+    pattern (`masks/**/*.toml`) names the files and directories that match. A file named explicitly is always an entry:
+    whether it is a mask, the reader says (SD016).
 
     Problems: SD002 for what is missing or unreadable, SD014 for a directory without masks and a pattern that nothing
     matches. Never raises for what is on disk.
     """
-    found = _Found()
+    found = _Found(Exclusion(exclude))
     for path in map(str, paths):
         try:
             if not path:
@@ -52,7 +56,7 @@ def discover(paths: Iterable[str | Path]) -> Discovery:
             found.entries.append(unreadable(path, error))
         except ValueError:  # a null character in the name
             found.entries.append(unreadable(path, FileNotFoundError()))
-    return Discovery(entries=tuple(found.entries), skipped=found.skipped)
+    return Discovery(entries=tuple(found.entries), skipped=found.skipped, left_out=found.left_out)
 
 
 _NAMELESS = faults.UNREADABLE_FILE.problem(
@@ -64,9 +68,10 @@ _NAMELESS = faults.UNREADABLE_FILE.problem(
 class _Found:
     """The entries so far, with the identities of their files."""
 
-    def __init__(self) -> None:
+    def __init__(self, exclusion: Exclusion) -> None:
         self.entries: list[str | Problem] = []
-        self.skipped = 0
+        self.skipped = self.left_out = 0
+        self._exclusion = exclusion
         self._seen: set[object] = set()
 
     def add(self, path: str, identity: object) -> None:
@@ -93,7 +98,8 @@ class _Found:
     def search(self, directory: str) -> None:
         """Add the masks below a directory, or the problem that there are none."""
         masks = others = 0
-        for found in _search(Path(directory), set()):
+        before = self.left_out
+        for found in self._below(Path(directory), set(), ignored_by_git(directory)):
             if isinstance(found, Problem):
                 self.entries.append(found)
             elif _looks_like_mask(found):
@@ -106,7 +112,33 @@ class _Found:
                 others += 1
         self.skipped += others
         if not masks:
-            self.entries.append(_without_masks(directory, others))
+            self.entries.append(_without_masks(directory, others, self.left_out - before))
+
+    def _below(self, directory: Path, visited: set[object], ignored: Container[Path]) -> Iterator[Path | Problem]:
+        """The visible `*.toml`, files of a directory before its subdirectories, by name; no directory twice."""
+        try:
+            same = _identity(str(directory))
+            if same in visited:
+                return
+            visited.add(same)
+            with os.scandir(directory) as scan:
+                children = sorted(entry.name for entry in scan if not entry.name.startswith("."))
+        except OSError as error:
+            yield unreadable(str(directory), error)
+            return
+        below = []
+        for child in (directory / name for name in children):
+            is_directory = child.is_dir()
+            if not is_directory and child.suffix != ".toml":
+                continue
+            if child in ignored or self._exclusion.covers(child):
+                self.left_out += 1
+            elif is_directory:
+                below.append(child)
+            else:
+                yield child
+        for child in below:
+            yield from self._below(child, visited, ignored)
 
 
 def _identity(path: str) -> object:
@@ -115,29 +147,6 @@ def _identity(path: str) -> object:
         return path
     status = Path(path).stat()
     return status.st_dev, status.st_ino
-
-
-def _search(directory: Path, visited: set[object]) -> Iterator[Path | Problem]:
-    """The visible `*.toml` below, files of a directory before its subdirectories, by name; no directory twice."""
-    try:
-        same = _identity(str(directory))
-        if same in visited:
-            return
-        visited.add(same)
-        with os.scandir(directory) as scan:
-            children = sorted(entry.name for entry in scan if not entry.name.startswith("."))
-    except OSError as error:
-        yield unreadable(str(directory), error)
-        return
-    below = []
-    for name in children:
-        child = directory / name
-        if child.is_dir():
-            below.append(child)
-        elif name.endswith(".toml"):
-            yield child
-    for child in below:
-        yield from _search(child, visited)
 
 
 def _looks_like_mask(path: Path) -> bool:
@@ -151,8 +160,12 @@ def _looks_like_mask(path: Path) -> bool:
         return True
 
 
-def _without_masks(path: str, others: int) -> Problem:
+def _without_masks(path: str, others: int, left_out: int) -> Problem:
     """The problem of a directory in which there are no masks."""
+    if left_out:
+        help = "a file or directory that is named itself is always checked"
+        what = f"what was left out: {left_out} that git ignores, or exclude has a pattern for"
+        return faults.NO_MASKS.problem(f"no mask files in this directory besides {what}", help, file=path)
     what = f" ({others} other TOML files)" if others > 1 else " (one other TOML file)" if others else ""
     help = "a mask file is a *.toml with kind or mask at the top; name another directory or a file"
     return faults.NO_MASKS.problem(f"no mask files in this directory{what}", help, file=path)

@@ -15,7 +15,19 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from subdiv_cli.maskfile.closed import roots_between
-from subdiv_cli.model import ClosedForm, Exponent, Finding, Interval, Result, Root, RootLog, Rule, logarithm, unpowered
+from subdiv_cli.model import (
+    INFINITY,
+    ClosedForm,
+    Exponent,
+    Finding,
+    Interval,
+    Result,
+    Root,
+    RootLog,
+    Rule,
+    logarithm,
+    unpowered,
+)
 from subdiv_cli.model.closed import root_log_text, spelled, spelled_terms
 from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV, answering
 from subdiv_cli.model.order import enclosure
@@ -24,8 +36,8 @@ Statement = Mapping[str, Any]
 Base = tuple[int, int]
 """The pair (m, s): exponents are to the base λ with λ^s = m."""
 
-_LOWER = {"holder-lower", "sobolev-lower"}
-_UPPER = {"holder-upper"}
+_LOWER = {"holder-lower", "sobolev-lower", "sobolev-at-least"}
+_UPPER = {"holder-upper", "sobolev-at-most"}
 
 
 class Stated(NamedTuple):
@@ -41,7 +53,7 @@ class Stated(NamedTuple):
 def numbers_are_proved(
     result: Result,
     statements: Sequence[Statement],
-    rules: Mapping[str, Rule],
+    rules: Mapping[str, Rule[Any]],
     base: Callable[[Sequence[int] | None], Base],
 ) -> bool:
     """Whether claims of the certificate state each exponent and radius of the result.
@@ -53,7 +65,8 @@ def numbers_are_proved(
         finding = answering(result.findings, question)
         if finding is not None:
             stated = [_stated(statements[number], base) for number in finding.claims]
-            about[question.name] = finding, stated
+            own = [s for s in stated if s.statement["property"].startswith("sobolev") is (question == SOBOLEV)]
+            about[question.name] = finding, own
     given = {name: stated for name, (_, stated) in about.items()}
     holder = (*given.get(HOLDER_LOWER.name, ()), *given.get(HOLDER_UPPER.name, ()))
     exponents = (
@@ -97,6 +110,8 @@ def _is_proved(exponent: Exponent | None, stated: Sequence[Stated]) -> bool:
     if exponent.digits is not None and (exact is None or not _is_cut(exponent.digits, exact)):
         return False
     known = [(each, number) for each in stated if (number := _exact(each)) is not None]
+    if exact == INFINITY:
+        return lower is None and upper is None and any(number == INFINITY for _, number in known)
     if exact is not None and not any(_agree(exact, number, each) for each, number in known if not each.only_above):
         return False
     ends = [(each, _times(enclosure(number), each)) for each, number in known]
@@ -108,6 +123,8 @@ def _is_proved(exponent: Exponent | None, stated: Sequence[Stated]) -> bool:
 def _exact(each: Stated) -> ClosedForm | None:
     """The number that a statement has exactly, to the base m; a value is to no base."""
     statement = each.statement
+    if statement["property"] == "polynomial-curve":
+        return INFINITY
     return Fraction(statement["value"]) if "value" in statement else of_statement(statement, each.m)
 
 

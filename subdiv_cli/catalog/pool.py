@@ -20,26 +20,27 @@ from typing import Any, NamedTuple
 from subdiv_cli.catalog.ordered import Numbered, Order
 from subdiv_cli.catalog.task import Done, Settings, Task, invalid, perform
 from subdiv_cli.maskfile import rules as faults
-from subdiv_cli.model import Result, Verdict
+from subdiv_cli.model import Result, Verdict, watch
+from subdiv_cli.model.watch import At
 
 MOST_TASKS = 1000
 """The tasks after which a process is replaced, so that what leaks does not add up."""
-PATIENCE = (4.0, 10.0)
+PATIENCE = (2.0, 5.0)
 """A factor and seconds: a process that is not done after the budget times the one plus the other is ended.
 
-A mask over its budget ends by itself, at the next step; such a one is in a step that nothing interrupts.
+A mask over its budget ends by itself, with what is decided by then; such a one is in a step that nothing interrupts.
 """
 
 
 class Worker:
     """A process, the pipe to it, and its task."""
 
-    def __init__(self, settings: Settings, others: Sequence[Worker]) -> None:
+    def __init__(self, settings: Settings, others: Sequence[Worker], watched: bool) -> None:
         context = _context()
         self.connection, theirs = context.Pipe()
         forked = context.get_start_method() == "fork"
         inherited = [self.connection, *(worker.connection for worker in others)] if forked else []
-        self.process = context.Process(target=_work, args=(theirs, inherited, settings), daemon=True)
+        self.process = context.Process(target=_work, args=(theirs, inherited, settings, watched), daemon=True)
         for stream in (sys.stdout, sys.stderr):
             with suppress(OSError, ValueError):
                 stream.flush()  # else a forked process has it too
@@ -69,8 +70,12 @@ def _context() -> Any:
     return get_context("fork" if forks else "spawn")
 
 
-def _work(connection: Connection, inherited: Sequence[Connection], settings: Settings) -> None:
-    """Perform tasks in the process until the pipe is closed. Ctrl-C is the parent's affair."""
+def _work(connection: Connection, inherited: Sequence[Connection], settings: Settings, watched: bool) -> None:
+    """Perform tasks in the process until the pipe is closed. Ctrl-C is the parent's affair.
+
+    What they are at is sent too where somebody watches.
+    """
+    watch.listen(connection.send if watched else None)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     for other in inherited:  # a pipe that a sibling holds open would never end
         other.close()
@@ -105,7 +110,7 @@ class Pool:
     def _hand_out(self, order: Order) -> None:
         """Send a task to every worker without one, and start as many workers as are wanted."""
         while len(self.workers) < self.jobs and self.taken < len(self.tasks):
-            self.workers.append(Worker(self.settings, self.workers))
+            self.workers.append(Worker(self.settings, self.workers, self.jobs == 1 and watch.is_heard()))
             self._next(self.workers[-1], order)
         for worker in self.workers:
             if worker.task is None:
@@ -125,11 +130,14 @@ class Pool:
             assert worker.task is not None
             number, task = worker.task
             try:
-                done: Done = worker.connection.recv()
+                done: Done | At = worker.connection.recv()
             except (EOFError, OSError):
                 done = Done(_lost(task, worker), seconds=time.monotonic() - worker.since)
                 self._remove(worker)
             else:
+                if isinstance(done, At):
+                    watch.tell(done)
+                    continue
                 worker.task = None
                 if worker.tasks >= MOST_TASKS:
                     self._remove(worker)
@@ -179,4 +187,5 @@ def lost(file: str, why: str) -> Result:
 
 def _stopped(task: Task) -> Result:
     """The undecided result of a mask that the budget ended before anything was decided."""
-    return Result(file=task.file, status="undecided", stopped="budget", convergent=Verdict.UNDECIDED)
+    known: dict[str, Any] = {"parameters": task.overrides, "varied": task.varied}
+    return Result(file=task.file, status="undecided", stopped="budget", convergent=Verdict.UNDECIDED, **known)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
+from subdiv_cli.catalog.json_reader import JsonReader
+from subdiv_cli.catalog.spool import Mapped, Spool
 from subdiv_cli.kinds import KINDS, kind_named
 from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.maskfile import rules as faults
@@ -16,6 +17,7 @@ from subdiv_cli.maskfile.option import parse_expectation
 from subdiv_cli.maskfile.problems import Fault, unreadable
 from subdiv_cli.maskfile.properties import TRUTHS
 from subdiv_cli.model import (
+    INFINITY,
     ClosedForm,
     Expectation,
     Exponent,
@@ -28,6 +30,8 @@ from subdiv_cli.model import (
     Smoothness,
     Verdict,
 )
+
+T = TypeVar("T")
 
 _NEEDED = (
     "file", "status", "convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent", "generation",
@@ -56,7 +60,8 @@ class Report(NamedTuple):
 def read_report(file: str) -> Report:
     """The report in a JSON file. Raises ReportError: SD002 for a file that cannot be read, SD020 for no report."""
     try:
-        data = json.loads(Path(file).read_bytes())
+        with Path(file).open("rb") as stream:
+            data = _read(JsonReader(stream))
     except OSError as error:
         raise ReportError(unreadable(file, error)) from None
     except (ValueError, RecursionError):
@@ -71,7 +76,7 @@ def read_report(file: str) -> Report:
             for key in _NEEDED:
                 result[key]
             if result["status"] != "invalid":
-                results_of([result])
+                _result(result)
         shard = (int(data["shard"]["index"]), int(data["shard"]["count"])) if "shard" in data else None
         missing = tuple(map(str, data.get("missing", ())))
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -79,46 +84,77 @@ def read_report(file: str) -> Report:
     return Report(file, results, shard, missing, bool(data.get("interrupted", False)))
 
 
+def _read(reader: JsonReader) -> Any:
+    """The JSON of a file, the list of its results spooled. Raises ValueError."""
+    if reader.next() != "{":
+        return reader.value()
+    data: dict[str, Any] = {}
+    for key in reader.members():
+        if key == "results" and reader.next() == "[":
+            data[key] = _spooled(reader.elements())
+        else:
+            data[key] = reader.value()
+    reader.end()
+    return data
+
+
+def _spooled(values: Iterable[T]) -> Spool[T]:
+    spool = Spool[T]()
+    for value in values:
+        spool.append(value)
+    return spool
+
+
 def _no_report(file: str, why: str) -> ReportError:
     return ReportError(faults.NO_REPORT.problem(f"no JSON report: {why}", file=file))
 
 
-def join(reports: Sequence[Report]) -> tuple[list[Mapping[str, Any]], tuple[int, int] | None]:
+def join(reports: Sequence[Report]) -> tuple[Sequence[Mapping[str, Any]], tuple[int, int] | None]:
     """All results, and the part of a run that they are, None for a whole run.
 
     The parts of one run are put back into its order; other reports follow one another. A mask that stands in several
     with the same result is there once. Raises ValueError where parts are missing or come twice, or two results of
     one mask differ.
     """
-    ordered = _parts(reports)
-    joined: dict[tuple[Any, ...], Mapping[str, Any]] = {}
-    for result in ordered:
+
+    def result_at(place: tuple[Report, int]) -> Mapping[str, Any]:
+        report, number = place
+        return report.results[number]
+
+    joined: dict[tuple[Any, ...], tuple[Report, int]] = {}
+    for place in _places(reports):
+        result = result_at(place)
         key = (result["file"], *sorted(result.get("parameters", {}).items()))
-        if joined.setdefault(key, result) != result:
+        if (first := joined.setdefault(key, place)) is not place and result_at(first) != result:
             raise ValueError(f"two results for {result['file']} differ")
-    return list(joined.values()), reports[0].shard if len(reports) == 1 else None
+    return Mapped(result_at, list(joined.values())), reports[0].shard if len(reports) == 1 else None
 
 
-def _parts(reports: Sequence[Report]) -> list[Mapping[str, Any]]:
-    """The results of all reports, those of the parts of one run in its order: result k is in part k mod n."""
+def _places(reports: Sequence[Report]) -> list[tuple[Report, int]]:
+    """The report and the number there of each result; of parts of one run in its order: k is in part k mod n."""
     counts = {report.shard[1] for report in reports if report.shard is not None}
     if not counts or len(reports) == 1:
-        return [result for report in reports for result in report.results]
+        return [(report, number) for report in reports for number in range(len(report.results))]
     if len(counts) > 1 or any(report.shard is None for report in reports):
         raise ValueError("these are not the parts of one run")
     (count,) = counts
-    parts = {report.shard[0]: report.results for report in reports if report.shard is not None}
+    parts = {report.shard[0]: report for report in reports if report.shard is not None}
     if len(parts) < len(reports):
         raise ValueError("a part comes twice")
     if absent := [str(i) for i in range(1, count + 1) if i not in parts]:
         raise ValueError(f"of {count} parts, missing: {', '.join(absent[:20])}")
-    longest = max(map(len, parts.values()))
-    return [parts[i][k] for k in range(longest) for i in range(1, count + 1) if k < len(parts[i])]
+    longest = max(len(report.results) for report in reports)
+    numbers = range(1, count + 1)
+    return [(parts[i], k) for k in range(longest) for i in numbers if k < len(parts[i].results)]
 
 
-def results_of(data: Sequence[Mapping[str, Any]]) -> list[Result]:
+_SKIPPED = {"verdict": Verdict.SKIPPED.value}
+"""The answer to a question that an older report does not have."""
+
+
+def results_of(data: Iterable[Mapping[str, Any]]) -> Sequence[Result]:
     """The results, as far as a report has them, for other formats. Raises KeyError, TypeError or ValueError."""
-    return [_result(result) for result in data]
+    return _spooled(map(_result, data))
 
 
 def _result(data: Mapping[str, Any]) -> Result:
@@ -145,7 +181,9 @@ def _result(data: Mapping[str, Any]) -> Result:
         generation=data["generation"],
         reproduction=data["reproduction"],
         dimension=data.get("dimension"),
-        spectral=Verdict(data.get("spectral", {"verdict": "skipped"})["verdict"]),
+        well_defined=Verdict(data.get("well_defined", _SKIPPED)["verdict"]),
+        polynomials=data.get("polynomials"),
+        spectral=Verdict(data.get("spectral", _SKIPPED)["verdict"]),
         derivatives=None if data.get("derivatives") is None else len(data["derivatives"]),
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
@@ -170,7 +208,7 @@ def _regressions(data: Mapping[str, Any]) -> tuple[Problem, ...] | None:
 
 
 def _smoothness(data: Mapping[str, Any]) -> Smoothness:
-    return Smoothness(order=data["order"], sharp=data["sharp"])
+    return Smoothness(order=INFINITY if data["order"] == "infinity" else data["order"], sharp=data["sharp"])
 
 
 def _exponent(data: Mapping[str, Any] | None) -> Exponent | None:
@@ -182,8 +220,8 @@ def _exponent(data: Mapping[str, Any] | None) -> Exponent | None:
 
 def _closed(text: str | None) -> ClosedForm | None:
     """The closed form of a text in the reports' grammar; None for another, which stays an enclosure."""
-    if text is None:
-        return None
+    if text is None or text == "infinity":
+        return None if text is None else INFINITY
     try:
         return read_closed_form(text)
     except Fault:
@@ -199,14 +237,12 @@ def _judgement(data: Mapping[str, Any]) -> Judgement:
     return Judgement(expectation, Verdict(data["verdict"]), data.get("line"))
 
 
-def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule]) -> Finding:
+def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule[Any]]) -> Finding:
     """A finding; its rule has the questions that it answers, and the answers stand in the result."""
     value, rule = data.get("value"), rules.get(data["code"])
-    refuted = data["verdict"] == Verdict.REFUTED.value
     return Finding(
         code=data["code"], name=data["name"], verdict=Verdict(data["verdict"]), statement=data["statement"],
-        source=data["source"], reason=data.get("reason"),
-        why=data["statement"].partition(": ")[2] if refuted else None,  # a report has the sentence in one piece
+        source=data["source"], reason=data.get("reason"), why=data.get("why"),
         answers=tuple((asked, None) for asked in (rule.answers if rule is not None else ())),
         value=None if value is None else Interval(value["lower"], value["upper"], value["exact"]),
         witness=_data(data.get("witness", {})), claims=tuple(data.get("claims", ())),

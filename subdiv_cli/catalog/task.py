@@ -15,6 +15,7 @@ from subdiv_cli.catalog.cache import Cache, Entry, key
 from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.reading import load_path, read_bytes
 from subdiv_cli.maskfile import MaskFile, MaskFileError
+from subdiv_cli.maskfile.option import Given
 from subdiv_cli.maskfile.problems import internal_error
 from subdiv_cli.model import DEFAULT_EFFORT, Effort, Expectation, Judgement, Problem, Result, Verdict
 
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
 class Settings(NamedTuple):
     """The settings that are the same for all masks of a run."""
 
-    overrides: Mapping[str, Fraction] = {}
     work: int = DEFAULT_EFFORT
     seconds: float | None = None
     debug: bool = False
@@ -38,6 +38,8 @@ class Settings(NamedTuple):
     """The directory of the cache."""
     sections: bool = False
     """Whether stencils and pictures are returned."""
+    given: Given = Given()
+    """The command line's words on a list on standard input."""
 
 
 class Task(NamedTuple):
@@ -46,6 +48,10 @@ class Task(NamedTuple):
     file: str
     data: bytes | None = None
     mask: MaskFile | None = None
+    overrides: Mapping[str, Fraction] = {}
+    """The values of parameters that stand above the defaults."""
+    varied: tuple[str, ...] = ()
+    """The parameters among them that other tasks of this file have at other values."""
 
 
 class Done(NamedTuple):
@@ -75,17 +81,22 @@ def perform(task: Task, settings: Settings) -> Done:
 
 def _perform(task: Task, settings: Settings) -> Done:
     data = load_path(task.file) if task.data is None and task.mask is None else task.data
-    mask = task.mask if task.mask is not None else read_bytes(data or b"", file=task.file)
+    mask = task.mask if task.mask is not None else read_bytes(data or b"", file=task.file, given=settings.given)
     try:
-        parameters, scheme = mask.values(settings.overrides), mask.scheme(settings.overrides)
+        parameters, scheme = mask.values(task.overrides), mask.scheme(task.overrides)
     except MaskFileError as error:
-        return Done(replace(invalid(mask.file, error.problems), name=mask.name, kind=mask.kind))
+        named = replace(invalid(mask.file, error.problems), name=mask.name, kind=mask.kind)
+        return Done(replace(named, parameters=task.overrides, varied=task.varied))
     expectations = (*mask.expectations, *settings.required)
-    done = _kept(data, scheme, expectations, settings)
+    name = None
+    if data is not None and mask.source.toml:
+        name = key(data, task.overrides, settings.work, settings.required)
+    done = _kept(name, scheme, expectations, settings)
     result = done.result
     return done._replace(
         result=replace(
             mask.labelled(result, parameters),
+            varied=task.varied,
             expectations=tuple(_placed(judged, mask) for judged in result.expectations),
             sections=_sections(scheme, result) if settings.sections else (),
         ),
@@ -99,14 +110,13 @@ def _sections(scheme: Scheme, result: Result) -> tuple[Section, ...]:
     return () if make is None else make(scheme, result)
 
 
-def _kept(data: bytes | None, scheme: Any, expectations: tuple[Expectation, ...], settings: Settings) -> Done:
-    """The result from the cache if it is there; else it is computed, and written to the cache."""
-    if settings.cache is None or data is None:
+def _kept(name: str | None, scheme: Any, expectations: tuple[Expectation, ...], settings: Settings) -> Done:
+    """The result of that name from the cache if it is there; else it is computed, and written to the cache."""
+    if settings.cache is None or name is None:
         return _computed(scheme, expectations, settings)
     from subdiv_cli.catalog.trust import every_verdict_has_a_claim, trusted
 
     cache = Cache(settings.cache)
-    name = key(data, settings.overrides, settings.work, settings.required)
     entry = cache.find(name)
     if entry is not None and trusted(entry.result, entry.certificate, scheme, expectations):
         return Done(entry.result, entry.certificate, cached=True)

@@ -20,6 +20,7 @@ from subdiv_cli.kinds import kind_of
 from subdiv_cli.kinds.kind import GATHERED, ContradictionError, Kind, Scheme, gather
 from subdiv_cli.model import (
     DECIDED,
+    INFINITY,
     Answer,
     ClosedForm,
     Expectation,
@@ -69,7 +70,7 @@ def _trusted(
     return _is_gathered(result) and all(_orders(result, statements)) and _judged(result)
 
 
-def _proved(finding: Finding, rule: Rule, statements: Sequence[Mapping[str, Any]]) -> bool:
+def _proved(finding: Finding, rule: Rule[Any], statements: Sequence[Mapping[str, Any]]) -> bool:
     """Whether a finding answers what its rule answers, and a decided one names claims that state the same."""
     if tuple(question for question, _ in finding.answers) != rule.answers:
         return False
@@ -122,7 +123,12 @@ def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator
         stated = () if found is None else _stated(found, statements)
         return [statement["order"] for statement in stated if statement["property"] == name]
 
+    polynomial = any(statement["property"] == "polynomial-curve" for statement in statements)
+
     for smooth in (result.smoothness, result.refinable):
+        if smooth.order == INFINITY:
+            yield polynomial and smooth.sharp
+            continue
         if smooth.order is not None:
             yield max(orders(SMOOTHNESS, "smooth"), default=-1) >= smooth.order
         if smooth.sharp:
@@ -132,8 +138,8 @@ def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator
     if result.sum_rule_order:
         rules = ("sum-rules", "total-sum-rules", "eigen-sequences")
         yield any(result.sum_rule_order in orders(SUM_RULES, name) for name in rules)
-    for name, degree in (("generation", result.generation), ("reproduction", result.reproduction)):
-        if degree is not None:
+    for name in ("generation", "reproduction", "polynomials"):
+        if (degree := getattr(result, name)) is not None:
             yield any(s["property"] == name and s["degree"] == degree for s in statements)
     if result.dimension is not None:
         yield any(s["property"] == "constants" and s["dimension"] == result.dimension for s in statements)

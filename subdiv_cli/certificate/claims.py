@@ -18,6 +18,8 @@ from subdiv_cli.model.properties import PROPERTIES
 Json = dict[str, Any]
 MOST_WORK = 250_000_000
 """What the checker does for one certificate."""
+WORK_A_SECOND = 8_000_000
+"""What the checker does in a second, at least nearly: a claim that asks more than the time allows is not begun."""
 
 
 class UnwrittenError(Exception):
@@ -63,14 +65,14 @@ class Claims:
 
     def closure(self, numbers: Iterable[int], known: Collection[int]) -> set[int]:
         """These claims and all that they rest on, without those that are known."""
-        found: set[int] = set()
+        needed: set[int] = set()
         waiting = list(numbers)
         while waiting:
             number = waiting.pop()
-            if number not in found and number not in known:
-                found.add(number)
+            if number not in needed and number not in known:
+                needed.add(number)
                 waiting += self.needs(number)
-        return found
+        return needed
 
     def document(self, mask: Mapping[str, Any], goal: Iterable[int], kept: Sequence[int]) -> Json:
         """The document as FORMAT.md has it: the kept claims, in their order, and the statements of some as its goal."""
@@ -116,9 +118,19 @@ class Certificate(NamedTuple):
     """A document as FORMAT.md has it, and for each finding the numbers of its claims that say the same."""
 
     document: Json
+    findings: tuple[Finding, ...]
+    """The findings, in the place of each that is left out the first of those otherwise that is not."""
     claims: tuple[tuple[int, ...], ...]
     made: Sequence[int]
     """The claims of the document, as they are numbered where none is left out."""
+
+    def first(self, count: int) -> Certificate | None:
+        """The certificate of the first claims, which rest on each other only; None where no finding is among them."""
+        claims = tuple(several if max(several, default=0) < count else () for several in self.claims)
+        goal = [self.document["claims"][number]["statement"] for several in claims for number in several]
+        unique = {json.dumps(statement): statement for statement in goal}
+        document = {**self.document, "goal": list(unique.values()), "claims": self.document["claims"][:count]}
+        return Certificate(document, self.findings, claims, self.made[:count]) if goal else None
 
 
 class Proofs(NamedTuple):
@@ -129,43 +141,61 @@ class Proofs(NamedTuple):
     findings: Sequence[Finding]
     numbers: Sequence[Sequence[int]]
     """None for a finding that is not decided, or whose witness was too costly to compute."""
+    make: Callable[[Finding], Sequence[int]]
+    """The function that makes the claims of one more finding."""
 
-    def certificate(self, without: Set[int] = frozenset()) -> Certificate | None:
+    def certificate(self, without: Set[int] = frozenset(), seconds: float | None = None) -> Certificate | None:
         """The certificate of the findings that the checker has work for and that need none of these claims.
 
-        None where there is none.
+        With so many seconds for the checker the claims stand in the order of the questions, and none takes longer. None
+        where there is no finding.
         """
-        kept, left = self._selected(without)
-        numbers = [() if place in left else several for place, several in enumerate(self.numbers)]
-        goal = [number for several in numbers for number in several]
+        kept, chosen = self._selected(without, seconds)
+        goal = [number for _, numbers in chosen for number in numbers]
         if not goal:
             return None
-        made = sorted(kept)
+        made = sorted(kept) if seconds is None else list(kept)
         new = {old: number for number, old in enumerate(made)}
-        renumbered = tuple(tuple(new[number] for number in several) for several in numbers)
-        return Certificate(self.claims.document(self.mask, goal, made), renumbered, made)
+        renumbered = tuple(tuple(new[number] for number in numbers) for _, numbers in chosen)
+        document = self.claims.document(self.mask, goal, made)
+        return Certificate(document, tuple(finding for finding, _ in chosen), renumbered, made)
 
-    def _selected(self, without: Set[int]) -> tuple[Collection[int], Set[int]]:
-        """The claims that are kept, and the places of the findings that are left out."""
-        room = MOST_WORK
-        if not without and sum(claim["work"] for claim in self.claims.made) <= room:
-            return range(len(self.claims.made)), frozenset()
-        kept, left = set[int](), set[int]()
-        for place in sorted(range(len(self.findings)), key=lambda place: _importance(self.findings[place])):
-            more = self.claims.closure(self.numbers[place], kept)
-            work = sum(self.claims.made[number]["work"] for number in more)
-            if work > room or more & without:
-                left.add(place)
-            else:
-                kept |= more
-                room -= work
-        return kept, left
+    def _selected(
+        self, without: Set[int], seconds: float | None
+    ) -> tuple[Collection[int], Sequence[tuple[Finding, Sequence[int]]]]:
+        """The claims that are kept, and for each place its finding, or one otherwise, with the numbers of its claims.
+
+        The claims are in the order of the questions. There are no numbers where the finding is left out.
+        """
+        room = MOST_WORK if seconds is None else min(MOST_WORK, int(seconds * WORK_A_SECOND))
+        chosen = list(zip(self.findings, self.numbers, strict=True))
+        written = all(numbers or not finding.otherwise for finding, numbers in chosen)
+        enough = seconds is None and not without and written
+        if enough and sum(claim["work"] for claim in self.claims.made) <= room:
+            return range(len(self.claims.made)), chosen
+        kept = dict[int, None]()
+        for place in sorted(range(len(chosen)), key=lambda place: _importance(self.findings[place])):
+            chosen[place] = self.findings[place], ()
+            for finding, numbers in self._choices(place):
+                more = self.claims.closure(numbers, kept)
+                work = sum(self.claims.made[number]["work"] for number in more)
+                if numbers and work <= room and not more & without:
+                    kept |= dict.fromkeys(sorted(more))
+                    room -= work
+                    chosen[place] = finding, numbers
+                    break
+        return kept, chosen
+
+    def _choices(self, place: int) -> Iterator[tuple[Finding, Sequence[int]]]:
+        """The finding at a place and those otherwise, each with its claims, which are made when it is asked for."""
+        yield self.findings[place], self.numbers[place]
+        yield from ((other, self.make(other)) for other in self.findings[place].otherwise)
 
 
 def _importance(finding: Finding) -> int:
     """The place of its question among the properties of a scheme; what answers none comes last."""
-    asked = {question for question, _ in finding.answers}
-    places = (place for place, row in enumerate(PROPERTIES) if asked & {row.question, *row.more, *row.instead})
+    questions = {question for question, _ in finding.answers}
+    places = (place for place, row in enumerate(PROPERTIES) if questions & {row.question, *row.more, *row.instead})
     return next(places, len(PROPERTIES))
 
 
@@ -177,13 +207,13 @@ def proofs(
     It makes none where the witness was too costly to compute, or raises UnwrittenError.
     """
 
-    def made(found: Finding) -> tuple[int, ...]:
+    def made(finding: Finding) -> tuple[int, ...]:
         try:
-            return tuple(claims_of(found)) if found.verdict in DECIDED else ()
+            return tuple(claims_of(finding)) if finding.verdict in DECIDED else ()
         except UnwrittenError:
             return ()
 
-    return Proofs(claims, mask, findings, tuple(map(made, findings)))
+    return Proofs(claims, mask, findings, tuple(map(made, findings)), made)
 
 
 def polynomial(start: int, coefficients: Sequence[Fraction | int]) -> Json:

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any
 
-from subdiv_cli.certificate.claims import MOST_WORK, Claims, Json
-from subdiv_cli.certificate.witness import as_integer, as_rational, as_rationals, as_tuple, as_word
-from subdiv_cli.model import Data
+from subdiv_cli.certificate.claims import MOST_WORK, WORK_A_SECOND, Claims, Json, polynomial
 from subdiv_cli.model.closed import rational
+from subdiv_cli.model.proofs import LeaderData, RadiusProof, RootData, TieData
 
 if TYPE_CHECKING:
     from subdiv_cli.model.family import FamilyRadius
-
-Map = Mapping[str, Data]
 
 
 class Radii:
@@ -23,9 +20,9 @@ class Radii:
     def __init__(self, claims: Claims, families: list[None], letters: int, uses: list[int]) -> None:
         self._claims, self._families, self._p, self._uses = claims, families, letters, uses
 
-    def claim(self, data: Map, family: int, order: int) -> int:
+    def claim(self, data: RadiusProof, family: int, order: int) -> int:
         """The number of the claim that a proof on a family of matrices of this order is turned into."""
-        rule = str(data["rule"])
+        rule = data["rule"]
         if rule == "blocks":
             return self._of_blocks(data, family, order)
         if rule == "distinct":
@@ -33,41 +30,41 @@ class Radii:
         if rule == "zero":
             return self._upper("zero", family, 1, Fraction(0), {}, order * order * self._p)
         if rule in ("polytope", "monotone-polytope"):
-            weights = sum(len(as_tuple(flat)) for flat in as_tuple(data["images"])) // 2
-            work = self._p * len(as_tuple(data["vertices"])) * order**2 + weights * order + order**3
-            witness = {key: spelled(data[key]) for key in ("symmetry", "bits", "basis", "weight_bits", "images")}
-            witness["vertices"] = [[str(x) for x in as_tuple(v)] for v in as_tuple(data["vertices"])]
-            return self._upper(rule, family, 1, as_rational(data["bound"]), witness, work)
+            weights = sum(map(len, data["images"])) // 2
+            work = self._p * len(data["vertices"]) * order**2 + weights * order + order**3
+            witness: Json = {"symmetry": data["symmetry"], "bits": data["bits"], **_images(data)}
+            witness["vertices"] = [[str(x) for x in v] for v in data["vertices"]]
+            return self._upper(rule, family, 1, data["bound"], witness, work)
         if rule == "positive-symbol":
-            witness = {"power": data["power"]}
-            witness |= {key: {"start": 0, "coefficients": spelled(data[key])} for key in ("squares", "rest")}
+            squares, rest = polynomial(0, data["squares"]), polynomial(0, data["rest"])
+            witness = {"power": data["power"], "squares": squares, "rest": rest}
             name = "bounded" if data["bounded"] else "radius"
             return self._exact(rule, name, family, data, witness, 2 * (order + 2) ** 4)
         return self._closing(data, family, order)
 
-    def _closing(self, data: Map, family: int, order: int) -> int:
-        leaders, tree = as_tuple(data["leaders"]), as_tuple(data["tree"])
-        vertices, degree = len(leaders) + len(tree) // 2, len(as_tuple(_root(data)["polynomial"]))
-        length = len(as_tuple(cast(Map, leaders[0])["word"]))
-        weights = sum(len(as_tuple(flat)) for flat in as_tuple(data["images"])) // 2
+    def _closing(self, data: RadiusProof, family: int, order: int) -> int:
+        leaders, ties = data["leaders"], data["ties"]
+        vertices, degree = len(leaders) + len(data["tree"]) // 2, len(data["root"]["polynomial"])
+        length = len(leaders[0]["word"])
+        weights = sum(map(len, data["images"])) // 2
         work = self._p * vertices * order**2 + weights * order + order**3 + len(leaders) * (length + 1) * order**3
-        if ties := as_tuple(data["ties"]):
-            longest = max((len(as_tuple(weight)) for weight in _weights(ties)), default=1)
+        if ties:
+            longest = max((len(weight) for weight in _polynomials(ties)), default=1)
             work += vertices * degree * order**2 + len(ties) * order * (degree + vertices + longest) ** 2
             if "sigma" in data:
                 work += (length + len(ties) * (1 + order) * vertices) * degree**2
-        keys = ("symmetry", "bits", "extras", "tree", "basis", "weight_bits", "images")
-        witness = {key: spelled(data[key]) for key in keys}
-        witness["leaders"] = [_leader(cast(Map, leader)) for leader in leaders]
-        if "sign" in cast(Map, leaders[0]):
-            witness["ties"] = spelled(data["ties"])
+        witness: Json = {"symmetry": data["symmetry"], "bits": data["bits"]}
+        witness |= {"extras": spelled(data["extras"]), "tree": spelled(data["tree"]), **_images(data)}
+        witness["leaders"] = [_leader(leader) for leader in leaders]
+        if "sign" in leaders[0]:
+            witness["ties"] = spelled(ties)
             if "sigma" in data:
                 witness["sigma"] = spelled(data["sigma"])
-            return self._exact(str(data["rule"]), "bounded", family, data, witness, work)
+            return self._exact(data["rule"], "bounded", family, data, witness, work)
         return self._exact("complex-closing", "bounded", family, data, witness, 8 * work)
 
-    def _of_blocks(self, data: Map, family: int, order: int) -> int:
-        sizes = [as_integer(size) for size in as_tuple(data["sizes"])]
+    def _of_blocks(self, data: RadiusProof, family: int, order: int) -> int:
+        sizes = list(data["sizes"])
         parts = []
         for _ in sizes:
             parts.append(len(self._families))
@@ -75,27 +72,33 @@ class Radii:
         witness = {"basis": spelled(data["basis"]), "sizes": sizes}
         statement = {"property": "blocks", "family": family, "parts": parts}
         blocks = self._claims.add("blocks", statement, witness, [], (self._p + 1) * order**3)
-        each = zip(as_tuple(data["parts"]), parts, sizes, strict=True)
-        uses = [blocks, *(self.claim(cast(Map, part), number, size) for part, number, size in each)]
+        each = zip(data["parts"], parts, sizes, strict=True)
+        uses = [blocks, *(self.claim(part, number, size) for part, number, size in each)]
         if "root" in data:
             return self._exact("radius-of-blocks", "radius", family, data, {}, 1, uses)
-        bound = as_rational(data["bound"])
-        return self._upper("upper-of-blocks", family, as_integer(data["length"]), bound, {}, 1, uses)
+        return self._upper("upper-of-blocks", family, data["length"], data["bound"], {}, 1, uses)
 
-    def _of_distinct(self, data: Map, family: int, order: int) -> int:
-        letters, number = [as_integer(letter) for letter in as_tuple(data["letters"])], len(self._families)
+    def _of_distinct(self, data: RadiusProof, family: int, order: int) -> int:
+        letters, number = list(data["letters"]), len(self._families)
         self._families.append(None)
         statement = {"property": "distinct", "family": family, "part": number}
         work = self._p * len(letters) * order**2
         distinct = self._claims.add("distinct", statement, {"letters": letters}, [], work)
-        used = self.claim(cast(Map, data["part"]), number, order)
-        said = {**self._claims.statement(used), "family": family}
-        return self._claims.add("of-distinct", said, {}, [distinct, used], 1)
+        used = self.claim(data["part"], number, order)
+        statement = {**self._claims.statement(used), "family": family}
+        return self._claims.add("of-distinct", statement, {}, [distinct, used], 1)
 
     def _exact(
-        self, rule: str, name: str, family: int, data: Map, witness: Json, work: int, uses: list[int] | None = None
+        self,
+        rule: str,
+        name: str,
+        family: int,
+        data: RadiusProof,
+        witness: Json,
+        work: int,
+        uses: list[int] | None = None,
     ) -> int:
-        statement = {"property": name, "family": family, "length": data["length"], **root_fields(_root(data))}
+        statement = {"property": name, "family": family, "length": data["length"], **root_fields(data["root"])}
         return self._claims.add(rule, statement, witness, self._uses if uses is None else uses, work)
 
     def _upper(
@@ -112,37 +115,37 @@ class Radii:
         return self._claims.add(rule, statement, witness, uses or [], work)
 
 
-def _weights(ties: Iterable[Data]) -> Iterator[Data]:
+def _images(data: RadiusProof) -> Json:
+    """The entries of a polytope's witness that say where images lie."""
+    return {"basis": spelled(data["basis"]), "weight_bits": data["weight_bits"], "images": spelled(data["images"])}
+
+
+def _polynomials(ties: Iterable[TieData]) -> Iterator[tuple[Fraction, ...]]:
     """The weights of all ties that are polynomials."""
     for tie in ties:
-        for share in as_tuple(cast(Map, tie)["weights"]):
-            if isinstance(weight := cast(Map, share)["weight"], tuple):
+        for share in tie["weights"]:
+            if isinstance(weight := share["weight"], tuple):
                 yield weight
 
 
-def _leader(leader: Map) -> Json:
+def _leader(leader: LeaderData) -> Json:
     """A leader as witnesses have it: integers of a complex eigenvalue's polynomial may be long, so they are strings."""
-    said = {key: spelled(value) for key, value in leader.items()}
+    written = {key: spelled(value) for key, value in leader.items()}
     if "factor" in leader:
-        said["factor"] = [rational(x) for x in as_rationals(leader["factor"])]
-    return said
+        written["factor"] = [rational(x) for x in leader["factor"]]
+    return written
 
 
-def _root(data: Map) -> Map:
-    return cast(Map, data["root"])
-
-
-def root_fields(root: Map) -> Json:
+def root_fields(root: RootData) -> Json:
     """The fields of a root in a statement."""
-    polynomial = [rational(c) for c in as_rationals(root["polynomial"])]
     return {
-        "polynomial": polynomial,
-        "low": rational(as_rational(root["low"])),
-        "high": rational(as_rational(root["high"])),
+        "polynomial": [rational(c) for c in root["polynomial"]],
+        "low": rational(root["low"]),
+        "high": rational(root["high"]),
     }
 
 
-def spelled(data: Data) -> object:
+def spelled(data: object) -> Any:
     """Plain data as JSON: a Fraction as `p/q`, a tuple as a list; integers stay integers."""
     if isinstance(data, Mapping):
         return {key: spelled(value) for key, value in data.items()}
@@ -151,19 +154,25 @@ def spelled(data: Data) -> object:
     return rational(data) if isinstance(data, Fraction) else data
 
 
-def family_certificate(matrices: Sequence[Sequence[Sequence[Fraction]]], radius: FamilyRadius) -> Json | None:
-    """The proof of the bounds of a joint spectral radius; None where there are none, or where it takes too long."""
+def family_certificate(
+    matrices: Sequence[Sequence[Sequence[Fraction]]], radius: FamilyRadius, seconds: float | None = None
+) -> Json | None:
+    """The proof of the bounds of a joint spectral radius; None where there are none, or where it takes too long.
+
+    That is the work that the checker does, or what it does in so many seconds.
+    """
     if not radius.proof:
         return None
     claims = Claims()
     goal = [Radii(claims, [None], radius.letters, []).claim(radius.proof, 0, radius.order)]
     if radius.below:
-        word, order = as_word(radius.below), radius.order
-        statement = {"family": 0, "length": len(word), "bound": rational(as_rational(radius.below["bound"]))}
+        word, order = radius.below["word"], radius.order
+        statement = {"family": 0, "length": len(word), "bound": rational(radius.below["bound"])}
         work = len(word) * order**3 + order**4
         lower = {"property": "radius-lower", **statement}
         goal.append(claims.add("word", lower, {"word": list(word)}, [], work))
     rows = [[[rational(x) for x in row] for row in matrix] for matrix in matrices]
-    if sum(claim["work"] for claim in claims.made) > MOST_WORK:
+    room = MOST_WORK if seconds is None else min(MOST_WORK, int(seconds * WORK_A_SECOND))
+    if sum(claim["work"] for claim in claims.made) > room:
         return None
     return claims.document({"kind": "matrices", "matrices": rows}, goal, range(len(claims.made)))

@@ -6,14 +6,15 @@ input. `polynomials`, `matrices`, `roots`: the arithmetic, in integers. `plain`:
 
 A kind is a folder with one object, the `RULEBOOK` in its `rules`: what documents of the kind are about, the closed
 lists of properties and rules, the words of the printed line, plain files. A rule is one function, and its docstring is
-what it proves. `radius` has the rules on joint spectral radii of families of matrices, which all kinds share, and the
-kind `matrices`; `scalar`, `multivariate`, `vector` and `hermite` those on masks. `python -m subdiv_cli.checker CERT…`
+what it proves. `radius` has the rules on joint spectral radii of families of matrices, which all kinds share; `curves`
+those of kind `matrices`; `scalar`, `multivariate`, `vector` and `hermite` those on masks.
+`python -m subdiv_cli.checker CERT…`
 runs it.
 """
 
 from __future__ import annotations
 
-from collections.abc import MutableMapping
+from collections.abc import Callable, MutableMapping
 from importlib import import_module
 from typing import Any
 
@@ -36,7 +37,7 @@ class _Kinds(dict[str, Any]):
 
 KINDS: MutableMapping[str, Rulebook] = _Kinds(
     scalar="subdiv_cli.checker.scalar.rules",
-    matrices="subdiv_cli.checker.radius.rules",
+    matrices="subdiv_cli.checker.curves.rules",
     multivariate="subdiv_cli.checker.multivariate.rules",
     vector="subdiv_cli.checker.vector.rules",
     hermite="subdiv_cli.checker.hermite.rules",
@@ -52,9 +53,12 @@ def check_text(text: str, work: int = MAX_WORK) -> Outcome:
     return core.check_text(text, KINDS, work)
 
 
-def check_document(document: object) -> Outcome:
-    """The outcome for a certificate that is already parsed, as `json.loads` gives it."""
-    return core.check_document(document, KINDS)
+def check_document(document: object, goes_on: Callable[[], bool] = lambda: True) -> Outcome:
+    """The outcome for a certificate that is already parsed, as `json.loads` gives it.
+
+    `goes_on` is asked before each claim whether there is time for it; where there is none, that claim fails.
+    """
+    return core.check_document(document, KINDS, goes_on=goes_on)
 
 
 def check_file(name: str, work: int = MAX_WORK) -> tuple[Outcome, str]:

@@ -181,9 +181,14 @@ def check_text(text: str, kinds: Mapping[str, Rulebook], work: int = MAX_WORK) -
     return check_document(document, kinds, work)
 
 
-def check_document(document: object, kinds: Mapping[str, Rulebook], work: int = MAX_WORK) -> Outcome:
-    """As `check_text`, of a document that is parsed."""
-    return _outcome(_Checker(work, SIZE * work), document, kinds)
+def check_document(
+    document: object, kinds: Mapping[str, Rulebook], work: int = MAX_WORK, goes_on: Callable[[], bool] = lambda: True
+) -> Outcome:
+    """As `check_text`, of a document that is parsed; `goes_on` is asked before each claim whether there is time for it.
+
+    Where there is none, that claim is the one that fails: those before it are checked, and hold.
+    """
+    return _outcome(_Checker(work, SIZE * work, goes_on), document, kinds)
 
 
 def _outcome(checker: _Checker, document: object, kinds: Mapping[str, Rulebook]) -> Outcome:
@@ -198,8 +203,8 @@ def _outcome(checker: _Checker, document: object, kinds: Mapping[str, Rulebook])
 class _Checker:
     """One run of the checker on a document, and the place that it has reached."""
 
-    def __init__(self, most: int, size: int) -> None:
-        self.most, self.size = most, size
+    def __init__(self, most: int, size: int, goes_on: Callable[[], bool] = lambda: True) -> None:
+        self.most, self.size, self.goes_on = most, size, goes_on
         self.rulebook: Rulebook | None = None
         self.subject: Subject | None = None
         self.place = "document"
@@ -221,6 +226,8 @@ class _Checker:
         require_few(len(claims) <= MAX_CLAIMS, "there are too many claims")
         for self.number, claim in enumerate(claims):
             self.place = f"claim {self.number}"
+            if not self.goes_on():
+                raise Exhausted("there is no time left")
             self.proved.append(self.check(claim, rulebook, subject))
         self.place, self.number = "goal", None
         goal = [self.statement(statement, rulebook) for statement in parts["goal"]]

@@ -12,6 +12,8 @@ from typing import NamedTuple
 from subdiv_cli.checker.polynomials import Polynomial
 
 Matrix = list[list[int]]
+PRIME = (1 << 61) - 1
+"""A modulus: rows of integers that are independent modulo it are so over Q as well."""
 
 
 class RationalFamily(NamedTuple):
@@ -204,3 +206,20 @@ def roots_lie_inside(f: Sequence[int], radius: Fraction) -> bool:
         common = gcd(*g)
         g = [c // common for c in g]
     return True
+
+
+def dependent_rows(rows: Sequence[Sequence[int]]) -> list[int]:
+    """The numbers of the rows of integers that depend, modulo the prime, on those before them."""
+    reduced: list[tuple[int, list[int]]] = []
+    dependent = []
+    for i, row in enumerate(rows):
+        rest = [x % PRIME for x in row]
+        for pivot, other in reduced:
+            if f := rest[pivot]:
+                rest = [(x - f * y) % PRIME for x, y in zip(rest, other, strict=True)]
+        if (pivot := next((j for j, x in enumerate(rest) if x), -1)) < 0:
+            dependent.append(i)
+            continue
+        inverse = pow(rest[pivot], -1, PRIME)
+        reduced.append((pivot, [inverse * x % PRIME for x in rest]))
+    return dependent

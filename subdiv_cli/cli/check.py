@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from typing import Any
 
 import click
@@ -10,21 +11,24 @@ import click
 from subdiv_cli.cli import masks
 from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.options import Asked, SectionedCommand, check_options
-from subdiv_cli.cli.outputs import put_report, put_reports
+from subdiv_cli.cli.outputs import put_report, put_reports, put_statistics
 from subdiv_cli.cli.running import Run, tell_missing
 from subdiv_cli.cli.settings import SettingsError, with_settings
 from subdiv_cli.cli.streams import complain, emit, look_of
-from subdiv_cli.report import renderer
+from subdiv_cli.report import streamer
 from subdiv_cli.report.look import Look
 
 _EPILOG = """\b
 Examples:
   subdiv check four-point.toml
   subdiv check four-point.toml -p w=1/20
+  subdiv check four-point.toml -p w=1/16 -p w=1/8
   subdiv check masks/ -q
   subdiv check masks/ --jobs 2 --format github -o junit.xml -o json:report.json
   subdiv check masks/ --require C1 --require "holder>=1.5"
   subdiv check masks/ --baseline report.json
+  subdiv check masks/ --exclude drafts --exclude "masks/**/*_old.toml"
+  subdiv check masks/ --statistics
   subdiv check masks/ --shard 1/4 --format json > part-1.json
   git diff --name-only main -- "*.toml" | subdiv check --files-from -
   subdiv check masks/ --certificate proofs/ && subdiv verify proofs/
@@ -40,7 +44,7 @@ Exit codes:
   3    nothing refuted, something undecided, or left out of a --certificate (0 with
        --allow-undecided)
   130  interrupted; the masks checked so far are reported
-  Of several, 2 beats 1 beats 3, and 130 beats all.
+  Of several, 2 beats 1 beats 3, and 130 beats all. --exit-zero makes 1 and 3 a 0.
 
 \b
 The report is on stdout. Progress is on stderr, and so are the errors of invalid
@@ -49,9 +53,12 @@ masks in the text format; the other formats have them in the report.
 \b
 Options have defaults in [tool.subdiv] of the nearest pyproject.toml: format,
 select, ignore, require, baseline, allow-undecided, effort, budget, jobs, cache,
-cache-dir, dask. Environment variables stand above those, the command line above
-all. NO_COLOR and COLUMNS are honoured.
+cache-dir, dask, exclude. Environment variables stand above those, the command line above
+all. Where no FILE is named, paths has those to be checked. NO_COLOR and COLUMNS are honoured.
 """
+
+_MOST_REASONS = 10
+"""The most certificates of which is said why they could not be written."""
 
 
 @click.command("check", cls=SectionedCommand, epilog=_EPILOG)
@@ -60,8 +67,8 @@ all. NO_COLOR and COLUMNS are honoured.
 def command(ctx: click.Context, /, **given: Any) -> ExitCode:
     """Check subdivision masks: convergence, order of smoothness, exponents, and what each file expects.
 
-    A FILE is a TOML mask file; a DIR is searched for them; a pattern such as "masks/**/*.toml" names those that match;
-    - reads one mask from stdin.
+    A FILE is a TOML mask file; a DIR is searched for them, but for what git ignores or --exclude has a pattern for; a
+    pattern such as "masks/**/*.toml" names those that match; - reads one mask from stdin.
     """
     try:
         asked = Asked(**with_settings(ctx, given))
@@ -87,7 +94,16 @@ def _settings(asked: Asked) -> dict[str, Any]:
         "jobs": asked.jobs,
         "cache": None if asked.no_cache else directory(asked.cache_dir),
     }
-    optional = {"certificates": asked.certificates, "shard": asked.shard, "cluster": asked.dask}
+    optional: dict[str, Any] = {
+        "certificates": asked.certificates,
+        "shard": asked.shard,
+        "cluster": asked.dask,
+        "exclude": asked.exclude or None,
+    }
+    if asked.mask is None and (asked.start is not None or asked.arity is not None):
+        from subdiv_cli.maskfile.option import Given
+
+        optional["given"] = Given(asked.start, asked.arity)
     return told | {key: value for key, value in optional.items() if value is not None}
 
 
@@ -109,17 +125,23 @@ def _close(run: Run, look: Look) -> ExitCode:
     """The exit code, after the report is written."""
     asked = run.asked
     missing = run.missing()
-    look = look._replace(missing=missing, interrupted=run.interrupted)
+    look = look._replace(missing=missing, interrupted=run.interrupted or run.ended)
 
-    def render(form: str, look: Look) -> str:
-        return renderer(form)(run.results, look)
+    def render(form: str, look: Look) -> Iterator[str]:
+        return streamer(form)(run.results, look)
 
-    if asked.form == "text":  # the errors on stderr, and first
-        complain(problem for result in run.results for problem in result.problems)
-    streamed = asked.form == "jsonl"
-    printed = run.printed if streamed else put_report(render, asked.form, look._replace(problems=False))
+    if asked.form == "text" and not asked.statistics:  # the errors on stderr, and first
+        complain(run.problems)
+    if asked.statistics:
+        printed = put_statistics(run.results, asked.form, look)
+    elif asked.form == "jsonl":
+        printed = run.printed
+    else:
+        printed = put_report(render, asked.form, look._replace(problems=False))
     written = put_reports(render, asked.form, look, asked.outputs)
     tell_missing(missing)
+    for file, reason in list(run.unwritten.items())[:_MOST_REASONS]:
+        emit(f"error: the certificate of {file} cannot be written: {reason}\n", sys.stderr)
     for sentence in run.unproved:
         emit(f"warning: {sentence}\n", sys.stderr)
     count = len(run.results)
@@ -129,4 +151,7 @@ def _close(run: Run, look: Look) -> ExitCode:
     code = exit_code(statuses, allow_undecided=asked.allow_undecided, interrupted=run.interrupted)
     if run.unproved and code is ExitCode.PASSED and not asked.allow_undecided:
         code = ExitCode.UNDECIDED
-    return code if (printed and written) or run.interrupted else ExitCode.ERROR
+    if asked.exit_zero and code in (ExitCode.FAILED, ExitCode.UNDECIDED):
+        code = ExitCode.PASSED
+    done = printed and written and not run.unwritten
+    return code if done or run.interrupted else ExitCode.ERROR

@@ -13,6 +13,16 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
 
+def complete_page(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """The completions with the names of pages: subjects, then codes."""
+    from click.shell_completion import CompletionItem
+
+    from subdiv_cli.explain import subjects
+
+    known = [CompletionItem(name) for name in subjects() if name.startswith(incomplete.lower())]
+    return known + complete_code(ctx, param, incomplete)
+
+
 def complete_code(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
     """The completions with finding codes, with their names."""
     from click.shell_completion import CompletionItem

@@ -123,6 +123,4 @@ def _report(error: Exception, *, debug: bool) -> None:
         from traceback import format_exception
 
         emit("".join(format_exception(error)), sys.stderr)
-    more = "" if debug else "; --debug shows the traceback"
-    problem = internal_error(error, "this is a bug in subdiv: please report it with the mask" + more)
-    emit(render([problem], look_of(sys.stderr)), sys.stderr)
+    emit(render([internal_error(error)], look_of(sys.stderr)), sys.stderr)

@@ -10,6 +10,7 @@ import click
 
 from subdiv_cli.cli import options
 from subdiv_cli.cli.exits import ExitCode
+from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import complain, emit, look_of, put_file
 from subdiv_cli.cli.values import SECONDS
 from subdiv_cli.model import Effort
@@ -32,7 +33,7 @@ A family is a TOML file with one list of square matrices, each a list of rows; n
 Exit codes:
   0    the radius is enclosed within a tenth of itself, or known exactly
   2    not computed: usage, an unreadable or invalid file, an internal error
-  3    no such bounds within the effort, or a certificate is asked for and there is none
+  3    no such bounds within the effort, or a certificate is asked for and a bound has none
 """
 _WIDE = 0.1
 """The relative width beyond which an enclosure is no answer."""
@@ -43,7 +44,7 @@ _WIDE = 0.1
 @options.parameter("Set a parameter of FILE.")
 @options.text_or_json
 @options.effort("Work it may cost. What is found depends on it alone.")
-@click.option("--budget", type=SECONDS, metavar="SECONDS", help="Stop growing polytopes after so long.")
+@click.option("--budget", type=SECONDS, metavar="SECONDS", help="Stop after so long, with the bounds found by then.")
 @click.option(
     "--certificate", metavar="FILE", type=click.Path(dir_okay=False), help="Write the proof, for `subdiv verify`."
 )
@@ -69,7 +70,8 @@ def command(
         return complain(error.problems)
     from subdiv_cli.pipeline import joint_spectral_radius
 
-    found = joint_spectral_radius(matrices, Effort(effort, budget))
+    with Progress().watching():
+        found = joint_spectral_radius(matrices, Effort(effort, budget))
     text = found.certificate_text()
     if certificate is not None and text is not None and not put_file(certificate, text):
         return ExitCode.ERROR
@@ -78,8 +80,10 @@ def command(
     emit(render(read, found.radius, proof), sys.stdout, encoding="utf-8" if form == "json" else None)
     unwritten = certificate is not None and text is None
     if unwritten:
-        why = "nothing is proved" if found.radius.upper is None else "the proof asks more than the checker does"
-        emit(f"warning: {certificate} is not written: {why}\n", sys.stderr)
+        emit(f"warning: {certificate} is not written: nothing is proved\n", sys.stderr)
+    if found.radius.left_out:
+        emit(f"warning: a better bound is left out: {found.radius.left_out}\n", sys.stderr)
+    unwritten = unwritten or (certificate is not None and found.radius.left_out is not None)
     wide = not found.radius.lower or found.radius.width > _WIDE
     known = found.radius.exact is not None or found.radius.upper == 0
     return ExitCode.UNDECIDED if unwritten or (wide and not known) else ExitCode.PASSED

@@ -10,10 +10,10 @@ import click
 from subdiv_cli.cli import options
 from subdiv_cli.cli.exits import ExitCode, exit_code
 from subdiv_cli.cli.progress import Progress
-from subdiv_cli.cli.streams import look_of, put
+from subdiv_cli.cli.streams import columns, look_of, put, put_pieces
 from subdiv_cli.model import Result
-from subdiv_cli.report import words
-from subdiv_cli.report.look import Look
+from subdiv_cli.report import marks, words
+from subdiv_cli.report.look import UNWRAPPED, Look
 from subdiv_cli.report.page import Page, paint
 
 _EPILOG = """\b
@@ -54,11 +54,11 @@ def command(words_: tuple[str, ...], form: str, jobs: int, no_cache: bool, cache
         raise click.ClickException(str(error)) from None
     finally:
         progress.close()
-    look = look_of(sys.stdout)
+    look = look_of(sys.stdout, width=columns(sys.stdout, elsewhere=UNWRAPPED))
     if form == "json":
-        from subdiv_cli.report import renderer
+        from subdiv_cli.report import streamer
 
-        put(renderer("json")(results, look), encoding="utf-8")
+        put_pieces(streamer("json")(results, look), encoding="utf-8")
     else:
         put(_table(results, directory, look))
     return exit_code(result.status for result in results) if results else ExitCode.FAILED
@@ -75,10 +75,10 @@ def _table(results: Sequence[Result], directory: str, look: Look) -> str:
     rows = [
         [
             page.cell(words.name(result)),
-            page.cell(words.convergence(result), words.ROLES[result.convergent]),
+            page.cell(words.convergence(result), marks.of_verdict(result.convergent).role),
             page.cell(words.smoothness_or_that_of_phi(result)),
             page.cell(words.holder(result)),
-            page.cell(words.mark(result.stable), words.ROLES[result.stable]),
+            page.cell(marks.of_verdict(result.stable).text, marks.of_verdict(result.stable).role),
             page.cell(result.file.removeprefix(directory).lstrip("/\\"), "quiet"),
         ]
         for result in results

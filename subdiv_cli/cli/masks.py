@@ -23,24 +23,27 @@ MOST_BYTES = 64 << 20
 def usage(asked: Asked) -> None:
     """Raise a usage error for options that do not go together."""
     if asked.mask is None and not asked.targets and asked.files_from is None:
-        raise click.UsageError("nothing to check: name a file, as in `subdiv check four-point.toml`")
+        help = "name a file, as in `subdiv check four-point.toml`, or set paths in [tool.subdiv] of pyproject.toml"
+        raise click.UsageError(f"nothing to check: {help}")
     if asked.mask is not None and (asked.targets or asked.files_from is not None):
         raise click.UsageError("--mask checks one mask from the command line: leave out the files, or --mask")
-    belongs_to_mask(asked.mask, asked.start, asked.arity)
+    belongs_to_mask(asked.mask, asked.start, asked.arity, asked.targets)
     if asked.quiet and asked.verbose:
         raise click.UsageError("-q and -v contradict each other")
+    if asked.statistics and asked.form not in ("text", "json"):
+        raise click.UsageError(f"--statistics is text or json, not {asked.form}: other formats go to files, with -o")
     if asked.files_from == "-" and "-" in asked.targets:
         raise click.UsageError("standard input is either a list of files or a mask, not both")
 
 
-def overrides(parameters: Sequence[str]) -> dict[str, Fraction]:
-    """The values of -p by name. Ends the command, all faults printed, where one cannot be read."""
+def overrides(parameters: Sequence[str]) -> dict[str, tuple[Fraction, ...]]:
+    """The different values of -p by name. Ends the command, all faults printed, where one cannot be read."""
     if not parameters:
         return {}
     from subdiv_cli.maskfile import MaskFileError
     from subdiv_cli.maskfile.option import parse_override
 
-    values: dict[str, Fraction] = {}
+    values: dict[str, tuple[Fraction, ...]] = {}
     problems: list[Problem] = []
     for text in parameters:
         try:
@@ -48,8 +51,8 @@ def overrides(parameters: Sequence[str]) -> dict[str, Fraction]:
         except MaskFileError as error:
             problems += error.problems
             continue
-        if values.setdefault(name, value) != value:
-            raise click.UsageError(f"-p gives {name} twice: {values[name]} and {value}")
+        if value not in values.setdefault(name, ()):
+            values[name] += (value,)
     _end(problems)
     return values
 
@@ -88,12 +91,12 @@ def targets(asked: Asked, names: Collection[str]) -> list[str | MaskFile] | Resu
     if asked.mask is None:
         listed = () if asked.files_from is None else _listed(asked.files_from)
         return [*asked.targets, *listed]
-    from subdiv_cli.kinds.option import from_option
+    from subdiv_cli.kinds.option import from_given
     from subdiv_cli.maskfile import MaskFileError
+    from subdiv_cli.maskfile.option import Given
 
     try:
-        start, arity = 0 if asked.start is None else asked.start, 2 if asked.arity is None else asked.arity
-        return [from_option(asked.mask, start=start, arity=arity, names=names)]
+        return [from_given(asked.mask, Given(asked.start, asked.arity, tuple(names)))]
     except MaskFileError as error:
         return Result(file="--mask", status="invalid", problems=tuple(error.problems))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
+from collections.abc import Iterator
 
 import click
 
@@ -43,7 +44,7 @@ Exit codes:
 def command(reports: tuple[str, ...], form: str, outputs: tuple[Output, ...], verbose: int) -> ExitCode:
     """Join JSON reports; any format can be written from them."""
     from subdiv_cli.catalog.reports import ReportError, join, read_report, results_of
-    from subdiv_cli.report import renderer
+    from subdiv_cli.report import streamer
     from subdiv_cli.report.json import document
 
     try:
@@ -56,13 +57,13 @@ def command(reports: tuple[str, ...], form: str, outputs: tuple[Output, ...], ve
     missing = tuple(dict.fromkeys(file for report in read for file in report.missing))
     interrupted = any(report.interrupted for report in read)
 
-    def render(form: str, look: Look) -> str:
+    def render(form: str, look: Look) -> Iterator[str]:
         """JSON keeps every key, also those that this version does not know."""
         if form != "json":
-            return renderer(form)(results_of(results), look)
+            return streamer(form)(results_of(results), look)
         counts = Counter(result["status"] for result in results)
         statuses = ("passed", "failed", "undecided", "invalid")
-        return document(results, {"files": len(results), **{status: counts[status] for status in statuses}}, look)
+        return document(iter(results), {"files": len(results), **{status: counts[status] for status in statuses}}, look)
 
     look = look_of(sys.stdout, verbosity=verbose)
     look = look._replace(shard=shard, missing=missing, interrupted=interrupted)

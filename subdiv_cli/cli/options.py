@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, TypeVar
 
 import click
@@ -22,6 +22,7 @@ class Asked(NamedTuple):
     targets: tuple[str, ...]
     parameters: tuple[str, ...]
     files_from: str | None
+    exclude: tuple[str, ...]
     mask: str | None
     start: tuple[int, ...] | None
     arity: int | None
@@ -31,10 +32,13 @@ class Asked(NamedTuple):
     quiet: bool
     select: tuple[str, ...]
     ignore: tuple[str, ...]
+    statistics: bool
     certificates: str | None
     require: tuple[str, ...]
     baseline: str | None
     allow_undecided: bool
+    exit_zero: bool
+    maxfail: int | None
     effort: int
     budget: float | None
     jobs: int
@@ -126,23 +130,27 @@ text_or_json = click.option(
     "--format", "form", type=click.Choice(["text", "json"]), default="text", show_default=True, help="Format on stdout."
 )
 named = all_of(
-    parameter("Set a mask's parameter: w=1/20. Repeatable."),
+    parameter("Set a parameter of the masks that have it: w=1/20. Repeatable; several values give each combination."),
     option(
         "Masks", "--mask", metavar="MASK",
-        help="Take this mask instead of a file: a list, [1, 3, 3, 1]/4, or a symbol, (1+z)^3/4.",
+        help="Take this mask instead of a file: a list, [1, 3, 3, 1]/4, as NumPy, MATLAB, JSON or CSV print it "
+        "too, or a symbol, (1+z)^3/4. Standard input, -, may have one as well.",
     ),
     option(
         "Masks", "--start", type=INDEX, metavar="INDEX",
-        help="Index of the first coefficient of --mask; in several variables -1,-1.  [default: 0]",
+        help="Index of the first coefficient of --mask, in several variables -1,-1; it only shifts the limit.  "
+        "[default: 0]",
     ),
     option("Masks", "--arity", type=int, metavar="P", help="Arity of --mask.  [default: 2]"),
 )  # fmt: skip
 """The options that name masks beside files; `belongs_to_mask` refuses those that do not go together."""
 
 
-def belongs_to_mask(mask: str | None, start: tuple[int, ...] | None, arity: int | None) -> None:
-    """Raise a usage error for options about a mask that is not there."""
-    if mask is None and (start is not None or arity is not None):
+def belongs_to_mask(
+    mask: str | None, start: tuple[int, ...] | None, arity: int | None, files: Sequence[str] = ()
+) -> None:
+    """Raise a usage error for options about a mask that is not there; standard input may have one."""
+    if mask is None and "-" not in files and (start is not None or arity is not None):
         name = "--start" if start is not None else "--arity"
         raise click.UsageError(f"{name} belongs to --mask; a file says it itself, under [mask]")
 
@@ -153,13 +161,18 @@ check_options = all_of(
         "Masks", "--files-from", metavar="FILE", type=click.Path(dir_okay=False, allow_dash=True),
         help="Read names of files and directories from FILE, one a line (or NUL between); - is stdin.",
     ),
+    option(
+        "Masks", "--exclude", multiple=True, metavar="PATTERN", variable="EXCLUDE",
+        help='Leave out files and directories of a DIR: by name, "*_old.toml", or by path, "masks/drafts/**". '
+        "Repeatable.",
+    ),
     named,
     option(
         "Report", "--format", "form", type=click.Choice(list(FORMATS)), default="text", show_default=True,
         variable="FORMAT", help="Format of the report on stdout.",
     ),
     outputs,
-    option("Report", "-v", "--verbose", count=True, help="Every report in full; -vv with the witnesses."),
+    option("Report", "-v", "--verbose", count=True, help="Every finding with its theorem; -vv with the witnesses."),
     option("Report", "-q", "--quiet", is_flag=True, help="Show only what did not pass."),
     option(
         "Report", "--select", multiple=True, metavar="CODE", shell_complete=complete_code,
@@ -168,6 +181,10 @@ check_options = all_of(
     option(
         "Report", "--ignore", multiple=True, metavar="CODE", shell_complete=complete_code,
         help="Do not show findings with this code. Neither changes the exit code. Repeatable.",
+    ),
+    option(
+        "Report", "--statistics", is_flag=True,
+        help="On stdout, instead of the report, how many masks did not pass for which reason; as text or JSON.",
     ),
     option(
         "Report", "--certificate", "certificates", metavar="DIR", type=click.Path(file_okay=False),
@@ -185,10 +202,13 @@ check_options = all_of(
         "Gate", "--allow-undecided", is_flag=True, variable="ALLOW_UNDECIDED",
         help="Undecided is not a failure: exit 0 for it.",
     ),
+    option("Gate", "--exit-zero", is_flag=True, help="Exit 0 also where something is refuted or undecided."),
+    option("Gate", "--maxfail", type=WHOLE, metavar="N", help="Stop after N masks that did not pass."),
     effort("Work one question may cost. What is found depends on it alone.", variable="EFFORT"),
     option(
         "Run", "--budget", type=SECONDS, metavar="SECONDS", variable="BUDGET",
-        help="Give up on a mask after so long. Results then depend on the machine.",
+        help="Stop a mask after so long, with what is decided and checked by then; results then depend on the machine. "
+        "Where a step does not end, its process is killed after twice as long and 5 s more, and nothing is decided.",
     ),
     jobs,
     option(

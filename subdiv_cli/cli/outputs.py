@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Container, Sequence
+from collections.abc import Callable, Container, Iterable, Sequence
 from pathlib import PurePath
 from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from subdiv_cli.cli.streams import put, put_file, why_not
+from subdiv_cli.cli.streams import put, put_file, put_pieces, why_not
+from subdiv_cli.model import Result
 from subdiv_cli.report import FOR_PEOPLE, FORMATS, SUFFIXES
 from subdiv_cli.report.look import Look
 
@@ -74,12 +75,21 @@ def _formats() -> str:
     return ", ".join(FORMATS)
 
 
-def put_report(render: Callable[[str, Look], str], form: str, look: Look) -> bool:
+def put_report(render: Callable[[str, Look], Iterable[str]], form: str, look: Look) -> bool:
     """Whether a report, rendered in a format for a look, could be written to stdout."""
-    return put(render(form, look), encoding=None if form in FOR_PEOPLE else "utf-8")
+    return put_pieces(render(form, look), encoding=None if form in FOR_PEOPLE else "utf-8")
 
 
-def put_reports(render: Callable[[str, Look], str], form: str, look: Look, outputs: Sequence[Output]) -> bool:
+def put_statistics(results: Sequence[Result], form: str, look: Look) -> bool:
+    """Whether the statistics of a run could be written to stdout, as a table or as JSON."""
+    from subdiv_cli.report import statistics
+
+    if form == "json":
+        return put(statistics.as_json(results, look), encoding="utf-8")
+    return put(statistics.as_text(results, look))
+
+
+def put_reports(render: Callable[[str, Look], Iterable[str]], form: str, look: Look, outputs: Sequence[Output]) -> bool:
     """Whether the report could be written to every file of -o, in a look of its own."""
     paper = Look()
     look = look._replace(width=paper.width, unicode=paper.unicode, colour=paper.colour, problems=paper.problems)

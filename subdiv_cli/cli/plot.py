@@ -12,6 +12,7 @@ import click
 from subdiv_cli.cli import single
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.options import debug as debug_option
+from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import emit, look_of, put, put_file, why_not
 from subdiv_cli.cli.values import WHOLE
 
@@ -123,7 +124,8 @@ def command(
     options["samples"] = min(samples or _POINTS, _MOST_POINTS)
     if polygon is not None:
         options["points"] = _points(drawings[0], polygon)
-    drawn = _drawn(family, drawings, options, effort)
+    with Progress().watching():
+        drawn = _drawn(family, drawings, options, effort)
     if isinstance(drawn, ExitCode):
         return drawn
     return _terminal(drawn) if output is None else _file(drawn, output, style or "surface")

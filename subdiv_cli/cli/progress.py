@@ -1,23 +1,29 @@
-"""The progress of a long run: a line on stderr, on a terminal only; and afterwards the masks that took longest."""
+"""The progress of what takes long: a line on stderr, on a terminal only; and afterwards the masks that took longest."""
 
 from __future__ import annotations
 
 import os
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from heapq import nlargest
 from typing import TYPE_CHECKING, TextIO
 
 from subdiv_cli.cli.streams import columns, emit, speaks_mathematics
+from subdiv_cli.model import watch
 from subdiv_cli.report.letters import letters
 
 if TYPE_CHECKING:
     from subdiv_cli.catalog.task import Done
+    from subdiv_cli.model.watch import At
 
 SLOWEST = 5
 """The number of the slowest masks that are named under -v."""
 PAUSE = 0.1
 """The seconds between two writings."""
+PATIENCE = 1.0
+"""The seconds that one mask may take before it is shown what it is at."""
 
 
 class Progress:
@@ -30,6 +36,7 @@ class Progress:
         self.slowest: list[tuple[float, str]] = []
         self._written = 0
         self._last = 0.0
+        self._began = time.monotonic()
 
     def begin(self, total: int) -> None:
         """Set the number of masks."""
@@ -41,9 +48,29 @@ class Progress:
         self.missed += done.result.status != "passed"
         self.cached += done.cached
         self.slowest = nlargest(SLOWEST, [*self.slowest, (done.seconds, done.result.file)])
+        self._began = time.monotonic()
         if self.shown and self.total > 1 and time.monotonic() - self._last >= PAUSE:
             self._last = time.monotonic()
             self._write(self.line())
+
+    @contextmanager
+    def watching(self) -> Iterator[None]:
+        """Show what the work inside is at, where it takes long; the line is gone when it is done."""
+        if self.shown:
+            watch.listen(self.hear)
+        try:
+            yield
+        finally:
+            watch.listen(None)
+            self.close()
+
+    def hear(self, at: At) -> None:
+        """Show what the mask that is looked at is at, and for how long: `joint radius, 312 vertices, 4 s`."""
+        now = time.monotonic()
+        if now - self._began >= PATIENCE and now - self._last >= PAUSE:
+            self._last = now
+            text = f"{at}, {now - self._began:.0f} s"
+            self._write(f"{self.line()}; {text}" if self.done else text)
 
     def line(self) -> str:
         """The line of the progress: `37/120 masks, 2 not passed, slowest six_point.toml 1.2 s`."""

@@ -5,15 +5,15 @@ from __future__ import annotations
 import sys
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from subdiv_cli.catalog.spool import Spool
 from subdiv_cli.cli.options import Asked
 from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import complain, emit, put
-from subdiv_cli.model import Result
+from subdiv_cli.model import Problem, Result
 from subdiv_cli.model.findings import UNCERTIFIED
 from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
@@ -29,27 +29,39 @@ class Run:
 
     def __init__(self, asked: Asked, look: Look) -> None:
         self.asked, self.look = asked, look
-        self.results: list[Result] = []
+        self.results = Spool[Result]()
+        self.problems: list[Problem] = []
         self.interrupted = False
+        self.ended = False
+        """Whether --maxfail has ended the run before all masks were checked."""
         self.printed = True
         self.forms = {asked.form, *(output.format or asked.form for output in asked.outputs)}
         self.baseline = _baseline(asked.baseline)
         self.unproved: list[str] = []
         """What certificates that were asked for leave out, a sentence for each mask."""
+        self.unwritten: dict[str, str] = {}
+        """The reason why the certificate of a file could not be written."""
+        self._failing = 0
         self._trouble: str | None = None
         self._progress = Progress()
 
     def go(self, targets: list[str | MaskFile] | Result, told: Mapping[str, Any]) -> None:
         """Check all targets; afterwards the results are there, and what is streamed is written."""
         stream = self._checked(targets, told)
-        try:
-            for result in stream:
-                self._take(result)
-        except KeyboardInterrupt:
-            self.interrupted = True
-            self._take_rest(stream)
-        finally:
-            self._progress.close()
+        with self._progress.watching():
+            try:
+                for result in stream:
+                    self._take(result)
+                    if self._failing == self.asked.maxfail:
+                        stream.close()
+            except KeyboardInterrupt:
+                self.interrupted = True
+                self._take_rest(stream)
+        left = self._progress.total - len(self.results)
+        if self._failing == self.asked.maxfail and left > 0 and not self.interrupted:
+            self.ended = True
+            count = f"{left} mask{'' if left == 1 else 's'}"
+            emit(f"stopped by --maxfail {self.asked.maxfail}: {count} not checked\n", sys.stderr)
         if self._trouble is not None:
             emit(f"note: results cannot be kept in the cache: {self._trouble}\n", sys.stderr)
         if self.asked.verbose:
@@ -57,7 +69,7 @@ class Run:
 
     def missing(self) -> tuple[str, ...]:
         """The masks of the baseline that a whole run has not."""
-        partial = self.interrupted or self.asked.shard is not None
+        partial = self.interrupted or self.ended or self.asked.shard is not None
         return () if self.baseline is None or partial else self.baseline.missing()
 
     def _take_rest(self, stream: Generator[Result, None, None]) -> None:
@@ -89,6 +101,8 @@ class Run:
 
     def _listeners(self) -> dict[str, Any]:
         told: dict[str, Any] = {"on_total": self._progress.begin, "on_done": self._hear}
+        if self.asked.certificates is not None:
+            told["on_unwritten"] = self.unwritten.setdefault
         if self.asked.verbose:
             told["on_skipped"] = _tell_skipped
         if "html" in self.forms or ("text" in self.forms and self.asked.verbosity > 0):
@@ -103,21 +117,15 @@ class Run:
         """Hold a result to the baseline, write it where lines are streamed, and keep what the report will need."""
         if self.baseline is not None:
             result = self.baseline.judge(result)
-        if self.asked.form == "jsonl":
+        if self.asked.form == "jsonl" and not self.asked.statistics:
             self._progress.close()
             self.printed &= put(renderer("jsonl")([result], self.look), encoding="utf-8")
-        if self.asked.certificates is not None and result.status != "invalid":
+        if self.asked.certificates is not None and result.status != "invalid" and result.file not in self.unwritten:
             self.unproved += _left_out(result)
-        self.results.append(self._slim(result))
-
-    def _slim(self, result: Result) -> Result:
-        """The result without witnesses where no format shows them: of many masks they would be most of the memory."""
-        written = {output.format or self.asked.form for output in self.asked.outputs}
-        if self.asked.verbose > 1 or written & {"json", "jsonl"} or self.asked.form == "json":
-            return result
-        if self.asked.form == "jsonl" and not written:
-            return replace(result, findings=(), facts={})
-        return replace(result, findings=tuple(replace(found, witness={}) for found in result.findings))
+        self.problems += result.problems
+        allowed = result.status == "undecided" and self.asked.allow_undecided
+        self._failing += result.status != "passed" and not allowed
+        self.results.append(result)
 
 
 def _left_out(result: Result) -> Iterator[str]:
@@ -131,9 +139,11 @@ def _left_out(result: Result) -> Iterator[str]:
             yield f"{result.certificate} leaves out {', '.join(codes)}: {reason}"
 
 
-def _tell_skipped(count: int) -> None:
-    if count:
-        emit(f"skipped {count} TOML file{'' if count == 1 else 's'} without kind or mask\n", sys.stderr)
+def _tell_skipped(skipped: int, left_out: int) -> None:
+    if skipped:
+        emit(f"skipped {skipped} TOML file{'' if skipped == 1 else 's'} without kind or mask\n", sys.stderr)
+    if left_out:
+        emit(f"left out {left_out} that git ignores, or exclude has a pattern for\n", sys.stderr)
 
 
 def _baseline(file: str | None) -> Baseline | None:

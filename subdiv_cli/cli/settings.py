@@ -17,8 +17,8 @@ from click.core import ParameterSource
 from subdiv_cli.model import Problem
 
 MOST_BYTES = 4 << 20
-_PATHS = ("baseline", "cache-dir")
-"""The keys whose values are relative to the directory of the file."""
+_PATHS = ("baseline", "cache-dir", "paths", "exclude")
+"""The keys whose values are relative to the directory of the file, patterns only where they have a slash."""
 
 
 class Key(NamedTuple):
@@ -30,6 +30,8 @@ class Key(NamedTuple):
 
 
 KEYS = {
+    "paths": Key("targets", (list,), 'write paths = ["masks"]'),
+    "exclude": Key("exclude", (list,), 'write exclude = ["drafts", "masks/**/*_old.toml"]'),
     "format": Key("form", (str,), 'write format = "concise"'),
     "select": Key("select", (list,), 'write select = ["SD3"]'),
     "ignore": Key("ignore", (list,), 'write ignore = ["SD301"]'),
@@ -67,13 +69,18 @@ def with_settings(ctx: click.Context, given: Mapping[str, Any]) -> dict[str, Any
     for key, value in table.items():
         converted = _checked(file, text, key, value)
         name = KEYS[key].parameter
-        if ctx.get_parameter_source(name) is not ParameterSource.DEFAULT:
+        if ctx.get_parameter_source(name) is not ParameterSource.DEFAULT or (key == "paths" and _names_masks(given)):
             continue
         try:
             values[name] = parameters[name].process_value(ctx, converted)
         except click.BadParameter as error:
             raise _wrong_key(file, text, key, error.message, KEYS[key].help) from None
     return values
+
+
+def _names_masks(given: Mapping[str, Any]) -> bool:
+    """Whether the command line names masks by other means than files."""
+    return given["mask"] is not None or given["files_from"] is not None
 
 
 def find(targets: Sequence[str]) -> tuple[Path, str, Mapping[str, Any]] | None:
@@ -132,10 +139,18 @@ def _checked(file: Path, text: str, key: str, value: object) -> Any:
     if isinstance(value, list):
         if not all(isinstance(item, str) for item in value):
             raise _wrong_key(file, text, key, f"{key} must be a list of strings", known.help)
-        return tuple(value)
+        return tuple(_placed(file, key, item) for item in value)
     if key == "cache":
         return not value
-    return str(file.parent / str(value)) if key in _PATHS else value
+    return _placed(file, key, value)
+
+
+def _placed(file: Path, key: str, value: Any) -> Any:
+    """The value, from the working directory where it is a path."""
+    if key not in _PATHS or (key == "exclude" and "/" not in value.rstrip("/")):
+        return value
+    place = str(file.parent / value)
+    return place if key != "paths" else os.path.relpath(place)
 
 
 def _wrong_key(file: Path, text: str, key: str, message: str, help: str) -> SettingsError:

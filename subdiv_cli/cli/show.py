@@ -13,6 +13,7 @@ from subdiv_cli.cli import single
 from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.cli.options import debug as debug_option
 from subdiv_cli.cli.outputs import promised
+from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import look_of, put, put_file, why_not
 from subdiv_cli.cli.values import TOLERANCE
 from subdiv_cli.report.look import Look
@@ -91,7 +92,8 @@ def command(
     form = form or _by_suffix(output)
     look = look_of(sys.stdout) if output is None else Look()
     _check_options(one)
-    page = _page(one, form, tolerance, effort, certificate, look)
+    with Progress().watching():
+        page = _page(one, form, tolerance, effort, certificate, look)
     encoding = "utf-8" if form == "json" else None
     done = put(page, encoding=encoding) if output is None else put_file(output, page)
     return ExitCode.PASSED if done else ExitCode.ERROR
@@ -130,7 +132,7 @@ def _labelled(one: single.One, checked: Checked, certificate: str | None) -> Res
         return result
     from dataclasses import replace
 
-    return replace(result, certificate=_write_certificate(certificate, result.file, text))
+    return replace(result, certificate=_write_certificate(certificate, result, text))
 
 
 def _by_suffix(output: str | None) -> str:
@@ -139,10 +141,10 @@ def _by_suffix(output: str | None) -> str:
     return "text" if output is None else SUFFIXES.get(PurePath(output).suffix.lower(), "text")
 
 
-def _write_certificate(directory: str, file: str, text: str) -> str:
+def _write_certificate(directory: str, result: Result, text: str) -> str:
     from subdiv_cli.catalog.files import CertificateDirectory
 
     try:
-        return CertificateDirectory(directory).write(file, text)
+        return CertificateDirectory(directory).write(result, text)
     except OSError as error:
         raise click.ClickException(f"the certificate cannot be written: {error}") from None

@@ -79,7 +79,7 @@ class Named(NamedTuple):
         if bool(self.files) == (self.mask is not None):
             what = f"`subdiv {self.command} four_point.toml`"
             raise click.UsageError(f"name a mask: a FILE or --mask, and not both, as in {what}")
-        belongs_to_mask(self.mask, self.start, self.arity)
+        belongs_to_mask(self.mask, self.start, self.arity, self.files)
 
 
 def read(meant: Named) -> One:
@@ -93,20 +93,24 @@ def read(meant: Named) -> One:
 def read_family(meant: Named) -> list[One]:
     """The masks that are named, at every combination of their parameters' values. Exits with 2 as `read` does."""
     meant.usage()
-    from subdiv_cli.kinds.option import from_option
+    from subdiv_cli.kinds.option import from_given
     from subdiv_cli.kinds.reading import read_path
     from subdiv_cli.maskfile import MaskFileError
-    from subdiv_cli.maskfile.option import parse_override
+    from subdiv_cli.maskfile.mask import no_such_parameter
+    from subdiv_cli.maskfile.option import Given, parse_override
 
     try:
         values: dict[str, list[Fraction]] = {}
         for name, value in map(parse_override, meant.parameters):
             values.setdefault(name, []).append(value)
+        given = Given(meant.start, meant.arity, tuple(values))
         if meant.mask is not None:
-            start, arity = meant.start or 0, 2 if meant.arity is None else meant.arity
-            masks = [from_option(meant.mask, start=start, arity=arity, names=values)]
+            masks = [from_given(meant.mask, given)]
         else:
-            masks = [read_path(file, capability=meant.capability) for file in meant.files]
+            masks = [read_path(file, capability=meant.capability, given=given) for file in meant.files]
+        there = {name for mask in masks for name in mask.parameters}
+        if len(masks) > 1 and (strange := [name for name in values if name not in there]):
+            complain([no_such_parameter(name, there) for name in strange])
         return [one for mask in masks for one in _variants(mask, values, alone=len(masks) == 1)]
     except MaskFileError as error:
         complain(error.problems)

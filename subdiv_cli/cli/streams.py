@@ -17,7 +17,7 @@ from subdiv_cli.cli.exits import ExitCode
 from subdiv_cli.model import Problem
 from subdiv_cli.report.look import UNWRAPPED, Look
 
-_NEEDED = "φαρνεΣ½‖∞≥≤−²·—…ö✓✗─"
+_NEEDED = "φαρνεΣ½‖∞≥≤−²·—…ö✓✗○─"
 WIDEST = 120
 """The most columns of a report on a terminal, however wide that is."""
 
@@ -40,15 +40,15 @@ def look_of(stream: TextIO, **settings: int | bool) -> Look:
     return Look(**chosen)  # type: ignore[arg-type]
 
 
-def columns(stream: TextIO) -> int:
-    """The width: COLUMNS if it is set, else the terminal's width up to a pleasant one, else that of a file."""
+def columns(stream: TextIO, elsewhere: int = Look().width) -> int:
+    """The width: COLUMNS if it is set, else the terminal's up to a pleasant one; in pipes and files `elsewhere`."""
     with suppress(ValueError):
         if (told := int(os.environ.get("COLUMNS", ""))) > 0:
             return told
     with suppress(OSError, ValueError, AttributeError):
         if (seen := os.get_terminal_size(stream.fileno()).columns) > 0:
             return min(seen, WIDEST)
-    return Look().width
+    return elsewhere
 
 
 def speaks_mathematics(stream: TextIO) -> bool:
@@ -121,7 +121,17 @@ def put(text: str, *, encoding: str | None = None) -> bool:
     return True
 
 
-def put_file(file: str, content: str | bytes) -> bool:
+def put_pieces(pieces: Iterable[str], *, encoding: str | None = None) -> bool:
+    """Whether a result in pieces could be written to stdout, none before all are made; if not, why is on stderr."""
+    from subdiv_cli.catalog.spool import Spool
+
+    spool = Spool[str]()
+    for piece in pieces:
+        spool.append(piece)
+    return all(put(piece, encoding=encoding) for piece in spool)
+
+
+def put_file(file: str, content: str | bytes | Iterable[str]) -> bool:
     """Whether a result could be written to a file, whole or not at all; if not, the reason is written to stderr."""
     from subdiv_cli.catalog.files import write_whole
 

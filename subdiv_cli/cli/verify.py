@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import json
+import signal
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from enum import Enum
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.options import parameter
+from subdiv_cli.cli.options import jobs, parameter, text_or_json
 from subdiv_cli.cli.streams import complain, emit
 from subdiv_cli.cli.values import WHOLE
 
@@ -22,6 +26,7 @@ Examples:
   subdiv check masks/ --certificate proofs/
   subdiv verify proofs/
   subdiv verify proofs/four_point.json --mask masks/scalar/four_point.toml
+  subdiv verify proofs/ -q --jobs 4
 
 \b
 Exit codes:
@@ -32,6 +37,9 @@ Exit codes:
 The checker needs the standard library only and trusts nothing of the program that wrote a certificate:
 python -m subdiv_cli.checker CERT runs it alone."""
 
+FEWEST = 8
+"""The fewest certificates for each process that make it worth starting it."""
+
 
 @click.command("verify", epilog=_EPILOG, short_help="Check certificates independently.")
 @click.argument("certificates", nargs=-1, metavar="CERT | DIR ...", type=click.Path())
@@ -40,20 +48,72 @@ python -m subdiv_cli.checker CERT runs it alone."""
 )
 @parameter("Set a parameter of --mask.")
 @click.option("--work", type=WHOLE, metavar="N", help="Work that the claims of each may ask for.  [default: 250000000]")
-def command(certificates: tuple[str, ...], mask: str | None, parameters: tuple[str, ...], work: int | None) -> ExitCode:
+@text_or_json
+@click.option("-q", "--quiet", is_flag=True, help="Show only what is not VERIFIED.")
+@jobs
+def command(
+    certificates: tuple[str, ...],
+    mask: str | None,
+    parameters: tuple[str, ...],
+    work: int | None,
+    form: str,
+    quiet: bool,
+    jobs: int,
+) -> ExitCode:
     """Check certificates: each is VERIFIED, or a claim is named that fails.
 
-    A DIR is searched for *.json files.
+    A DIR is searched for *.json files. Of several a last line counts them.
     """
     if not certificates:
         raise click.UsageError("nothing to verify: name a certificate, as in `subdiv verify four_point.json`")
     asked = None if mask is None else _asked(mask, parameters)
     names = [name for target in certificates for name in _files(target)]
-    codes = [_verify(name, mask, asked, work, len(names) > 1) for name in names]
     if not names:
         emit("error: no *.json files there\n", sys.stderr)
         return ExitCode.ERROR
-    return max(codes)
+    counts = dict.fromkeys(_Outcome, 0)
+    shown: list[dict[str, object]] = []
+    for verification in _verifications(names, partial(_verify, work=work, mask=mask, asked=asked), jobs):
+        counts[verification.outcome] += 1
+        if verification.outcome is _Outcome.UNREADABLE:
+            emit(f"error: {verification.line}\n", sys.stderr)
+        if form == "json":
+            shown.append(verification.as_data())
+        elif verification.outcome is _Outcome.NOT_VERIFIED or (verification.outcome is _Outcome.VERIFIED and not quiet):
+            _put_line(verification, several=len(names) > 1)
+    summary = {"certificates": len(names), **{outcome.value: count for outcome, count in counts.items()}}
+    if form == "json":
+        report = {"format": "subdiv-verify", "version": 1, "summary": summary, "results": shown}
+        emit(json.dumps(report, indent=2) + "\n", sys.stdout, encoding="utf-8")
+    elif len(names) > 1 and not (quiet and counts[_Outcome.VERIFIED] == len(names)):
+        emit(_summary(counts), sys.stdout)
+    return max(_CODES[outcome] for outcome, count in counts.items() if count)
+
+
+class _Outcome(Enum):
+    VERIFIED = "verified"
+    NOT_VERIFIED = "not_verified"
+    UNREADABLE = "unreadable"
+
+
+_CODES = {
+    _Outcome.VERIFIED: ExitCode.PASSED,
+    _Outcome.NOT_VERIFIED: ExitCode.FAILED,
+    _Outcome.UNREADABLE: ExitCode.ERROR,
+}
+
+
+class _Verification(NamedTuple):
+    """What came of a certificate: the line says it."""
+
+    file: str
+    outcome: _Outcome
+    line: str
+    claim: int | None = None
+
+    def as_data(self) -> dict[str, object]:
+        """The same as JSON data."""
+        return {"file": self.file, "status": self.outcome.value, "line": self.line, "claim": self.claim}
 
 
 def _files(target: str) -> Iterator[str]:
@@ -61,7 +121,36 @@ def _files(target: str) -> Iterator[str]:
     yield from (str(file) for file in sorted(path.rglob("*.json"))) if path.is_dir() else (target,)
 
 
-def _verify(name: str, mask: str | None, asked: _Asked | None, work: int | None, several: bool) -> ExitCode:
+def _put_line(verification: _Verification, *, several: bool) -> None:
+    name = verification.file if verification.file.isprintable() else ascii(verification.file)
+    emit((f"{name}: " if several else "") + verification.line + "\n", sys.stdout)
+
+
+def _summary(counts: Mapping[_Outcome, int]) -> str:
+    """The last line: `40 certificates: 38 VERIFIED, 2 NOT VERIFIED`."""
+    words = {_Outcome.VERIFIED: "VERIFIED", _Outcome.NOT_VERIFIED: "NOT VERIFIED", _Outcome.UNREADABLE: "unreadable"}
+    told = ", ".join(f"{count} {words[outcome]}" for outcome, count in counts.items() if count)
+    return f"{sum(counts.values())} certificates: {told}\n"
+
+
+def _verifications(names: Sequence[str], verify: Callable[[str], _Verification], jobs: int) -> Iterator[_Verification]:
+    """The outcomes in the order of the names, from as many processes as are worth it."""
+    jobs = min(jobs, len(names) // FEWEST)
+    if jobs < 2:
+        yield from map(verify, names)
+        return
+    from concurrent.futures import ProcessPoolExecutor
+    from concurrent.futures.process import BrokenProcessPool
+
+    at_once = (signal.SIGINT, signal.SIG_DFL)  # Ctrl-C ends the processes without a word
+    with ProcessPoolExecutor(jobs, initializer=signal.signal, initargs=at_once) as pool:
+        try:
+            yield from pool.map(verify, names)
+        except BrokenProcessPool:
+            raise click.ClickException("a process was killed; --jobs 1 works in this one") from None
+
+
+def _verify(name: str, *, work: int | None, mask: str | None, asked: _Asked | None) -> _Verification:
     from subdiv_cli.checker import check_file
     from subdiv_cli.checker.core import MAX_WORK
     from subdiv_cli.checker.plain import certified_mask
@@ -69,16 +158,15 @@ def _verify(name: str, mask: str | None, asked: _Asked | None, work: int | None,
     try:
         outcome, text = check_file(name, MAX_WORK if work is None else work)
     except OSError as error:
-        emit(f"error: {name} cannot be read: {error.strerror or error}\n", sys.stderr)
-        return ExitCode.ERROR
-    line, verified = outcome.line, outcome.verified
-    if verified and asked is not None:
-        verified = certified_mask(text) == asked.mask
-        other = f"NOT VERIFIED mask: the certificate is about another mask than {mask}"
-        line = f"{line} ({asked.how})" if verified else other
-    shown = name if name.isprintable() else ascii(name)
-    emit((f"{shown}: " if several else "") + line + "\n", sys.stdout)
-    return ExitCode.PASSED if verified else ExitCode.FAILED
+        return _Verification(name, _Outcome.UNREADABLE, f"{name} cannot be read: {error.strerror or error}")
+    if not outcome.verified:
+        return _Verification(name, _Outcome.NOT_VERIFIED, outcome.line, outcome.claim)
+    if asked is None:
+        return _Verification(name, _Outcome.VERIFIED, outcome.line)
+    if certified_mask(text) == asked.mask:
+        return _Verification(name, _Outcome.VERIFIED, f"{outcome.line} ({asked.how})")
+    line = f"NOT VERIFIED mask: the certificate is about another mask than {mask}"
+    return _Verification(name, _Outcome.NOT_VERIFIED, line)
 
 
 class _Asked(NamedTuple):

@@ -103,8 +103,8 @@ def squared_modulus(x: AlgebraicNumber) -> AlgebraicNumber | None:
 
     def ask() -> AlgebraicNumber | None:
         square = x.modulus() ** 2
-        found = [(g, z) for g in factors for z in isolated_roots(g) if z.overlaps(acb(square))]
-        return AlgebraicNumber(*found[0]) if len(found) == 1 else None
+        matching = [(g, z) for g in factors for z in isolated_roots(g) if z.overlaps(acb(square))]
+        return AlgebraicNumber(*matching[0]) if len(matching) == 1 else None
 
     return decide(ask)
 
@@ -220,8 +220,8 @@ def same_powers(x: AlgebraicNumber, m: int, y: AlgebraicNumber, n: int) -> bool 
 
     def ask() -> bool | None:
         powers = [x.enclosure().real ** m, y.enclosure().real ** n]
-        found = [[i for i, z in enumerate(isolated_roots(f)) if z.overlaps(acb(power))] for power in powers]
-        return found[0] == found[1] if [len(each) for each in found] == [1, 1] else None
+        places = [[i for i, z in enumerate(isolated_roots(f)) if z.overlaps(acb(power))] for power in powers]
+        return places[0] == places[1] if [len(each) for each in places] == [1, 1] else None
 
     return decide(ask)
 
@@ -298,7 +298,7 @@ def meets_circle(f: fmpz_poly, r: Fraction) -> bool:
 
 def roots(f: fmpq_poly) -> tuple[tuple[AlgebraicNumber, int], ...]:
     """All complex roots with multiplicities, by falling modulus as balls of double precision see it. Needs f ≠ 0."""
-    found = []
+    numbers = []
     for factor, multiplicity in f.numer().factor()[1]:
-        found += [(AlgebraicNumber(factor, z), multiplicity) for z in isolated_roots(factor)]
-    return tuple(sorted(found, key=lambda pair: pair[0].region.__abs__().mid(), reverse=True))
+        numbers += [(AlgebraicNumber(factor, z), multiplicity) for z in isolated_roots(factor)]
+    return tuple(sorted(numbers, key=lambda pair: pair[0].region.__abs__().mid(), reverse=True))

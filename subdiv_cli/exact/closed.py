@@ -11,7 +11,7 @@ from subdiv_cli.exact.algebraic import isolated, isolating_interval, number_of, 
 from subdiv_cli.exact.enclosures import ball, decide, interval
 from subdiv_cli.exact.text import certain, decimal, polynomial
 from subdiv_cli.model import ClosedForm, Interval, Root, RootLog, logarithm, unpowered
-from subdiv_cli.model.closed import root_log_text, spelled
+from subdiv_cli.model.closed import is_brief, root_log_text, spelled
 
 _LONGEST = 160
 """The most characters of a closed form that is still read with profit."""
@@ -55,8 +55,8 @@ def _places(x: Fraction) -> int:
 
 def closed_ball(x: ClosedForm) -> arb:
     """A ball around a closed form, at the current precision."""
-    if isinstance(x, Fraction):
-        return ball(x)
+    if isinstance(x, Fraction | float):
+        return ball(x) if isinstance(x, Fraction) else arb(x)
     if isinstance(x, RootLog):
         return -number_of(x.root).enclosure().real.log() / ball(x.base).log() / x.divisor
     return ball(x.argument).log() / ball(x.base).log() / x.divisor
@@ -64,16 +64,22 @@ def closed_ball(x: ClosedForm) -> arb:
 
 def closed_interval(x: ClosedForm) -> Interval:
     """Outward doubles around a closed form, and its text where expectations can read that."""
-    if isinstance(x, Fraction):
-        return interval(x)
+    if isinstance(x, Fraction | float):
+        return interval(x) if isinstance(x, Fraction) else Interval(exact=spelled(x))
     with ctx.workprec(128):
         return interval(closed_ball(x), spelled(x))
 
 
-def readable(x: ClosedForm) -> str | None:
-    """The text of a closed form where it is short enough for a sentence, else None."""
+def worded(x: ClosedForm) -> str:
+    """A closed form in a sentence: `log2(64/9)`; one that is not brief behind its digits, `1.4407654450… = -log2(…)`.
+
+    One that is too long to be read with profit is its digits alone.
+    """
     text = spelled(x)
-    return text if text is not None and len(text) <= _LONGEST else None
+    if text is not None and is_brief(text):
+        return text
+    figures = certain(lambda: closed_ball(x))
+    return figures if text is None or len(text) > _LONGEST else f"{figures} = {text}"
 
 
 def compare(x: ClosedForm, y: ClosedForm) -> int | None:
@@ -89,7 +95,7 @@ def compare(x: ClosedForm, y: ClosedForm) -> int | None:
     with ctx.workprec(_PRECISION):
         if (sign := _sign(x, y)) is not None:
             return sign
-    if isinstance(x, Fraction) or isinstance(y, Fraction):
+    if isinstance(x, Fraction | float) or isinstance(y, Fraction | float):
         return decide(lambda: _sign(x, y))
     if x.base != y.base:
         return None
@@ -118,4 +124,4 @@ def _canonical(x: ClosedForm) -> ClosedForm:
 
 def digits(x: ClosedForm) -> str | None:
     """Decimals of an irrational number, all of them certain; None for a rational one."""
-    return None if isinstance(x, Fraction) else certain(lambda: closed_ball(x), _DIGITS)
+    return None if isinstance(x, Fraction | float) else certain(lambda: closed_ball(x), _DIGITS)

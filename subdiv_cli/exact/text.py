@@ -15,7 +15,9 @@ from subdiv_cli.model import formulas
 from subdiv_cli.model.closed import spelled_terms
 from subdiv_cli.model.formulas import is_short as is_short
 from subdiv_cli.model.formulas import number as number
+from subdiv_cli.model.formulas import sized as sized
 from subdiv_cli.model.formulas import truncated as truncated
+from subdiv_cli.model.formulas import valued as valued
 
 
 def rounded_down(x: float, digits: int = 6) -> str:
@@ -78,7 +80,7 @@ def eigenvalue(x: AlgebraicNumber) -> str:
 def modulus(x: AlgebraicNumber) -> str:
     """The modulus |λ| as text: exact where it is a simple rational, else its first digits."""
     if (exact := x.rational) is not None:
-        return number(abs(exact))
+        return valued(abs(exact))
     simple = Fraction(float(x.region.__abs__().mid())).limit_denominator(1000)
     if simple and is_reciprocal(x.minimal_polynomial, simple) and x.compare_modulus(simple) == 0:
         return number(simple)

@@ -1,6 +1,6 @@
-"""The pages for finding codes, as Markdown in `pages/SDnnn.md`; the first line of each is `# SD101 residue-sums`.
+"""The pages, as Markdown in `pages/`: `SDnnn.md` of a finding code, which begins `# SD101 residue-sums`, and others.
 
-Pages on kinds of masks stand beside them, `pages/hermite.md`, and begin with the name of the kind.
+The others are of a kind of scheme, whose name they bear (`scalar.md`, `# scalar`), or of a subject such as `formats`.
 """
 
 from __future__ import annotations
@@ -10,17 +10,17 @@ from pathlib import Path
 _PAGES = Path(__file__).with_name("pages")
 
 
-class UnknownCodeError(KeyError):
-    """Raised for a code without a page; `near` has codes that are like it."""
+class UnknownPageError(KeyError):
+    """Raised for a name without a page; `near` has names that are like it."""
 
-    def __init__(self, code: str, near: list[str]) -> None:
-        super().__init__(code)
-        self.code = code
+    def __init__(self, name: str, near: list[str]) -> None:
+        super().__init__(name)
+        self.name = name
         self.near = near
 
     def __str__(self) -> str:
-        guess = f"Did you mean {' or '.join(self.near)}?" if self.near else "`subdiv explain` lists the codes."
-        return f"there is no finding code {self.code!r}. {guess}"
+        guess = f"Did you mean {' or '.join(self.near)}?" if self.near else "`subdiv explain` lists the pages."
+        return f"there is no page {self.name!r}. {guess}"
 
 
 def codes() -> list[str]:
@@ -28,9 +28,9 @@ def codes() -> list[str]:
     return sorted(path.stem for path in _PAGES.glob("SD*.md"))
 
 
-def kinds() -> list[str]:
-    """All kinds of masks that have a page, in order."""
-    return sorted(path.stem for path in _PAGES.glob("[a-z]*.md"))
+def subjects() -> list[str]:
+    """The names of the pages that are of no code, in order: kinds of schemes, outputs, and the like."""
+    return sorted({path.stem for path in _PAGES.glob("*.md")} - set(codes()))
 
 
 def title(code: str) -> str:
@@ -39,22 +39,21 @@ def title(code: str) -> str:
         return file.readline().removeprefix("#").strip().removeprefix(code).strip()
 
 
-def page(code: str) -> str:
-    """The page of a code (`SD101`, `sd101`), of its name (`residue-sums`) or of a kind. Raises UnknownCodeError."""
-    if (kind := code.strip().lower()) in kinds():
-        return (_PAGES / f"{kind}.md").read_text(encoding="utf-8")
-    known = codes()
-    wanted = code.strip().upper()
-    if wanted not in known:
-        wanted = _by_name(code.strip(), known)
-    return (_PAGES / f"{wanted}.md").read_text(encoding="utf-8")
+def page(name: str) -> str:
+    """The page of a code (`SD101`, `sd101`), of a finding's name (`residue-sums`) or of a subject (`scalar`).
+
+    Raises UnknownPageError.
+    """
+    pages = {title(code): code for code in codes()}
+    pages |= {stem.lower(): stem for stem in [*subjects(), *codes()]}
+    wanted = name.strip().lower()
+    if wanted not in pages:
+        from difflib import get_close_matches
+
+        raise UnknownPageError(name.strip(), [_shown(near) for near in get_close_matches(wanted, pages, n=3)])
+    return (_PAGES / f"{pages[wanted]}.md").read_text(encoding="utf-8")
 
 
-def _by_name(name: str, known: list[str]) -> str:
-    names = {title(code).lower(): code for code in known}
-    if name.lower() in names:
-        return names[name.lower()]
-    from difflib import get_close_matches
-
-    near = get_close_matches(name.upper(), known, n=3) or get_close_matches(name.lower(), names, n=3)
-    raise UnknownCodeError(name, near)
+def _shown(name: str) -> str:
+    """A code in capitals, as reports have it; another name as it is."""
+    return name.upper() if name.upper() in codes() else name

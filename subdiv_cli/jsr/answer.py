@@ -15,28 +15,41 @@ from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.exact.rationals import whole
 from subdiv_cli.exact.text import certain
 from subdiv_cli.jsr.family import Family
+from subdiv_cli.jsr.irreducible import zero_radius
 from subdiv_cli.jsr.products import WordProduct, radius_bound
 from subdiv_cli.jsr.radius import joint_spectral_radius, rough_radius
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.model import Data, Effort, Interval, Root, exact_root
+from subdiv_cli.model import Effort, Interval, Root, exact_root
 from subdiv_cli.model.family import FamilyRadius
+from subdiv_cli.model.proofs import WordBound
 
 _LONGEST_POLYNOMIAL, _LONGEST_RATIONAL = 256, 4096
 """The most bits of a number in a closed form."""
 
 
-def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> FamilyRadius:
-    """The joint spectral radius of p >= 1 square matrices of one order, as far as the effort goes."""
+def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort, *, rough: bool = False) -> FamilyRadius:
+    """The joint spectral radius of p >= 1 square matrices of one order, as far as the effort goes.
+
+    Where `rough` is set, only the bound that takes next to nothing to prove.
+    """
     family = Family([matrix(rows) for rows in matrices])
-    radius = joint_spectral_radius(family, effort) or rough_radius(family, effort)
+    if rough:
+        return _answered(family, rough_radius(family, effort) if family.size else zero_radius(), effort)
+    radius = joint_spectral_radius(family, effort)
+    if radius is None or (radius.exact is None and radius.upper[1]):
+        radius = _best(radius, rough_radius(family, Effort(effort.work)))
+    return _answered(family, radius, effort)
+
+
+def _answered(family: Family, radius: Radius | None, effort: Effort) -> FamilyRadius:
     stopped: Literal["budget"] | None = "budget" if effort.struck else None
     if radius is None:
         return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)
     product = None if radius.word is None else WordProduct.of_word(family.matrices, radius.word)
     bounds = _enclosed(radius, product)
-    lower: dict[str, Data] = {}
+    below: WordBound | None = None
     if radius.exact is None and product is not None and product.eigenvalue.rational != 0:
-        lower = {"word": product.word, "bound": radius_bound(product)}
+        below = {"word": product.word, "bound": radius_bound(product)}
     return FamilyRadius(
         order=family.order,
         letters=family.letters,
@@ -50,8 +63,15 @@ def answer(matrices: Sequence[Sequence[Sequence[Fraction]]], effort: Effort) -> 
         bounded=radius.bounded,
         stopped=stopped,
         proof=radius.proof,
-        below=lower,
+        below=below,
     )
+
+
+def _best(found: Radius | None, rough: Radius | None) -> Radius | None:
+    """The radius with the smaller bound, and the product of the first where it has one."""
+    if found is None or rough is None:
+        return found or rough
+    return found if found.ceiling <= rough.ceiling else rough._replace(word=found.word or rough.word)
 
 
 def _primitive(word: tuple[int, ...]) -> tuple[int, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
@@ -69,6 +70,13 @@ class Polytope:
                 u = self.child(u, letter)
             if start.word:
                 self.returns.add((u, start.word[-1]))
+
+    def copy(self) -> Polytope:
+        """A copy that does not change with this body."""
+        other = copy.copy(self)
+        other.parents, other.extras, other.depths = self.parents[:], self.extras[:], self.depths[:]
+        other.returns, other.images, other._columns = set(self.returns), dict(self.images), self._columns.copy()
+        return other
 
     @property
     def size(self) -> int:

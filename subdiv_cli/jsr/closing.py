@@ -26,7 +26,8 @@ from subdiv_cli.jsr.leaders import Ball, Balls, Leaders, vector
 from subdiv_cli.jsr.measure import independent_columns
 from subdiv_cli.jsr.polytope import Grown, push_out
 from subdiv_cli.jsr.ties import Tie, Ties, Weight, coefficients
-from subdiv_cli.model import Data, Effort
+from subdiv_cli.model import Effort, Look
+from subdiv_cli.model.proofs import LeaderData, RadiusProof
 
 _WEIGHT_BITS = (14, 26, 39)
 """Weights are rounded to multiples of 2^-w, w the first of these that leaves room enough."""
@@ -44,18 +45,18 @@ _PUSHES = (2.0**-7, 2.0**-10, 2.0**-14)
 """The shares by which images that stay on the boundary are moved beyond it."""
 
 
-def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> dict[str, Data] | None:
-    """The proof that the polytope is closed, as plain data: a rule, `closing` or `monotone-closing`, and its witness.
+def close(family: Family, leaders: Leaders, grown: Grown, effort: Effort) -> RadiusProof | None:
+    """The proof that the polytope is closed, as plain data.
 
     None where some image is not proved to lie inside. Where images on the boundary are no ties, the body grows by
-    vertices beyond them.
+    vertices beyond them. Raises ClockStruckError.
     """
     if not leaders.is_real and not has_disc(leaders.each[0].eigenvalue):
         return None
     for by in (*_PUSHES, None):
         places = _places(family, leaders, grown)
         with ctx.workprec(places + 64):
-            proof = (_MonotoneClosing if grown.body.monotone else _Closing)(family, leaders, grown)
+            proof = (_MonotoneClosing if grown.body.monotone else _Closing)(family, leaders, grown, effort.look)
             if not proof.spans or proof.is_large:
                 return None
             for bits in _WEIGHT_BITS:
@@ -88,7 +89,8 @@ def _places(family: Family, leaders: Leaders, grown: Grown) -> int:
 class _Closing:
     """Vertices in balls at the current precision, and the images decided with them."""
 
-    def __init__(self, family: Family, leaders: Leaders, grown: Grown) -> None:
+    def __init__(self, family: Family, leaders: Leaders, grown: Grown, look: Look) -> None:
+        self._look = look
         self._family, self._leaders, self._body = family, leaders, grown.body
         self._ties = Ties(family, leaders, grown.body, self._smaller)
         self._found: dict[tuple[int, int], Tie | None] = {}
@@ -118,6 +120,7 @@ class _Closing:
     def _enclosed(self) -> list[Balls]:
         vertices: list[Balls] = []
         for u, parent in enumerate(self._body.parents):
+            self._look()
             if parent is None:
                 vertices.append(vector(self._family, self._leaders.each[u]))
             elif parent[0] < 0:
@@ -158,6 +161,7 @@ class _Closing:
         decided: list[tuple[int, ...] | Tie] = []
         left: list[tuple[int, int]] = []
         for pair in sorted(self._body.images):
+            self._look()
             answer = self._decide(self._body.images[pair], bits)
             if answer is None:
                 left.append(pair)
@@ -215,12 +219,11 @@ class _Closing:
         assert self._kappa is not None
         return self._kappa * _norm(rest) * (2 if self._body.complex else 1)
 
-    def witness(self, places: int, bits: int, decided: Sequence[tuple[int, ...] | Tie]) -> dict[str, Data]:
+    def witness(self, places: int, bits: int, decided: Sequence[tuple[int, ...] | Tie]) -> RadiusProof:
         """The certificate's witness of this polytope: numbers have so many binary places, weights so many bits."""
         parents = [parent for parent in self._body.parents if parent is not None]
         ties = [tie for tie in decided if isinstance(tie, Tie)]
-        return {
-            **({"sigma": self._ties.sigma} if any(tie.by_sigma for tie in ties) else {}),
+        witness: RadiusProof = {
             "rule": "monotone-closing" if self._body.monotone else "closing",
             "symmetry": self._family.symmetry,
             "bits": places,
@@ -239,10 +242,13 @@ class _Closing:
                 for tie in ties
             ),
         }
+        if any(tie.by_sigma for tie in ties):
+            witness["sigma"] = self._ties.sigma
+        return witness
 
-    def _leader(self, number: int) -> dict[str, Data]:
+    def _leader(self, number: int) -> LeaderData:
         leader = self._leaders.each[number]
-        data: dict[str, Data] = {
+        data: LeaderData = {
             "word": leader.candidate.word,
             "reflected": leader.candidate.reflected,
             "column": _column(leader.start),
@@ -289,17 +295,17 @@ class _MonotoneClosing(_Closing):
         return bool(image < bound)
 
 
-def _column(start: tuple[int, ...]) -> Data:
+def _column(start: tuple[int, ...]) -> int | tuple[int, ...]:
     """The number of a unit vector in place of the vector; other vectors as they are."""
     return start.index(1) if 1 in start and start.count(0) == len(start) - 1 else start
 
 
-def _plain(weight: Weight) -> Data:
+def _plain(weight: Weight) -> Fraction | tuple[Fraction, ...]:
     """A weight as plain data: a fraction, or the coefficients of a polynomial in Λ."""
     if isinstance(weight, Fraction):
         return weight
-    found = coefficients(weight)
-    return found[0] if len(found) == 1 else found
+    of_powers = coefficients(weight)
+    return of_powers[0] if len(of_powers) == 1 else of_powers
 
 
 def _scaled(parts: Sequence[int], bits: int) -> Ball:

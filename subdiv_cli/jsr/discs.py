@@ -8,7 +8,7 @@ from flint import acb, ctx
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, isolated_roots
 from subdiv_cli.exact.enclosures import ball, bounds
-from subdiv_cli.model import Data
+from subdiv_cli.model.proofs import DiscData
 
 _DISC = 512
 """The significant bits of the center of a complex eigenvalue.
@@ -32,11 +32,11 @@ def has_disc(eigenvalue: AlgebraicNumber) -> bool:
         return all(abs(z - mu) > far for z in others)
 
 
-def disc_data(eigenvalue: AlgebraicNumber) -> dict[str, Data]:
+def disc_data(eigenvalue: AlgebraicNumber) -> DiscData:
     """A disc of rational center and distance that isolates a complex eigenvalue far better than its modulus needs."""
     with ctx.workprec(_DISC + 64):
         mu = eigenvalue.enclosure()
         unit = _unit(mu)
-        center = tuple(bounds(part)[0] // unit * unit for part in (mu.real, mu.imag))
+        x, y = (bounds(part)[0] // unit * unit for part in (mu.real, mu.imag))
     factor = tuple(int(x) for x in eigenvalue.minimal_polynomial)
-    return {"factor": factor, "center": center, "distance": unit * (1 << _DISC // 2)}
+    return {"factor": factor, "center": (x, y), "distance": unit * (1 << _DISC // 2)}

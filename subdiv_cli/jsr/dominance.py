@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from subdiv_cli.jsr.arrays import Array, Integers
+from subdiv_cli.model import Look, no_clock
 
 _OPTIMAL = 1e-11
 _SMALLEST_PIVOT = 1e-11
@@ -34,10 +35,10 @@ class Dominations:
         return self._found[k][1], self._found[k][2]
 
 
-def domination(columns: Array, target: Array) -> Covered:
+def domination(columns: Array, target: Array, look: Look = no_clock) -> Covered:
     """The gauge of a vector of N entries in the hull of the n columns (N×n), with numbers of columns and weights.
 
-    It is infinite where the columns do not cover the vector.
+    It is infinite where the columns do not cover the vector. Raises what `look` raises.
     """
     if (single := _by_one(columns, target)) is not None:
         return single
@@ -45,6 +46,7 @@ def domination(columns: Array, target: Array) -> Covered:
     order = len(target)
     inside, outside = np.arange(order), np.arange(order, order + len(limits))  # f_i, then the slacks of f·v <= 1
     for _ in range(_MOST_STEPS):
+        look()
         entering = int(prices.argmax())
         if prices[entering] <= _OPTIMAL:
             return _weights(prices, inside, order)

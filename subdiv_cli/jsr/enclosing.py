@@ -20,7 +20,8 @@ from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.measure import independent_columns
 from subdiv_cli.jsr.polytope import Grown
-from subdiv_cli.model import Data
+from subdiv_cli.model import Look, no_clock
+from subdiv_cli.model.proofs import RadiusProof
 
 _PLACES = 60
 """Binary places of the vertices."""
@@ -36,13 +37,13 @@ class RadiusBound(NamedTuple):
     """An upper bound JSR <= `upper`, and the rule, `polytope` or `monotone-polytope`, with its witness."""
 
     upper: Fraction
-    witness: dict[str, Data]
+    witness: RadiusProof
 
 
-def enclose(family: Family, grown: Grown, sigma: Fraction) -> RadiusBound | None:
+def enclose(family: Family, grown: Grown, sigma: Fraction, look: Look = no_clock) -> RadiusBound | None:
     """The bound σ·(largest gauge of an image), raised a little; σ is what the body's matrices were divided by.
 
-    None where roundings spoil it, or vertices are complex, or too large for a certificate.
+    None where roundings spoil it, or vertices are complex, or too large for a certificate. Raises what `look` raises.
     """
     if grown.body.complex or not math.isfinite(grown.value) or not (abs(grown.body.columns) < _LARGEST).all():
         return None
@@ -53,7 +54,7 @@ def enclose(family: Family, grown: Grown, sigma: Fraction) -> RadiusBound | None
             return None
         for slack in _SLACK:
             x = _short(sigma * max(Fraction(1), Fraction(grown.value)) * (1 + Fraction(1, 1 << slack)))
-            if (images := proof.images(float(sigma / x), x)) is not None:
+            if (images := proof.images(float(sigma / x), x, look)) is not None:
                 return RadiusBound(x, proof.witness(images))
     return None
 
@@ -72,8 +73,16 @@ def by_columns(family: Family) -> RadiusBound:
         weights = ((k, round(entry / x * (1 << _WEIGHT_BITS))) for k, entry in enumerate(column))
         images.append(tuple(part for pair in weights if pair[1] for part in pair))
     corners = tuple(tuple(int(i == j) for i in range(n)) for j in range(n))
-    witness: dict[str, Data] = {"symmetry": 0, "bits": 0, "vertices": corners, "basis": tuple(range(n))}
-    return RadiusBound(x, {**witness, "weight_bits": _WEIGHT_BITS, "images": tuple(images)})
+    witness: RadiusProof = {
+        "rule": "polytope",
+        "symmetry": 0,
+        "bits": 0,
+        "vertices": corners,
+        "basis": tuple(range(n)),
+        "weight_bits": _WEIGHT_BITS,
+        "images": tuple(images),
+    }
+    return RadiusBound(x, witness)
 
 
 def _short(x: Fraction) -> Fraction:
@@ -105,13 +114,14 @@ class _Enclosing:
         entries = self._vertices[number % self._body.size].entries()
         return entries if number < self._body.size else entries[::-1]
 
-    def images(self, shrink: float, x: Fraction) -> list[tuple[int, ...]] | None:
+    def images(self, shrink: float, x: Fraction, look: Look) -> list[tuple[int, ...]] | None:
         """The weights of every image, for u = 0, 1, … and all letters; None where one is not proved to lie inside.
 
         Weights of images over σ are multiplied by `shrink` = σ/x.
         """
         found = []
         for u in range(self._body.size):
+            look()
             for letter in range(self._family.letters):
                 flat = tuple(self._flat(u, letter, shrink))
                 if not self._is_inside(u, letter, flat, x):
@@ -141,7 +151,7 @@ class _Enclosing:
             rest = [y - c * z for y, z in zip(rest, self._vertex(number), strict=True)]
         return bool(total + self._distance(rest) < 1)
 
-    def witness(self, images: list[tuple[int, ...]]) -> dict[str, Data]:
+    def witness(self, images: list[tuple[int, ...]]) -> RadiusProof:
         return {
             "rule": "monotone-polytope" if self._body.monotone else "polytope",
             "symmetry": self._family.symmetry if self._body.symmetric else 0,

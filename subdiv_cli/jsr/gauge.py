@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from subdiv_cli.jsr.arrays import Array, Integers, Numbers, as_real
+from subdiv_cli.model import Look, no_clock
 
 PRECISION = 2e-10
 """Gauges closer to 1 than this are taken for 1."""
@@ -60,15 +61,18 @@ class Gauges(NamedTuple):
         return tuple(self.bases.numbers[k].tolist()), tuple((self.weights[k] * self.bases.turns[k]).tolist())
 
 
-def gauges(columns: Numbers, targets: Numbers, bases: Bases, *, inside: float, outside: float) -> Gauges:
+def gauges(
+    columns: Numbers, targets: Numbers, bases: Bases, *, inside: float, outside: float, look: Look = no_clock
+) -> Gauges:
     """The gauges of M targets (rows of N entries) in the hull of the n columns (N×n), from M bases.
 
     A target is left where its gauge is known to be at most `inside` or above `outside`; otherwise the optimum is
-    computed.
+    computed. Raises what `look` raises, which is asked at every step.
     """
     state = _State(columns, as_real(targets), Bases(bases.numbers.copy(), bases.turns.copy()))
     active, generator = np.arange(len(targets)), None
     for number in range(_MOST_STEPS):
+        look()
         if number == _PATIENCE:
             generator = np.random.default_rng(len(targets))
         active = state.step(active, inside, outside, generator)

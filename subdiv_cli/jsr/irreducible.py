@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 from flint import arb, ctx
@@ -23,9 +24,10 @@ from subdiv_cli.jsr.enclosing import RadiusBound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.polytope import Grown, grow, grow_on, measured
-from subdiv_cli.jsr.result import Radius, root_data
+from subdiv_cli.jsr.result import Radius
 from subdiv_cli.jsr.search import candidates
-from subdiv_cli.model import Data, Effort, Root
+from subdiv_cli.model import HALF, Effort, Look, Root
+from subdiv_cli.model.proofs import RadiusProof, root_data
 
 LARGEST_BLOCK = 60
 """The largest order of matrices for which polytopes are tried."""
@@ -57,21 +59,74 @@ def irreducible_radius(family: Family, effort: Effort) -> Radius | None:
         return None
     if family.order > 1 and len(family.distinct) < family.letters:
         return _of_distinct(family, effort)
-    found = _affordable(family, candidates(family, _QUICK)[1])
+    attempts: list[_Attempt] = []
+    growing = effort.limited(effort.work, HALF)
+    if (radius := growing.in_time(lambda: _closed(family, attempts, growing))) is not None:
+        return radius
+    return _enclosed(family, attempts, effort)
+
+
+def _closed(family: Family, attempts: list[_Attempt], effort: Effort) -> Radius | None:
+    """The radius where a polytope closes at exactly a candidate; the attempts are added to the list.
+
+    Raises ClockStruckError.
+    """
+    found = _affordable(family, candidates(family, _QUICK, effort=effort)[1])
+    shortest = [candidate for candidate in found if len(candidate.word) == len(found[0].word)]
+    for some in (shortest, found) if len(shortest) < len(found) else (found,) if found else ():
+        quick = effort.limited(_QUICK_WORK, HALF)
+        attempts.append(_Attempt(family, some, effort.look))
+        if (radius := quick.in_time(partial(attempts[-1].closed, quick))) is not None:
+            return radius
     if not found:
         return None
-    quick = effort.limited(_QUICK_WORK)
-    shortest = [candidate for candidate in found if len(candidate.word) == len(found[0].word)]
-    for some in (shortest, found) if len(shortest) < len(found) else (found,):
-        attempt = _Attempt(family, some)
-        if (radius := attempt.closed(quick)) is not None:
-            return radius
-    deep = _affordable(family, candidates(family, _DEEP)[1])
-    if deep != found or (attempt.leaders is not None and attempt.leaders.has_both_signs):
-        attempt = _Attempt(family, deep, squared=True)
-    elif attempt.grown is not None and attempt.grown.closed:  # more effort would find the same
-        return attempt.enclosed(effort)
-    return attempt.closed(effort.limited(max(_QUICK_WORK, effort.work // 2))) or attempt.enclosed(effort)
+    last = attempts[-1]
+    deep = _affordable(family, candidates(family, _DEEP, effort=effort)[1])
+    if deep != found or (last.leaders is not None and last.leaders.has_both_signs):
+        attempts.append(_Attempt(family, deep, effort.look, squared=True))
+    elif last.has_closed:  # more of the same effort would find the same
+        return None
+    return attempts[-1].closed(effort.limited(max(_QUICK_WORK, effort.work // 2)))
+
+
+def _enclosed(family: Family, attempts: Sequence[_Attempt], effort: Effort) -> Radius | None:
+    """The best bound of polytopes that close in floats; else of all, and of those for matrices scaled down a little.
+
+    From below, the best product of all attempts. All of these there are with more effort too. None without any.
+    """
+    attempts = [attempt for attempt in attempts if attempt.leaders is not None]
+    if not attempts:
+        return None
+    states = [(attempt.sigma, state) for attempt in attempts for state in attempt.states]
+    if (bound := _best_bound(family, [pair for pair in states if pair[1].closed], effort)) is None:
+        slackened = attempts[-1].slackened(effort.limited(effort.work, HALF))
+        bound = _best_bound(family, [*states, *slackened], effort)
+    if bound is None:
+        return None
+    best = max(attempts, key=lambda attempt: attempt.sigma)
+    assert best.leaders is not None
+    proof: RadiusProof = {"length": 1, "bound": bound.upper, **bound.witness}
+    return Radius(family.full_word(best.leaders.each[0].candidate), None, (1, bound.upper), False, proof)
+
+
+def _best_bound(family: Family, states: Sequence[tuple[Fraction, Grown]], effort: Effort) -> RadiusBound | None:
+    """The best bound of polytopes, each with the number that its matrices are divided by; those are measured first.
+
+    Where the clock strikes at one of them, it is the turn of those with at most half as many vertices.
+    """
+    measuring, found = effort.limited(effort.work, HALF), list[tuple[Fraction, Grown]]()
+    for sigma, state in sorted(states, key=lambda pair: len(pair[1].left)):
+        if (known := measuring.in_time(partial(measured, state, measuring.look))) is not None:
+            found.append((sigma, known))
+    found.sort(key=lambda pair: float(pair[0]) * max(1.0, pair[1].value))
+    largest = max((state.body.size for _, state in found), default=0)
+    for sigma, state in found:
+        if state.body.size <= largest:
+            part = effort.limited(effort.work, HALF)
+            if (bound := part.in_time(partial(enclose, family, state, sigma, part.look))) is not None:
+                return bound
+            largest = state.body.size // 2 if part.struck else largest
+    return None
 
 
 def closed_radius(family: Family, effort: Effort) -> Radius | None:
@@ -81,19 +136,24 @@ def closed_radius(family: Family, effort: Effort) -> Radius | None:
     """
     if not family.size or family.order > LARGEST_BLOCK or not (found := candidates(family, _QUICK)[1]):
         return None
-    return _Attempt(family, _affordable(family, found)).closed(effort.limited(_BRIEF_WORK))
+    brief = effort.limited(_BRIEF_WORK)
+    return brief.in_time(lambda: _Attempt(family, _affordable(family, found), brief.look).closed(brief))
 
 
 def _of_distinct(family: Family, effort: Effort) -> Radius | None:
     """The radius of the matrices that differ up to sign: their products are the products of all, up to sign."""
     letters = family.distinct
-    found = irreducible_radius(Family([family.matrices[letter] for letter in letters]), effort)
-    if found is None:
+    radius = irreducible_radius(Family([family.matrices[letter] for letter in letters]), effort)
+    if radius is None:
         return None
-    said = {key: found.proof[key] for key in ("length", "root", "bound") if key in found.proof}
-    proof: dict[str, Data] = {"rule": "distinct", "letters": letters, "part": found.proof, **said}
-    word = None if found.word is None else tuple(letters[letter] for letter in found.word)
-    return found._replace(word=word, proof=proof)
+    proof: RadiusProof = {"rule": "distinct", "letters": letters, "part": radius.proof}
+    proof["length"] = radius.proof["length"]
+    if "root" in radius.proof:
+        proof["root"] = radius.proof["root"]
+    if "bound" in radius.proof:
+        proof["bound"] = radius.proof["bound"]
+    word = None if radius.word is None else tuple(letters[letter] for letter in radius.word)
+    return radius._replace(word=word, proof=proof)
 
 
 def _affordable(family: Family, found: Sequence[Candidate]) -> Sequence[Candidate]:
@@ -116,7 +176,7 @@ def bounded(family: Family, limit: tuple[int, Fraction], effort: Effort) -> Radi
         family.floats, float(sigma / family.unit), symmetric=bool(family.symmetry), starts=[Start((), start)]
     )
     grown = grow(body, effort.limited(_QUICK_WORK))
-    found = enclose(family, grown, sigma) if grown.closed else None
+    found = effort.in_time(partial(enclose, family, grown, sigma, effort.look)) if grown.closed else None
     if found is None or found.upper**length > bound:
         return None
     return Radius(None, None, (1, found.upper), False, {"length": 1, "bound": found.upper, **found.witness})
@@ -138,19 +198,30 @@ def zero_radius() -> Radius:
 class _Attempt:
     """The polytopes that grow from one set of candidates."""
 
-    def __init__(self, family: Family, found: Sequence[Candidate], *, squared: bool = False) -> None:
+    def __init__(self, family: Family, found: Sequence[Candidate], look: Look, *, squared: bool = False) -> None:
         self.family = family
-        self.leaders = leaders(family, found, squared=squared)
+        self.leaders = leaders(family, found, squared=squared, look=look)
         if self.leaders is not None:
             with ctx.workprec(128):
                 self.sigma = to_fraction_of_ball(self.leaders)
             if self.sigma < family.unit * _SMALLEST:
                 self.leaders = None
         self.starts: list[Start] | None = None
+        self.monotone = False
         self.grown: Grown | None = None
+        self.states: list[Grown] = []
+        """The polytopes that bounds are taken from."""
+
+    @property
+    def has_closed(self) -> bool:
+        """Whether the polytope closes, as floats see it."""
+        return self.grown is not None and self.grown.closed
 
     def closed(self, effort: Effort) -> Radius | None:
-        """The radius where the polytope closes at exactly the candidate and that can be proved."""
+        """The radius where the polytope closes at exactly the candidate and that can be proved.
+
+        Raises ClockStruckError.
+        """
         if self.leaders is None:
             return None
         if self.starts is None:
@@ -159,6 +230,7 @@ class _Attempt:
             self.grown = grow(self._body(self.starts, self.sigma), effort)
         else:
             self.grown = grow_on(self.grown, effort)
+        self.states += [self.grown] if self.grown.closed else self.grown.states
         root = self.leaders.root()
         if not self.grown.closed or root is None or _is_long(root[1]):
             return None
@@ -199,22 +271,7 @@ class _Attempt:
         assert self.leaders is not None
         return surrounding(self.family, self.leaders, lambda starts: self._body(starts, self.sigma), effort)
 
-    def enclosed(self, effort: Effort) -> Radius | None:
-        """The best bound of a polytope that is not closed, or that is for matrices scaled down a little."""
-        if self.leaders is None:
-            return None
-        grown = self.grown
-        if grown is not None and grown.closed and (bound := enclose(self.family, grown, self.sigma)) is not None:
-            return self._at_most(bound)
-        found = [] if grown is None else [(self.sigma, grown)]
-        found += self._slackened(effort)
-        found = [(scaled, measured(grown)) for scaled, grown in found]
-        found.sort(key=lambda pair: float(pair[0]) * max(1.0, pair[1].value))
-        bounds = (enclose(self.family, grown, scaled) for scaled, grown in found)
-        best = next((bound for bound in bounds if bound is not None), None)
-        return None if best is None else self._at_most(best)
-
-    def _slackened(self, effort: Effort) -> list[tuple[Fraction, Grown]]:
+    def slackened(self, effort: Effort) -> list[tuple[Fraction, Grown]]:
         """The polytopes for matrices scaled down, each with the number that takes the place of σ.
 
         By less and less as long as they close, or by more until one does. No one takes more than the effort, and all
@@ -223,22 +280,18 @@ class _Attempt:
         assert self.leaders is not None
         real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
         found: list[tuple[Fraction, Grown]] = []
+        closes: bool | None = None
         slack, left = _SLACK, 2 * effort.work
         while left > 0 and _SLACK**3 <= slack <= 1:
             scaled = self.sigma * (1 + slack)
-            grown = grow(self._body(real, scaled), effort.limited(left))
-            found.append((scaled, grown))
+            grown = grow(self._body(real, scaled), effort.limited(left, HALF))
+            found += [(scaled, state) for state in ((grown,) if grown.closed else grown.states)]
             left -= grown.spent
-            if grown.closed is not found[0][1].closed:
+            closes = grown.closed if closes is None else closes
+            if grown.closed is not closes or not effort.allows(0):
                 break
             slack = slack / 4 if grown.closed else slack * 4
         return found
-
-    def _at_most(self, bound: RadiusBound) -> Radius:
-        assert self.leaders is not None
-        word = self.family.full_word(self.leaders.each[0].candidate)
-        proof: dict[str, Data] = {"length": 1, "bound": bound.upper, **bound.witness}
-        return Radius(word, None, (1, bound.upper), False, proof)
 
 
 def _is_long(root: Root) -> bool:
@@ -267,8 +320,7 @@ def _is_nonnegative(vector: Numbers) -> bool:
     return not np.iscomplexobj(vector) and bool(vector.min() >= -_ROUNDING * np.abs(vector).max())
 
 
-def _exactly(family: Family, found: Leaders, root: tuple[int, Root], proof: dict[str, Data]) -> Radius:
+def _exactly(family: Family, found: Leaders, root: tuple[int, Root], witness: RadiusProof) -> Radius:
     length, number = root
     word = family.full_word(found.each[0].candidate)
-    said: dict[str, Data] = {"length": length, "root": root_data(number)}
-    return Radius(word, root, (length, number.high), True, {**proof, **said})
+    return Radius(word, root, (length, number.high), True, {**witness, "length": length, "root": root_data(number)})

@@ -19,7 +19,7 @@ from subdiv_cli.exact.enclosures import ball
 from subdiv_cli.exact.linalg import minimal_polynomial
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Candidate, Family
-from subdiv_cli.model import Root
+from subdiv_cli.model import Look, Root, no_clock
 
 MOST_LEADERS = 16
 _LONGEST = 200
@@ -56,6 +56,7 @@ class Leaders(NamedTuple):
 
     @property
     def is_real(self) -> bool:
+        """Whether the eigenvalues are real."""
         return self.each[0].eigenvalue.is_real
 
     def sigma(self) -> arb:
@@ -71,7 +72,9 @@ class Leaders(NamedTuple):
         return None if square is None else (2 * self.length, isolated(square))
 
 
-def leaders(family: Family, candidates: Sequence[Candidate], *, squared: bool = False) -> Leaders | None:
+def leaders(
+    family: Family, candidates: Sequence[Candidate], *, squared: bool = False, look: Look = no_clock
+) -> Leaders | None:
     """The leaders of candidates with equally large eigenvalues; None where all their products are nilpotent.
 
     They are raised to powers of one length. All share one eigenvalue up to sign, a real one where there is one as large
@@ -79,13 +82,15 @@ def leaders(family: Family, candidates: Sequence[Candidate], *, squared: bool = 
 
     `squared`: where both signs are eigenvalues of one product, all products are squared, so that there is one
     eigenspace of both.
+
+    Raises what `look` raises.
     """
     length = lcm(*(len(candidate.word) for candidate in candidates))
     if not _is_affordable(family, length):
         candidates, length = candidates[:1], len(candidates[0].word)
-    found = _of_length(family, candidates, length)
+    found = _of_length(family, candidates, length, look)
     if squared and found is not None and found.has_both_signs and _is_affordable(family, 2 * length):
-        return _of_length(family, candidates, 2 * length)
+        return _of_length(family, candidates, 2 * length, look)
     return found
 
 
@@ -93,16 +98,17 @@ def _is_affordable(family: Family, length: int) -> bool:
     return length <= _LONGEST and length * family.bits <= LONGEST_PRODUCT
 
 
-def _of_length(family: Family, candidates: Sequence[Candidate], length: int) -> Leaders | None:
+def _of_length(family: Family, candidates: Sequence[Candidate], length: int, look: Look) -> Leaders | None:
     powers = [candidate.power(length // len(candidate.word), family.letters) for candidate in candidates]
     products = [family.candidate(power) for power in powers]
-    spectra = [_leading_eigenvalues(product) for product in products]
+    spectra = [_leading_eigenvalues(product, look) for product in products]
     shared = _shared(spectra)
     if shared is None:
         return None
     each: list[Leader] = []
     both = False
     for power, product, spectrum in zip(powers, products, spectra, strict=True):
+        look()
         alike = [x for x in spectrum if _same(x, shared) or (shared.is_real and _same(x, negated(shared)))]
         if alike:
             each += _eigenvectors(product, power, max(alike, key=_preference))
@@ -110,8 +116,9 @@ def _of_length(family: Family, candidates: Sequence[Candidate], length: int) -> 
     return Leaders(length, tuple(each[:MOST_LEADERS]), both) if each else None
 
 
-def _leading_eigenvalues(product: fmpq_mat) -> list[AlgebraicNumber]:
+def _leading_eigenvalues(product: fmpq_mat, look: Look) -> list[AlgebraicNumber]:
     """The eigenvalues ≠ 0 of the largest modulus, as balls see it; of complex pairs those in the upper half plane."""
+    look()
     spectrum = [number for number, _ in roots(product.charpoly()) if not number.region.imag < 0]
     top = spectrum[0].region.__abs__()
     return [number for number in spectrum if number.region.__abs__().overlaps(top) and number.rational != 0]

@@ -11,6 +11,7 @@ from subdiv_cli.jsr.arrays import Numbers, as_real
 from subdiv_cli.jsr.body import Polytope
 from subdiv_cli.jsr.dominance import Dominations, domination
 from subdiv_cli.jsr.gauge import Bases, Gauges, gauges, inverses_of
+from subdiv_cli.model import Look, no_clock
 
 _REMEMBERED = 48
 """Bases that are tried as a start for new targets."""
@@ -19,8 +20,8 @@ _REMEMBERED = 48
 class Balanced:
     """Gauges in the hull of all ±v, from bases that were good for earlier targets."""
 
-    def __init__(self, body: Polytope) -> None:
-        self._body = body
+    def __init__(self, body: Polytope, look: Look) -> None:
+        self._body, self._look = body, look
         first = np.array([independent_columns(body.columns)])
         turns = np.ones(first.shape, dtype=body.columns.dtype)
         if body.complex:
@@ -34,7 +35,7 @@ class Balanced:
         """
         columns = self._body.columns
         bases = self._best(columns, targets) if like is None else like.bases
-        found = gauges(columns, targets, bases, inside=inside, outside=outside)
+        found = gauges(columns, targets, bases, inside=inside, outside=outside, look=self._look)
         self._remember(found.bases)
         return found
 
@@ -56,19 +57,19 @@ class Balanced:
 class Monotone:
     """Gauges in the hull of all x >= 0 that are below a convex combination of vertices."""
 
-    def __init__(self, body: Polytope) -> None:
-        self._body = body
+    def __init__(self, body: Polytope, look: Look) -> None:
+        self._body, self._look = body, look
 
     def measure(
         self, targets: Numbers, like: Any = None, *, inside: float = 0.0, outside: float = math.inf
     ) -> Dominations:
         """The gauges of the M rows of `targets`, exactly in any case."""
-        return Dominations([domination(self._body.columns, target) for target in targets])
+        return Dominations([domination(self._body.columns, target, self._look) for target in targets])
 
 
-def measure_of(body: Polytope) -> Balanced | Monotone:
-    """The measure of gauges in a body of this sort."""
-    return Monotone(body) if body.monotone else Balanced(body)
+def measure_of(body: Polytope, look: Look = no_clock) -> Balanced | Monotone:
+    """The measure of gauges in a body of this sort; what `look` raises ends it."""
+    return (Monotone if body.monotone else Balanced)(body, look)
 
 
 def gauge(body: Polytope, vector: Numbers) -> float:

@@ -9,7 +9,7 @@ images of one of the two are looked at.
 
 from __future__ import annotations
 
-import copy
+from collections import deque
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -20,7 +20,7 @@ from subdiv_cli.jsr.body import Image, Polytope
 from subdiv_cli.jsr.dominance import Dominations
 from subdiv_cli.jsr.gauge import PRECISION, Gauges
 from subdiv_cli.jsr.measure import Balanced, Monotone, measure_of
-from subdiv_cli.model import Effort
+from subdiv_cli.model import ClockStruckError, Effort, Look, no_clock, watch
 
 ROUGHLY = 1.02
 """Gauges up to which images may stay outside of bodies that only suggest something: they end sooner."""
@@ -37,6 +37,7 @@ _INDEPENDENT = 1e-3
 A body that is thin has proofs of no use.
 """
 _SMALL_ORDER = 20
+_HALVINGS = 6
 
 
 class Grown(NamedTuple):
@@ -49,6 +50,11 @@ class Grown(NamedTuple):
     """The images that are not decided, because the effort ended."""
     spent: int
     """The work that growth took, counted in gauges."""
+    states: tuple[Grown, ...] = ()
+    """The body at the beginning, and after a 64th, …, a quarter, a half and all of the work.
+
+    Where growth ends without closing, bounds are taken from them: twice the effort has the same ones, and more.
+    """
 
     @property
     def value(self) -> float:
@@ -76,25 +82,42 @@ def push_out(body: Polytope, images: Iterable[tuple[int, int]], by: float, effor
     It has a vertex a little beyond each of them. The images of such a vertex are those of an inner point nearly, so
     that growth ends soon where it ends.
     """
-    images, body = list(images), copy.deepcopy(body)
+    images, body = list(images), body.copy()
     extras = [body.add_extra(np.real(body.image(*pair)) * (1 + by)) for pair in images]
     return _grow(body, [*images, *body.pending(extras)], effort)
 
 
 def _grow(body: Polytope, pending: list[tuple[int, int]], effort: Effort, within: float = 1.0) -> Grown:
-    spent = 0
+    spent, states = 0, list[Grown]()
+    due = deque([0, *(effort.work >> i for i in range(_HALVINGS, -1, -1))])
     with np.errstate(all="ignore"):  # a gauge that overflows is a large one
-        memory = measure_of(body)
+        memory = measure_of(body, effort.look)
         while pending:
             fresh: list[int] = []
             for start in range(0, len(pending), _CHUNK):
                 chunk = pending[start : start + _CHUNK]
                 spent += len(chunk) * (1 + body.columns.size * max(body.order, _SMALL_ORDER) // (2000 * _SMALL_ORDER))
+                watch.count(body.size, "vertices")
+                if due and due[0] < spent:
+                    states.append(Grown(body.copy(), False, pending[start:] + body.pending(fresh), spent))
+                    while due and due[0] < spent:
+                        due.popleft()
                 if not effort.allows(spent) or not np.isfinite(body.columns).all():
-                    return Grown(body, False, pending[start:] + body.pending(fresh), spent)
-                fresh += _absorb(body, memory, chunk, within)
+                    return _stopped(body, pending[start:] + body.pending(fresh), spent, states, effort)
+                try:
+                    fresh += _absorb(body, memory, chunk, within)
+                except ClockStruckError:
+                    left = [pair for pair in body.pending(range(body.size)) if pair not in body.images]
+                    return _stopped(body, left, spent, states, effort)
             pending = body.pending(fresh)
-    return Grown(body, True, [], spent)
+    return Grown(body, True, [], spent, tuple(states))
+
+
+def _stopped(body: Polytope, left: list[tuple[int, int]], spent: int, states: list[Grown], effort: Effort) -> Grown:
+    """The body where growth stops: one more of the states, if it is the clock that stops it."""
+    if spent <= effort.work:
+        states = [*states, Grown(body, False, left, spent)]
+    return Grown(body, False, left, spent, tuple(states))
 
 
 def _span(body: Polytope) -> None:
@@ -191,11 +214,14 @@ def _record(body: Polytope, pair: tuple[int, int], found: Gauges | Dominations, 
     body.images[pair] = Image(*pair, columns, weights, float(found.value[k]))
 
 
-def measured(grown: Grown) -> Grown:
-    """The same polytope with gauges of the images left too, for the bound that it proves as it is."""
+def measured(grown: Grown, look: Look = no_clock) -> Grown:
+    """The same polytope with gauges of the images left too, for the bound that it proves as it is.
+
+    Raises what `look` raises.
+    """
     body = grown.body
     with np.errstate(all="ignore"):
-        memory = measure_of(body)
+        memory = measure_of(body, look)
         for start in range(0, len(grown.left), _CHUNK):
             chunk = grown.left[start : start + _CHUNK]
             targets = np.array([body.image(*pair) for pair in chunk])

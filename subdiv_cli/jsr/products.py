@@ -16,7 +16,7 @@ from flint import ctx, fmpq_mat, fmpz_mat
 
 from subdiv_cli.exact.algebraic import AlgebraicNumber, meets_circle, roots
 from subdiv_cli.exact.enclosures import ball, bounds
-from subdiv_cli.model import Effort
+from subdiv_cli.model import Effort, watch
 
 _WORK_PER_WORD = 200
 """The cost of a word beside the entries of its matrix: about that of as many coefficients of a norm."""
@@ -81,8 +81,9 @@ def best_product(matrices: Sequence[fmpq_mat], effort: Effort) -> WordProduct | 
     order, bits = matrices[0].nrows(), max(int(x).bit_length() for m in integers for x in m.entries())
     ranked: list[tuple[float, tuple[int, ...], fmpz_mat]] = []
     spent = 0
-    for word in lyndon_words(len(matrices)):
+    for tried, word in enumerate(lyndon_words(len(matrices))):
         spent += (_WORK_PER_WORD + order * order) * (1 + bits * len(word) // 64)
+        watch.count(tried, "products")
         if not effort.allows(spent):
             break
         product = reduce(lambda product, letter: integers[letter] * product, word[1:], integers[word[0]])

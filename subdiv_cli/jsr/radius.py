@@ -12,14 +12,17 @@ from fractions import Fraction
 
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.enclosing import by_columns
-from subdiv_cli.jsr.family import Family
+from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.irreducible import LARGEST_BLOCK, bounded, irreducible_radius, zero_radius
 from subdiv_cli.jsr.reduce import Blocks, decomposed
-from subdiv_cli.jsr.result import Radius, root_data
-from subdiv_cli.jsr.search import candidates
-from subdiv_cli.model import Data, Effort
+from subdiv_cli.jsr.result import Radius
+from subdiv_cli.jsr.search import candidates, rate
+from subdiv_cli.model import HALF, UNHURRIED, Effort
+from subdiv_cli.model.proofs import RadiusProof, root_data
 
 LARGEST_ORDER = 120
+_LEAST_ORDER = 10
+"""The order below which a block takes no less time: what is done once for each block."""
 _SHORT = 4
 """The length of the products that tell which block seems largest."""
 _CLEARLY = math.log2(1 - 1e-3)
@@ -32,7 +35,8 @@ def joint_spectral_radius(family: Family, effort: Effort) -> Radius | None:
         return zero_radius()
     if family.order > LARGEST_ORDER or not effort.allows(family.order**2):
         return None
-    if (blocks := decomposed(family)) is not None:
+    part = effort.limited(effort.work, HALF)
+    if (blocks := part.in_time(lambda: decomposed(family, part.look))) is not None:
         return _of_blocks(blocks, effort)
     return irreducible_radius(family, effort)
 
@@ -46,8 +50,8 @@ def rough_radius(family: Family, effort: Effort) -> Radius | None:
         return None
     found = candidates(family, 2)[1] if family.order <= LARGEST_BLOCK else ()
     bound = by_columns(family)
-    proof: dict[str, Data] = {"rule": "polytope", "length": 1, "bound": bound.upper, **bound.witness}
-    return Radius(family.full_word(found[0]) if found else None, None, (1, bound.upper), False, proof)
+    word = family.full_word(found[0]) if found else None
+    return Radius(word, None, (1, bound.upper), False, {"length": 1, "bound": bound.upper, **bound.witness})
 
 
 def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
@@ -59,42 +63,58 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
         return None
     top = max(known, key=lambda part: (part.exact is not None, part.ceiling))
     others = [part for part in known if part is not top]
-    proof: dict[str, Data] = {
+    witness: RadiusProof = {
         "rule": "blocks",
         "basis": tuple(tuple(to_fraction(x) for x in row) for row in blocks.basis.table()),
         "sizes": tuple(part.order for part in blocks.parts),
-        "parts": tuple(dict(part.proof) for part in known),
+        "parts": tuple(part.proof for part in known),
     }
     if top.exact is not None:
         length, root = top.exact
         below = [_at_most(part.upper, _floor(top)) for part in others]
         same = [part.exact == top.exact for part in others]
         if all(x or y for x, y in zip(below, same, strict=True)):
-            said: dict[str, Data] = {"length": length, "root": root_data(root)}
-            return Radius(top.word, top.exact, top.upper, False, {**proof, **said})
+            proof: RadiusProof = {**witness, "length": length, "root": root_data(root)}
+            return Radius(top.word, top.exact, top.upper, False, proof)
     highest = max(known, key=lambda part: part.ceiling)
     length, bound = highest.upper
     if any(not _at_most(part.upper, (length, bound)) for part in known):
         return None
-    word = max((part for part in known if part.word is not None), key=lambda part: part.ceiling, default=highest).word
-    return Radius(word, None, (length, bound), False, {**proof, "length": length, "bound": bound})
+    words = [part.word for part in known if part.word is not None]
+    word = max(words, key=lambda word: _rate(blocks, word), default=None)
+    return Radius(word, None, (length, bound), False, {**witness, "length": length, "bound": bound})
 
 
 def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
-    """The radius of every part, as far as it is known, or a bound that does not exceed the largest one."""
+    """The radius of every part, as far as it is known, or a bound that does not exceed the largest one.
+
+    Each part has a share of the time, by its order, small ones as one of order `_LEAST_ORDER`. Where it gives no bound,
+    its columns may have one that is small.
+    """
     seems = [_logarithm(candidates(part, _SHORT)[0]) + _logarithm(part.unit) for part in parts]
     found: dict[int, Radius] = {}
     top: Radius | None = None
+    costs = [max(part.order, _LEAST_ORDER) ** 3 for part in parts]
+    cost = sum(costs)
     for k in sorted(range(len(parts)), key=lambda k: (-seems[k], k)):
-        radius = None
+        radius, part = None, effort.limited(effort.work, costs[k] / cost)
+        cost -= costs[k]
         if top is not None and seems[k] < _CLEARLY + _logarithm(top.upper[1]) / top.upper[0]:
-            radius = bounded(parts[k], _floor(top), effort)
-        if radius is None and (radius := irreducible_radius(parts[k], effort)) is None:
-            return None
+            radius = bounded(parts[k], _floor(top), part)
+        if radius is None and (radius := irreducible_radius(parts[k], part)) is None:
+            radius = rough_radius(parts[k], UNHURRIED)
+            if radius is None or top is None or not _at_most(radius.upper, _floor(top)):
+                return None
         found[k] = radius
         if top is None or radius.ceiling > top.ceiling:
             top = radius
     return [found[k] for k in range(len(parts))]
+
+
+def _rate(blocks: Blocks, word: Word) -> float:
+    """The logarithm of the spectral radius of a product, over its length, as floats see it."""
+    rates = [rate(part, word) + _logarithm(part.unit) for part in blocks.parts if part.size]
+    return max(rates, default=-math.inf)
 
 
 def _logarithm(x: Fraction | float) -> float:

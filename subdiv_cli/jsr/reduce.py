@@ -15,6 +15,7 @@ from subdiv_cli.exact.linalg import identity, matrix, nullspace, reduced
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.subspace import invariant_subspace
 from subdiv_cli.jsr.symmetry import reversing
+from subdiv_cli.model import Look, no_clock
 
 _BITS = 32
 """The bits of the weight of functionals against coordinates in lattice reduction."""
@@ -28,15 +29,16 @@ class Blocks(NamedTuple):
     parts: tuple[Family, ...]
 
 
-def decomposed(family: Family) -> Blocks | None:
+def decomposed(family: Family, look: Look = no_clock) -> Blocks | None:
     """The blocks that cannot be taken apart further, as far as is known; None for a single one.
 
-    A block with a symmetry has a basis in which it is the reversal.
+    A block with a symmetry has a basis in which it is the reversal. Raises what `look` raises.
     """
-    basis, sizes = _flag(family.matrices)
+    basis, sizes = _flag(family.matrices, look)
     if len(sizes) == 1:
         return None
     found = _blocks(family, basis, sizes)
+    look()
     turns = [reversing(part) for part in found.parts]
     if all(turn is None for turn in turns):
         return found
@@ -44,7 +46,7 @@ def decomposed(family: Family) -> Blocks | None:
     return _blocks(family, basis * _diagonal_sum(bases), sizes)
 
 
-def _flag(matrices: Sequence[fmpq_mat]) -> tuple[fmpq_mat, list[int]]:
+def _flag(matrices: Sequence[fmpq_mat], look: Look) -> tuple[fmpq_mat, list[int]]:
     """A basis of Z^N, the columns of an N×N matrix, along a flag of invariant subspaces, and the blocks' sizes.
 
     The first columns span 0 ⊂ U_1 ⊂ U_2 ⊂ … in turn. As the basis is one of Z^N, the denominators of the blocks are no
@@ -54,11 +56,11 @@ def _flag(matrices: Sequence[fmpq_mat]) -> tuple[fmpq_mat, list[int]]:
     if (components := _by_pattern(matrices)) is not None:
         basis = _units([i for component in components for i in component], n).transpose()
         steps = [len(component) for component in components]
-    elif n > 1 and (rows := invariant_subspace(matrices)) is not None:
+    elif n > 1 and (rows := invariant_subspace(matrices, look)) is not None:
         basis, steps = _lattice_basis(rows), [rows.nrows(), n - rows.nrows()]
     else:
         return identity(n), [n]
-    parts = [_flag(part) for part in _diagonal(matrices, basis, steps)]
+    parts = [_flag(part, look) for part in _diagonal(matrices, basis, steps)]
     return basis * _diagonal_sum([part for part, _ in parts]), [size for _, sizes in parts for size in sizes]
 
 

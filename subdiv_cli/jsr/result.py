@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
 from subdiv_cli.jsr.family import Word
-from subdiv_cli.model import Data, Root
+from subdiv_cli.model import Root
+from subdiv_cli.model.proofs import RadiusProof
 
 
 class Radius(NamedTuple):
@@ -22,7 +22,7 @@ class Radius(NamedTuple):
     """A pair (n, x) with ρ^n <= x."""
     bounded: bool
     """Whether it is proved that all products of L matrices have norms <= C ρ^L."""
-    proof: Mapping[str, Data]
+    proof: RadiusProof
     """A proof as plain data: `rule`, `length`, `root` or `bound`, and the witness of the rule.
 
     `rule` names a rule of certificate/RADIUS.md (or `norm`, of FORMAT.md); `length` with `root` or `bound` is what is
@@ -39,8 +39,7 @@ class Radius(NamedTuple):
     @property
     def method(self) -> str:
         """The rule that does the work: for rule `distinct` that of its part."""
-        part = self.proof.get("part")
-        return str(part["rule"] if isinstance(part, Mapping) else self.proof["rule"])
+        return self.proof.get("part", self.proof)["rule"]
 
     @property
     def vertices(self) -> int | None:
@@ -52,18 +51,11 @@ class Radius(NamedTuple):
         return self.upper[1] < x ** self.upper[0]
 
 
-def root_data(root: Root) -> dict[str, Data]:
-    """A root Λ as it stands in proofs."""
-    return {"polynomial": root.coefficients, "low": root.low, "high": root.high}
-
-
-def _vertices(proof: Mapping[str, Data]) -> int | None:
-    parts, leaders, tree = (proof.get(key) for key in ("parts", "leaders", "tree"))
-    if isinstance(leaders, tuple) and isinstance(tree, tuple):
-        return len(leaders) + len(tree) // 2
-    if isinstance(part := proof.get("part"), Mapping):
-        return _vertices(part)
-    if isinstance(parts, tuple):
-        return sum(_vertices(part) or 0 for part in parts if isinstance(part, Mapping)) or None
-    vertices = proof.get("vertices")
-    return len(vertices) if isinstance(vertices, tuple) else None
+def _vertices(proof: RadiusProof) -> int | None:
+    if "leaders" in proof:
+        return len(proof["leaders"]) + len(proof["tree"]) // 2
+    if "part" in proof:
+        return _vertices(proof["part"])
+    if "parts" in proof:
+        return sum(_vertices(part) or 0 for part in proof["parts"]) or None
+    return len(proof["vertices"]) if "vertices" in proof else None

@@ -7,10 +7,14 @@ found is a suggestion; `products` decides what it proves.
 
 from __future__ import annotations
 
+import math
+from functools import reduce
+
 import numpy as np
 
 from subdiv_cli.jsr.arrays import Array, Integers
 from subdiv_cli.jsr.family import Candidate, Family, Word
+from subdiv_cli.model import UNHURRIED, Effort
 
 _TIE = 1e-10
 """Radii that differ by less, relatively, are taken for equal."""
@@ -18,12 +22,14 @@ _FRONT = 48
 """The most products kept at each length."""
 
 
-def candidates(family: Family, longest: int, front: int = _FRONT) -> tuple[float, tuple[Candidate, ...]]:
+def candidates(
+    family: Family, longest: int, front: int = _FRONT, effort: Effort = UNHURRIED
+) -> tuple[float, tuple[Candidate, ...]]:
     """The largest ρ(Π)^(1/ℓ) met among products of length at most `longest`, and the candidates that attain it.
 
     Primitive words, the least of each rotation class, by length and then alphabetically; in a symmetric family one of
     each mirrored pair, and half of a word whose other half is its mirror image. (0, ()) where every product met is
-    nilpotent. The radius is that of the matrices divided by `family.unit`.
+    nilpotent. The radius is that of the matrices divided by `family.unit`. Where the clock strikes, fewer lengths.
     """
     matrices = family.floats
     products: Array = matrices
@@ -36,7 +42,7 @@ def candidates(family: Family, longest: int, front: int = _FRONT) -> tuple[float
         best = max(best, top)
         near = rates >= best * (1 - _TIE)
         found += [(float(rate), tuple(map(int, word))) for rate, word in zip(rates[near], words[near], strict=True)]
-        if length == longest:
+        if length == longest or not effort.allows(0):
             break
         kept = _front(products, best, length, front)
         if not len(kept):
@@ -60,6 +66,13 @@ def _children(matrices: Array, products: Array, words: Integers) -> tuple[Array,
     longer = (matrices[:, None] @ products[None]).reshape(-1, order, order)
     spelled = [np.column_stack([words, np.full(len(words), letter)]) for letter in range(letters)]
     return longer, np.concatenate(spelled)
+
+
+def rate(family: Family, word: Word) -> float:
+    """The number log2 ρ(Π)^(1/ℓ) of a product of the matrices divided by `family.unit`; -inf where floats see none."""
+    product = reduce(lambda product, letter: family.floats[letter] @ product, word, np.eye(family.order))
+    radius = float(np.abs(np.linalg.eigvals(product)).max())
+    return math.log2(radius) / len(word) if radius > 0 else -math.inf
 
 
 def representative(word: Word, family: Family) -> Candidate:

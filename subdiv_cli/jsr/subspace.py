@@ -17,19 +17,22 @@ from math import isqrt
 from flint import fmpq_mat, fmpz_mod_ctx, fmpz_mod_mat, fmpz_poly
 
 from subdiv_cli.exact.linalg import identity, matrix, nullspace
+from subdiv_cli.model import Look, no_clock
 
 _TRIES = 12
 MODULI = (fmpz_mod_ctx((1 << 61) - 1), fmpz_mod_ctx((1 << 521) - 1))
 """The moduli, two primes; the second one is for subspaces of larger numbers."""
 
 
-def invariant_subspace(matrices: Sequence[fmpq_mat]) -> fmpq_mat | None:
+def invariant_subspace(matrices: Sequence[fmpq_mat], look: Look = no_clock) -> fmpq_mat | None:
     """A basis of a common invariant subspace, neither 0 nor everything: k rows of N, in reduced echelon form.
 
     All matrices M map it into itself by x -> M x. None where the search fails, which is no proof that there is none.
+    Raises what `look` raises.
     """
     n = matrices[0].nrows()
-    for rows in _candidates(matrices):
+    for rows in _candidates(matrices, look):
+        look()
         echelon, rank = rows.rref()
         basis = fmpq_mat(echelon.tolist()[:rank])
         if 0 < rank < n and _is_invariant(matrices, basis):
@@ -43,16 +46,18 @@ def _is_invariant(matrices: Sequence[fmpq_mat], basis: fmpq_mat) -> bool:
     return not any(any((functionals * (m * columns)).entries()) for m in matrices)
 
 
-def _candidates(matrices: Sequence[fmpq_mat]) -> Iterator[fmpq_mat]:
+def _candidates(matrices: Sequence[fmpq_mat], look: Look) -> Iterator[fmpq_mat]:
     """Matrices whose rows may span an invariant subspace, or 0, or everything."""
     if kernel := nullspace(_stacked(matrices)):
         yield matrix(kernel)
     transposed = [m.transpose() for m in matrices]
     yield _stacked(transposed)
     for a, g in _elements(matrices):
+        look()
         rows, nullity = _spun(matrices, a, g)
         if rows is not None:
             yield rows
+        look()
         rows, _ = _spun(transposed, a.transpose(), g)
         if rows is not None:
             yield matrix(nullspace(rows))

@@ -8,14 +8,29 @@ the verdicts of earlier stages, and answers with findings.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import wraps
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, cast
 
-from subdiv_cli.model import Answer, Data, Effort, Exponent, Finding, Question, Result, Rule, Smoothness, Verdict
+from subdiv_cli.model import (
+    INFINITY,
+    Answer,
+    ClockStruckError,
+    Data,
+    Effort,
+    Exponent,
+    Finding,
+    Question,
+    Result,
+    Rule,
+    Smoothness,
+    Verdict,
+    watch,
+)
 from subdiv_cli.model import findings as questions
-from subdiv_cli.model.findings import answering
+from subdiv_cli.model.findings import Form, answering
 
 if TYPE_CHECKING:
     from subdiv_cli.certificate import Proofs
@@ -49,24 +64,28 @@ class Facts:
         for finding in findings:
             self._by_code[finding.code] = (*self.all(finding.code), finding)
 
-    def all(self, rule: Rule | str) -> tuple[Finding, ...]:
+    def all(self, rule: Rule[Any] | str) -> tuple[Finding, ...]:
         """Every finding of a rule, given itself or by its code."""
         return self._by_code.get(rule if isinstance(rule, str) else rule.code, ())
 
-    def find(self, rule: Rule | str) -> Finding | None:
+    def find(self, rule: Rule[Any] | str) -> Finding | None:
         """The first finding of a rule, None without one."""
         return next(iter(self.all(rule)), None)
 
-    def __getitem__(self, rule: Rule | str) -> Finding:
+    def __getitem__(self, rule: Rule[Any] | str) -> Finding:
         """The first finding of a rule. Raises KeyError without one."""
         return self._by_code[rule if isinstance(rule, str) else rule.code][0]
 
-    def __contains__(self, rule: Rule | str) -> bool:
+    def __contains__(self, rule: Rule[Any] | str) -> bool:
         return bool(self.all(rule))
 
-    def verdict(self, rule: Rule) -> Verdict:
+    def verdict(self, rule: Rule[Any]) -> Verdict:
         """The verdict of the first finding of a rule, UNDECIDED without one."""
         return self[rule].verdict if rule in self else Verdict.UNDECIDED
+
+    def witness(self, rule: Rule[Form]) -> Form:
+        """The witness of the first finding of a rule. Raises KeyError without one, ValueError where it has none."""
+        return rule.witness_of(self[rule])
 
     def findings(self) -> tuple[Finding, ...]:
         """All findings, those of one rule together."""
@@ -75,12 +94,36 @@ class Facts:
 
 Stage = Callable[[Any, Facts], tuple[Finding, ...]]
 """A stage: from the numbers of its kind, and the findings before, to its findings."""
+TIME_ENDED = "the time budget ended"
+
+
+def asking(*asked: tuple[Rule[Any], str]) -> Callable[[Stage], Stage]:
+    """A decorator of a stage whose numbers have an `effort`: what the clock leaves undecided says so.
+
+    Where it strikes in the middle, the stage finds that each of the rules leaves its question undecided.
+    """
+
+    def decorate(stage: Stage) -> Stage:
+        @wraps(stage)
+        def run(numbers: Any, facts: Facts) -> tuple[Finding, ...]:
+            try:
+                findings = stage(numbers, facts)
+            except ClockStruckError:
+                return tuple(rule.undecided(question, TIME_ENDED) for rule, question in asked)
+            if not numbers.effort.struck:
+                return findings
+            return tuple(replace(f, reason=TIME_ENDED) if f.verdict is Verdict.UNDECIDED else f for f in findings)
+
+        return run
+
+    return decorate
 
 
 def run_stages(numbers: Any, stages: Iterable[Stage]) -> tuple[Finding, ...]:
     """The findings of all stages on one scheme, in their order: each speaks of what earlier ones introduced."""
     facts = Facts()
     for stage in stages:
+        watch.begin(stage.__module__.rpartition(".")[2].replace("_", " "))
         facts.add(stage(numbers, facts))
     return facts.findings()
 
@@ -118,10 +161,10 @@ class Part(NamedTuple):
 
     def finding(self, question: Question) -> Finding:
         """The finding that answers a question about the factor. Raises KeyError where there is none."""
-        found = self.find(question)
-        if found is None:
+        finding = self.find(question)
+        if finding is None:
             raise KeyError(question.name)
-        return found
+        return finding
 
     @property
     def name(self) -> str:
@@ -149,8 +192,9 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         return cast("int | None", given.get(question))
 
     refinable = cast(Smoothness, given.get(questions.SMOOTHNESS, Smoothness()))
-    if refinable.order is not None and verdict(questions.NEXT_SMOOTHNESS) is Verdict.REFUTED:
-        refinable = refinable._replace(sharp=True)
+    following = answering(findings, questions.NEXT_SMOOTHNESS)
+    if refinable.order is not None and following is not None and following.verdict is Verdict.REFUTED:
+        refinable = refinable._replace(sharp=following.witness.get("order", refinable.order + 1) == refinable.order + 1)
     convergent = verdict(questions.CONVERGENCE)
     sobolev = cast("Exponent | None", given.get(questions.SOBOLEV))
     return Result(
@@ -167,6 +211,8 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         generation=degree(questions.GENERATION),
         reproduction=degree(questions.REPRODUCTION),
         dimension=degree(questions.DIMENSION),
+        well_defined=verdict(questions.WELL_DEFINED),
+        polynomials=degree(questions.POLYNOMIALS),
         spectral=verdict(questions.SPECTRAL),
         derivatives=degree(questions.DERIVATIVES),
         findings=findings,
@@ -175,7 +221,7 @@ def gather(findings: tuple[Finding, ...]) -> Result:
 
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
-    "generation", "reproduction", "dimension", "spectral", "derivatives",
+    "generation", "reproduction", "dimension", "well_defined", "polynomials", "spectral", "derivatives",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 
@@ -186,7 +232,7 @@ def _holder(given: Mapping[Question, Answer]) -> Exponent | None:
     above = cast("Exponent | None", given.get(questions.HOLDER_UPPER)) or Exponent()
     if below is None:
         return None
-    if below.exact is None or above.upper is None:
+    if below.exact is None or (above.upper is None and below.exact != INFINITY):
         return above._replace(lower=below.lower)
     attained = {Verdict.PROVED: True, Verdict.REFUTED: False}
     return below._replace(attained=attained.get(cast(Verdict, given.get(questions.HOLDER_ATTAINED))))
@@ -261,22 +307,20 @@ class Kind:
     name: str
     keys: tuple[str, ...] = ("mask",)
     """The keys at the top of its files, besides those that all files have."""
-    expects: tuple[str, ...] = (
-        "convergent", "smoothness", "holder", "sobolev", "stable", "generation", "reproduction",
-    )  # fmt: skip
-    """The keys of [expect] that its findings answer."""
     read: Read
     """Reads a mask: from a file's top table, the names of its parameters and a collector of problems to the body.
 
     None where the body is wrong, which is recorded.
     """
+    read_family: Read | None = None
+    """Reads the same files, and more, as families of matrices, for `subdiv jsr`."""
     body_of: Callable[[Any], Body]
     """The literal body of a scheme."""
     spell: Callable[[Any], list[str]]
     """The lines of the file that spell a body."""
     canonical: Callable[[Any], Mapping[str, Any]]
     """The scheme as certificates embed it. Raises ValueError for a number of more than 4300 digits."""
-    rules: Callable[[], Mapping[str, Rule]]
+    rules: Callable[[], Mapping[str, Rule[Any]]]
     """The table of the codes of the kind."""
     analyse: Analyse | None = None
     """All stages under an effort."""

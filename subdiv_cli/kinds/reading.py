@@ -2,32 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 from subdiv_cli.kinds import KINDS, PLANNED, kind_named, kinds_that, lacking
+from subdiv_cli.kinds.kind import Kind
+from subdiv_cli.kinds.option import from_given
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES, at_most
 from subdiv_cli.maskfile.entries import Table, read_parameters, text_at
 from subdiv_cli.maskfile.mask import MaskFile, check_fixed_mask
+from subdiv_cli.maskfile.option import NOTHING_GIVEN, Given
+from subdiv_cli.maskfile.pasted import is_toml
 from subdiv_cli.maskfile.problems import Collector, Fault, MaskFileError, Source, near, shown, unreadable
 from subdiv_cli.maskfile.properties import KEYS, contradictions, expectation
 from subdiv_cli.maskfile.recognise import MARKS
 from subdiv_cli.maskfile.toml import load
 from subdiv_cli.maskfile.values import described
 from subdiv_cli.model import Expectation, Problem
+from subdiv_cli.model.properties import PROPERTIES
 
 _TOP = ("format", "name", "reference", "kind", "parameters", "expect")
 """The keys that files of every kind may have."""
 
 
-def read_path(path: str | Path, *, kind: str | None = None, capability: str = "analyse") -> MaskFile:
+def read_path(
+    path: str | Path, *, kind: str | None = None, capability: str = "analyse", given: Given = NOTHING_GIVEN
+) -> MaskFile:
     """The mask of a file; "-" is standard input. Raises MaskFileError, also for a file that cannot be read (SD002).
 
-    `kind`: the one that is wanted here; another is refused (SD013) before its mask is read, and so is, without it, a
-    kind that does not declare the capability, a field of `Kind`.
+    `kind`: the one whose family of matrices is wanted; another is refused (SD013) before its mask is read, and so is,
+    without it, a kind that does not declare the capability, a field of `Kind`. `given` belongs to a list on standard
+    input.
     """
-    return read_text(text_of(load_path(path), str(path)), file=str(path), wanted=kind, capability=capability)
+    text = text_of(load_path(path), str(path))
+    return read_text(text, file=str(path), wanted=kind, capability=capability, given=given)
 
 
 def load_path(path: str | Path) -> bytes:
@@ -42,9 +51,9 @@ def load_path(path: str | Path) -> bytes:
     return data
 
 
-def read_bytes(data: bytes, *, file: str) -> MaskFile:
+def read_bytes(data: bytes, *, file: str, given: Given = NOTHING_GIVEN) -> MaskFile:
     """The mask in the bytes of a file. Raises MaskFileError and nothing else, whatever the bytes."""
-    return read_text(text_of(data, file), file=file)
+    return read_text(text_of(data, file), file=file, given=given)
 
 
 def text_of(data: bytes, file: str) -> str:
@@ -76,8 +85,18 @@ def _not_utf8(file: str, data: bytes, error: UnicodeDecodeError) -> Problem:
     )
 
 
-def read_text(text: str, *, file: str, wanted: str | None = None, capability: str = "analyse") -> MaskFile:
+def _says_itself(file: str, option: str) -> Problem:
+    """The problem of an option that belongs to a list, beside a mask file on standard input."""
+    message = f"--{option} belongs to a list of coefficients, and this is a mask file"
+    return faults.DUPLICATE_KEY.problem(message, f"write it under [mask]: {option} = …", file=file)
+
+
+def read_text(
+    text: str, *, file: str, wanted: str | None = None, capability: str = "analyse", given: Given = NOTHING_GIVEN
+) -> MaskFile:
     """The mask in the text of a file. Raises MaskFileError and nothing else, whatever the text.
+
+    Standard input, "-", may have a list or a symbol instead, as `--mask` has it.
 
     Expressions without parameters are evaluated, so that their faults are reported here; those of the others come
     from `MaskFile.scheme`.
@@ -85,17 +104,23 @@ def read_text(text: str, *, file: str, wanted: str | None = None, capability: st
     text = text.removeprefix("\ufeff")
     if len(text) > MAX_FILE_BYTES:
         raise MaskFileError([_too_big(file)])
+    if file == "-" and wanted is None:
+        if not is_toml(text):
+            return from_given(text, given, file=file)
+        if given.start is not None or given.arity is not None:
+            raise MaskFileError([_says_itself(file, "start" if given.start is not None else "arity")])
     source = Source(file, text)
     problems = Collector(source)
     document = load(source)
     kind = kind_named(_kind(document, wanted, capability, problems))
+    read = kind.read if wanted is None or kind.read_family is None else kind.read_family
     top = Table(document, (), problems)
     top.only((*_TOP, *kind.keys), _BELONGS if "mask" in kind.keys else {})
     _format(document, problems)
     name, reference = text_at(top, "name"), text_at(top, "reference")
     parameters = read_parameters(top.table("parameters"), problems)
-    body = kind.read(top, parameters, problems)
-    expectations = _expectations(top.table("expect"), kind.expects, problems)
+    body = read(top, parameters, problems)
+    expectations = _expectations(top.table("expect"), kind, problems)
     if body is not None:
         check_fixed_mask(body, problems)
     problems.raise_any()
@@ -146,14 +171,20 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
             where,
         )
     elif wanted is None and (message := lacking(kind, capability)) is not None:
-        help = f"this version reads: {known}"
-        if kind == "matrices":
-            help += "; `subdiv jsr` computes the joint spectral radius of matrices"
-        problems.add(Fault(faults.KIND_NOT_BUILT, message, help), where)
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, f"this version reads: {known}"), where)
+    elif wanted is None and "kind" not in document and kind == "matrices":
+        message = "a family of matrices is a scheme where the file says so"
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, 'add kind = "matrices", or use subdiv jsr'), where)
     else:
         return kind
     problems.raise_any()
     raise AssertionError("unreachable: there is a problem")
+
+
+def _answered(kind: Kind) -> tuple[str, ...]:
+    """The keys of [expect] that findings of a kind answer."""
+    questions = {question for rule in kind.rules().values() for question in rule.answers}
+    return tuple(row.key for row in PROPERTIES if row.expected and row.question in questions)
 
 
 def _has_matrices(mask: object) -> bool:
@@ -187,19 +218,22 @@ def _format(document: Mapping[str, object], problems: Collector) -> None:
             Fault(faults.WRONG_TYPE, f"format must be 1, not {described(version)}", "write format = 1"), ("format",)
         )
     elif version != 1:
-        said = str(version) if version.bit_length() < 64 else "a long number"
+        given = str(version) if version.bit_length() < 64 else "a long number"
         help = "write format = 1, or use a newer subdiv"
-        problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {said}", help), ("format",))
+        problems.add(Fault(faults.WRONG_TYPE, f"format must be 1, not {given}", help), ("format",))
 
 
-def _expectations(table: Table | None, keys: Sequence[str], problems: Collector) -> tuple[Expectation, ...]:
-    """The expectations of [expect], with keys that the kind answers; what is wrong with them is recorded."""
-    found: list[Expectation] = []
+def _expectations(table: Table | None, kind: Kind, problems: Collector) -> tuple[Expectation, ...]:
+    """The expectations of [expect]; what is wrong with them, or not answered by the kind, is recorded."""
+    expectations: list[Expectation] = []
     for key, value in table.data.items() if table else ():
         try:
-            found.append(expectation(key, value, keys))
+            expectations.append(expectation(key, value))
+            if key not in (answered := _answered(kind)):
+                help = f"properties of this kind: {', '.join(answered)}"
+                raise Fault(faults.UNKNOWN_KEY, f"masks of kind {kind.name} have no property {key}", help)
         except Fault as fault:
             problems.add(fault, ("expect", key), of_key=fault.rule is faults.UNKNOWN_KEY)
-    for later, contradiction in contradictions(found):
+    for later, contradiction in contradictions(expectations):
         problems.add(contradiction, ("expect", later))
-    return tuple(found)
+    return tuple(expectations)

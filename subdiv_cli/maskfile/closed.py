@@ -1,6 +1,7 @@
 """Closed forms in expectations: numbers, logarithms to one base gathered into one `Log`, roots, and their order.
 
-A logarithm of a root of a polynomial is one `RootLog`; it is divided, and its root multiplied, by numbers. Which root
+A logarithm of a root of a polynomial is one `RootLog`; it is divided, and its root multiplied, by numbers;
+an integer may be added. Which root
 is meant is decided without floats and without floating algebra, by Vincent, Collins & Akritas: the roots of f in (0, 1)
 are at most as many as (1+t)^n f(1/(1+t)) has changes of sign (Descartes), and where that is 0 or 1 exactly as many;
 otherwise the interval is halved.
@@ -24,11 +25,13 @@ from subdiv_cli.model.closed import (
     MAX_LOG_DIVISOR,
     MAX_ROOT_BITS,
     MAX_ROOT_DEGREE,
-    ClosedForm,
+    FiniteForm,
     Log,
     Root,
     RootLog,
     logarithm,
+    multiplied,
+    plus,
     unpowered,
 )
 
@@ -78,15 +81,6 @@ def _changes(f: Sequence[int]) -> int:
     return sum(x is not y for x, y in pairwise(signs))
 
 
-def multiplied(root: Root, factor: Fraction) -> Root:
-    """The root times a number that is not zero."""
-    n = len(root.coefficients) - 1
-    p, q = factor.as_integer_ratio()
-    coefficients = tuple(c * q**i * p ** (n - i) for i, c in enumerate(root.coefficients))
-    ends = sorted((root.low * factor, root.high * factor))
-    return Root(coefficients, ends[0], ends[1])
-
-
 def inverse(root: Root) -> Root:
     """The root 1/x for a root x, whose bounds have one sign."""
     ends = sorted((1 / root.low, 1 / root.high))
@@ -97,10 +91,10 @@ _GRID = 16
 """The denominator of the grid on which logarithms are enclosed: enough for comparing multiples of their divisor."""
 _LOG = f"write log2(64/9) or -log2({ROOT_FORM})"
 
-_Value = ClosedForm | Root
+_Value = FiniteForm | Root
 
 
-def read_closed_form(text: str, at: int = 0) -> ClosedForm:
+def read_closed_form(text: str, at: int = 0) -> FiniteForm:
     """The exact value of `2`, `1.99`, `log2(64/9)`, `2 - log2(3)`, `-log2(root(x^2-x-1, 1.61, 1.62))/2`. Raises Fault.
 
     Values without roots come in canonical form.
@@ -189,7 +183,7 @@ def _root(node: RootOf) -> _Value:
     return Fraction(-coefficients[0], coefficients[1]) if len(coefficients) == 2 else Root(coefficients, low, high)
 
 
-def _logarithm(node: Logarithm) -> ClosedForm:
+def _logarithm(node: Logarithm) -> FiniteForm:
     argument = _value(node.argument)
     if not 2 <= node.base <= MAX_LOG_BASE:
         raise Fault(
@@ -244,10 +238,13 @@ def _times(x: _Value, factor: Fraction, at: int) -> _Value:
 def _plus(x: _Value, y: _Value, at: int) -> _Value:
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return _bounded(x + y, at)
-    if isinstance(x, Root | RootLog) or isinstance(y, Root | RootLog):
-        raise Fault(faults.BAD_EXPECTATION, "a sum with a root in it is no closed form", _LOG, at)
     if isinstance(x, Fraction):
         x, y = y, x
+    if isinstance(x, RootLog) and isinstance(y, Fraction) and y.denominator == 1:
+        _power(Fraction(x.base), abs(y.numerator) * x.divisor, at)
+        return plus(x, int(y))
+    if isinstance(x, Root | RootLog) or isinstance(y, Root | RootLog):
+        raise Fault(faults.BAD_EXPECTATION, "a sum with a root in it is no closed form", _LOG, at)
     assert isinstance(x, Log)
     if isinstance(y, Fraction):  # y = log_base(base^numerator) / denominator
         y = Log(base=x.base, argument=_power(Fraction(x.base), y.numerator, at), divisor=y.denominator)
@@ -263,7 +260,7 @@ def _plus(x: _Value, y: _Value, at: int) -> _Value:
     return logarithm(x.base, argument, x.divisor * y.divisor)
 
 
-def certainly_less(x: ClosedForm, y: ClosedForm) -> bool:
+def certainly_less(x: FiniteForm, y: FiniteForm) -> bool:
     """Whether x < y, where that is seen exactly: both rational, one base, or apart on a grid; False is unknown."""
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return x < y
@@ -272,7 +269,7 @@ def certainly_less(x: ClosedForm, y: ClosedForm) -> bool:
     return _enclosure(x)[1] <= _enclosure(y)[0]
 
 
-def _enclosure(x: ClosedForm) -> tuple[Fraction, Fraction]:
+def _enclosure(x: FiniteForm) -> tuple[Fraction, Fraction]:
     """The bounds lower < x < upper for an irrational logarithm; x itself twice for a number."""
     if isinstance(x, Fraction):
         return x, x

@@ -10,14 +10,17 @@ parentheses, which is bounded.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_EXPONENT, MAX_NESTING
 from subdiv_cli.maskfile.nodes import Factor, Logarithm, Name, Node, Number, Power, RootOf, Sum, product_of
-from subdiv_cli.maskfile.problems import Fault, Reason, shown
+from subdiv_cli.maskfile.problems import Fault, shown
 from subdiv_cli.maskfile.tokens import Token, number, tokens
 
+_DIGITS_BEFORE = re.compile(r"[0-9]{1,20}\Z")
+_DIGITS = re.compile(r"[0-9]{1,20}")
 ROOT_FORM = "root(x^2-x-1, 1.61, 1.62)"
 
 
@@ -34,6 +37,7 @@ class Parser:
 
     def __init__(self, text: str, names: Collection[str], *, logarithms: bool = False, at: int = 0) -> None:
         self._tokens = tokens(text, at)
+        self._text, self._at = text, at
         self._names = names
         self._logarithms = logarithms
         self._depth = 0
@@ -75,7 +79,10 @@ class Parser:
                 faults.BAD_EXPRESSION, f"the expression ends where {expected} was expected", "complete it", token.at
             )
         if token.kind == ",":
-            help = "write decimals with a point: 0.5"
+            here = token.at - self._at
+            whole, decimals = _DIGITS_BEFORE.search(self._text, 0, here), _DIGITS.match(self._text, here + 1)
+            own = f"{whole[0]}.{decimals[0]}" if whole and decimals else "0.5"
+            help = f"write decimals with a point: {shown(own, 30)}"
         elif token.kind == "^":
             help = "a power needs a base before ^ and a single integer after it: (z^2)^3"
         elif token.kind in ("[", "]"):
@@ -83,8 +90,7 @@ class Parser:
         else:
             help = f"remove it or write {expected} before it"
         message = f'"{shown(token.text)}" stands where {expected} was expected'
-        reason = Reason.COMMA if token.kind == "," else None
-        return Fault(faults.BAD_EXPRESSION, message, help, token.at, reason=reason)
+        return Fault(faults.BAD_EXPRESSION, message, help, token.at)
 
     def sum(self) -> Node:
         """The tree of a sum: product { ("+" | "-") product }."""
@@ -109,12 +115,7 @@ class Parser:
                 factors.append(Factor(self.factor(), divides, where if not divides else self._divisor_at))
             elif self.token.kind in ("name", "("):
                 if factors[-1].divides:
-                    raise Fault(
-                        faults.BAD_EXPRESSION,
-                        f'"{shown(self.token.text)}" directly after a division has two readings',
-                        "write * to multiply, 1/2 * w, or put the divisor in parentheses, 1/(2 w)",
-                        where,
-                    )
+                    raise self._two_readings(at, self._divisor_at)
                 factors.append(Factor(self.power(), False, where))
             elif self.token.kind == "number":
                 raise Fault(
@@ -126,6 +127,22 @@ class Parser:
             else:
                 break
         return factors[0].node if len(factors) == 1 else product_of(factors, at)
+
+    def _two_readings(self, start: int, divisor: int) -> Fault:
+        """The fault of what stands directly after a division that began at `start`."""
+        after = shown(self.token.text, 20) if self.token.kind == "name" else "(…)"
+        before, divided = self._between(start, divisor).rstrip("/ "), self._between(divisor, self.token.at)
+        return Fault(
+            faults.BAD_EXPRESSION,
+            f'"{shown(self.token.text)}" directly after a division has two readings',
+            f"write * to multiply, {before}/{divided} * {after}, or put the divisor in parentheses, "
+            f"{before}/({divided} {after})",
+            self.token.at,
+        )
+
+    def _between(self, start: int, end: int) -> str:
+        """The text between two offsets, for a help."""
+        return shown(self._text[start - self._at : end - self._at].strip(), 30)
 
     def factor(self) -> Node:
         """The tree of a factor: { "-" | "+" } power."""
@@ -148,9 +165,8 @@ class Parser:
         self.advance()
         node = Power(base, self.exponent(), at)
         if self.token.kind == "^":
-            raise Fault(
-                faults.BAD_EXPRESSION, "a power of a power has two readings", "use parentheses: (z^2)^3", self.token.at
-            )
+            help = f"use parentheses: ({self._between(at, self.token.at)})^…"
+            raise Fault(faults.BAD_EXPRESSION, "a power of a power has two readings", help, self.token.at)
         return node
 
     def exponent(self) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import lcm
@@ -13,7 +13,7 @@ from subdiv_cli.maskfile.bounds import MAX_BITS, MAX_DIGITS
 from subdiv_cli.maskfile.expressions import Expression, is_fixed, number_of
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Collector, Fault, Source, near, shown
-from subdiv_cli.model import Expectation, Result
+from subdiv_cli.model import Expectation, Problem, Result
 
 
 class Body(Protocol):
@@ -127,6 +127,15 @@ def parameter_values(
             if number is not None:
                 values[name] = number
     return values
+
+
+def no_such_parameter(name: str, parameters: Collection[str]) -> Problem:
+    """The problem of a value for a parameter that none of several masks has, `parameters` being those of them all."""
+    message = f"no mask here has a parameter {shown(name)}"
+    guess = near(name, parameters)
+    there = ", ".join(shown(p) for p in sorted(parameters)[:8])
+    help = f"did you mean {shown(guess)}?" if guess else f"there are {there}" if there else "leave -p out"
+    return faults.BAD_PARAMETER.problem(message, help, file="-p")
 
 
 def _no_parameter(name: str, parameters: Mapping[str, object]) -> Fault:

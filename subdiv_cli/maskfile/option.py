@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from typing import NamedTuple
 
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
@@ -11,11 +12,23 @@ from subdiv_cli.maskfile.expressions import evaluate
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.problems import Fault, MaskFileError, near, shown
-from subdiv_cli.maskfile.properties import KEYS, TRUTHS, comparison, expectation
+from subdiv_cli.maskfile.properties import KEYS, ORDER, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.model import Expectation
 
-_ORDER = re.compile(r"H?C\^?([0-9]+)")
+
+class Given(NamedTuple):
+    """The command line's words beside a mask that is no file."""
+
+    start: tuple[int, ...] | None = None
+    arity: int | None = None
+    names: tuple[str, ...] = ()
+    """The parameters that -p gives."""
+
+
+NOTHING_GIVEN = Given()
+
+
 _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
 
 
@@ -25,9 +38,8 @@ def parse_override(text: str) -> tuple[str, Fraction]:
     said = name.strip()
     try:
         if not equals:
-            raise Fault(
-                faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', "write NAME=VALUE: -p w=1/20", len(text)
-            )
+            help = f"write NAME=VALUE: -p {shown(said) if is_name(said) else 'w'}=1/20"
+            raise Fault(faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', help, len(text))
         if not is_name(said):
             raise Fault(
                 faults.BAD_PARAMETER, f'"{shown(said)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20"
@@ -58,7 +70,7 @@ def parse_expectation(key: str, value: object) -> Expectation:
 
 
 def parse_property(text: str) -> Expectation:
-    """The expectation that `holder>=1.5`, `C1` or `HC1` (smoothness >= 1), `stable` state. Raises MaskFileError."""
+    """The expectation that `holder>=1.5`, `C1` (smoothness >= 1) or `stable=false` states. Raises MaskFileError."""
     try:
         return _property(text)
     except Fault as fault:
@@ -71,8 +83,9 @@ def _property(text: str) -> Expectation:
     if len(body) > 10_000:
         raise Fault(faults.OUT_OF_BOUNDS, "the property is too long", "write for instance holder>=1.5")
     at = len(text) - len(text.lstrip())
-    if found := _ORDER.fullmatch(body):
-        return comparison("smoothness", f">={found[1]}", at + found.start(1) - 2)
+    if found := ORDER.fullmatch(body):
+        order = 1 if found[1] else 2
+        return comparison("smoothness", f">={found[order]}", at + found.start(order) - 2)
     parts = _PROPERTY.fullmatch(body)
     if parts is None:
         raise Fault(

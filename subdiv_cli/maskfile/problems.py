@@ -36,8 +36,6 @@ class Reason(Enum):
     """A name that is not declared, and the help is to declare it."""
     MISTAKEN = "mistaken"
     """A name that is not declared, and the help says what was probably meant."""
-    COMMA = "comma"
-    """A comma where an expression cannot have one: the text may be a list."""
     NOT_QUOTED = "not quoted"
     """A fraction or an expression that must be a string in TOML."""
 
@@ -218,6 +216,6 @@ def unreadable(file: str, error: OSError) -> Problem:
     return faults.UNREADABLE_FILE.problem(message, help, file=file)
 
 
-def internal_error(error: Exception, help: str | None = None, *, file: str | None = None) -> Problem:
+def internal_error(error: Exception, *, file: str | None = None) -> Problem:
     """The problem of an exception that nobody has foreseen, which is a mistake in this program."""
-    return faults.INTERNAL_ERROR.problem(f"internal error: {type(error).__name__}: {error}", help, file=file)
+    return faults.INTERNAL_ERROR.problem(f"internal error: {type(error).__name__}: {error}", file=file)

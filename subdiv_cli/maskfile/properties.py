@@ -2,8 +2,8 @@
 
 Examples:
 
-    convergent = true      smoothness = 1 (exactly), ">= 1"      holder = "2", ">= log2(3)", "1.99 .. 2.01",
-    "-log2(root(x^2-x-1, 1.61, 1.62))"
+    convergent = true      smoothness = 1 (exactly), "C1", ">= 1", ">= C1"
+    holder = "2", ">= log2(3)", "1.99 .. 2.01", "-log2(root(x^2-x-1, 1.61, 1.62))"
 """
 
 from __future__ import annotations
@@ -18,27 +18,28 @@ from subdiv_cli.maskfile.closed import certainly_less, read_closed_form
 from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.values import Decimal, described
 from subdiv_cli.model import ClosedForm, Expectation
+from subdiv_cli.model.closed import INFINITY, spelled
+from subdiv_cli.model.findings import HOLDER_LOWER, SMOOTHNESS
 from subdiv_cli.model.properties import BY_KEY, EXPECTED
 
 KEYS = EXPECTED
 TRUTHS = tuple(key for key in KEYS if BY_KEY[key].form == "verdict")
-_ORDER = re.compile(r"H?[Cc]\s*\^?\s*\(?([0-9]{1,4})\)?")
+ORDER = re.compile(r"\s*H?[Cc]\s*\^?\s*(?:([0-9]+)|\(([0-9]+)\))\s*")
+"""An order of smoothness as `C1`, `C^1` or `C^(1)`; `HC1` of Hermite schemes."""
+_AT_LEAST = re.compile(r"(?:≥|=>|>)\s*([^\s<>=≤≥].*)", re.DOTALL)
 ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree", "dimension"))
 
 
-def expectation(key: str, value: object, keys: Sequence[str] = KEYS) -> Expectation:
+def expectation(key: str, value: object) -> Expectation:
     """The expectation `key = value` of a file, value as TOML gives it (`Decimal` for a float).
-
-    `keys`: those that the kind of the mask answers.
 
     Raises Fault: SD004 for an unknown key, SD006 for a type, SD010 for a size, SD012 for the rest; its offset counts
     in the string that value is.
     """
-    if key not in keys:
-        guess = None if key in KEYS else near(key, keys)
-        help = f"did you mean {guess}?" if guess else "properties: " + ", ".join(keys)
-        what = f"masks of this kind have no property {key}" if key in KEYS else f'there is no property "{shown(key)}"'
-        raise Fault(faults.UNKNOWN_KEY, what, help)
+    if key not in KEYS:
+        guess = near(key, KEYS)
+        help = f"did you mean {guess}?" if guess else "properties: " + ", ".join(KEYS)
+        raise Fault(faults.UNKNOWN_KEY, f'there is no property "{shown(key)}"', help)
     if key in TRUTHS:
         if isinstance(value, bool):
             return Expectation(key=key, text=str(value).lower(), lower=value, upper=value)
@@ -70,28 +71,24 @@ def comparison(key: str, text: str, at: int = 0) -> Expectation:
     at += len(text) - len(body)
     body = body.rstrip()
     if body.startswith(("≥", "=>", "≤", "<", ">")) and not body.startswith(">="):
-        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:2].strip())}" is no comparison here', _form(key), at)
+        least = _AT_LEAST.match(body)
+        help = f'write {key} = ">= {shown(least[1], 30)}" for at least' if least else _form(key)
+        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:2].strip())}" is no comparison here', help, at)
     equals = len(body) - len(body.lstrip("="))
     if equals > 2:
         raise Fault(faults.BAD_EXPECTATION, f'"{shown(body[:equals])}" is no comparison here', _form(key), at)
     at += len(body) - len(body[equals:].lstrip())
     body = body[equals:].strip()
     if body.startswith(">="):
-        if key == "smoothness" and (order := _ORDER.fullmatch(body[2:].strip())):
-            raise Fault(
-                faults.BAD_EXPECTATION, f'"{shown(body)}" gives no integer', f'write smoothness = ">= {order[1]}"', at
-            )
         lower = _number(key, body[2:], at + 2)
         return Expectation(key=key, text=f">= {body[2:].strip()}", lower=lower)
     if ".." in body:
         first, second = body.split("..", 1)
         lower, upper = _number(key, first, at), _number(key, second, at + len(first) + 2)
-        if certainly_less(Fraction(upper) if isinstance(upper, int) else upper, _closed(lower)):
+        if _is_less(upper, lower):
             help = "write the smaller end first: 1.99 .. 2.01"
             raise Fault(faults.BAD_EXPECTATION, f"the interval {shown(body)} is empty", help, at)
         return Expectation(key=key, text=f"{first.strip()} .. {second.strip()}", lower=lower, upper=upper)
-    if key == "smoothness" and (order := _ORDER.fullmatch(body)):
-        raise Fault(faults.BAD_EXPECTATION, f'"{shown(body)}" is no integer', f"write smoothness = {order[1]}", at)
     value = _number(key, body, at)
     return Expectation(key=key, text=body, lower=value, upper=value)
 
@@ -103,14 +100,25 @@ def _form(key: str) -> str:
     return f'write {key} = "2" for exactly, ">= 1.99" for at least, or "1.99 .. 2.01"'
 
 
-def _closed(value: int | ClosedForm) -> ClosedForm:
-    return Fraction(value) if isinstance(value, int) else value
+def _is_less(x: int | ClosedForm, y: int | ClosedForm) -> bool:
+    """Whether x < y for certain; infinity is beyond all other numbers."""
+    x, y = (Fraction(value) if isinstance(value, int) else value for value in (x, y))
+    if isinstance(x, float) or isinstance(y, float):
+        return not isinstance(x, float)
+    return certainly_less(x, y)
 
 
 def _number(key: str, text: str, at: int) -> int | ClosedForm:
-    """The number of an expectation: an integer 0 … MAX_ORDER for an order, a closed form for an exponent."""
+    """The number of an expectation: an integer 0 … MAX_ORDER for an order, a closed form for an exponent.
+
+    `infinity`, of polynomial curves, is an order of smoothness and a Hölder exponent.
+    """
+    if text.strip() == spelled(INFINITY) and BY_KEY[key].question in (SMOOTHNESS, HOLDER_LOWER):
+        return INFINITY
     if not text.strip():
         raise Fault(faults.BAD_EXPECTATION, f"a number is missing in the expected {key}", _form(key), at)
+    if key == "smoothness" and (order := ORDER.fullmatch(text)):
+        at, text = at + max(order.start(1), order.start(2)), order[1] or order[2]
     try:
         value = read_closed_form(text, at)
     except Fault as fault:
@@ -151,7 +159,7 @@ def contradictions(expectations: Sequence[Expectation]) -> list[tuple[str, Fault
 
 def _above(x: Expectation, y: Expectation, why: str) -> str | None:
     """The text `why` where everything that x allows is more than everything that y allows, else None."""
-    if y.upper is not None and certainly_less(_closed(y.upper), _closed(x.lower)):
+    if y.upper is not None and _is_less(y.upper, x.lower):
         return why
     return None
 
@@ -183,7 +191,7 @@ def _reproduction_generation(reproduction: Expectation, generation: Expectation)
 def _smoothness_holder(smoothness: Expectation, holder: Expectation) -> str | None:
     if why := _above(smoothness, holder, "C^n has a Hölder exponent of at least n"):
         return why
-    if not isinstance(smoothness.upper, int):
+    if not isinstance(smoothness.upper, int):  # bounded from below alone, or infinite
         return None
     ceiling = Expectation(key="holder", text="", lower=Fraction(0), upper=Fraction(smoothness.upper + 1))
     return _above(holder, ceiling, "a Hölder exponent above n + 1 means C^(n+1)")

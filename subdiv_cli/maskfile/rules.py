@@ -52,10 +52,12 @@ NO_REPORT = FaultRule("SD020", "no-report", "write one with `subdiv check … --
 BAD_POINTS = FaultRule("SD021", "bad-points")
 BAD_DILATION = FaultRule("SD022", "bad-dilation")
 BAD_SHAPE = FaultRule("SD023", "bad-shape")
+ROW_SUM = FaultRule("SD024", "row-sum")
 INTERNAL_ERROR = FaultRule(
     "SD099",
     "internal-error",
-    "this is a fault of subdiv and not of the mask: please report it with the mask file and `--debug`",
+    "this is a fault of subdiv and not of the mask: please report it with the mask file, the output of "
+    "`subdiv --version` and what the same command with `--debug` prints",
 )
 
 ROWS: Mapping[str, FaultRule] = {row.code: row for row in list(globals().values()) if isinstance(row, FaultRule)}

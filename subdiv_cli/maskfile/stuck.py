@@ -89,6 +89,7 @@ def _split(name: str, names: Collection[str]) -> list[str]:
 _ELEMENT = re.compile(r"[^,\[\]{}#\r\n\"']*")
 _TOML_NUMBER = re.compile(r"[+-]?(0|[1-9][0-9]*)(\.[0-9]+)?")
 _KEY_LINE = re.compile(r"([^=#\"'\r\n]*)=[ \t]*([^\r\n]*)")
+_REST = re.compile(r"[^\r\n]*")
 _SAFE_VALUE = re.compile(r"(\"[^\"\\]{0,40}\"|[+-]?(?:0|[1-9][0-9]{0,9})(?:\.[0-9]{1,20})?)[ \t]*(?:#.*)?")
 _WHOLE_PART = re.compile(r"(?<![0-9.])([+-]?[0-9]+),\Z")
 _BESIDE_VALUES = ("//", "/*", ";")
@@ -296,7 +297,9 @@ def equals(text: str, start: int, at: int) -> Fault:
         return fault
     name = shown(text[start:at].strip())
     message = f'"=" was expected after the key {name}, not {_here(text, at)}'
-    help = f"write {name} = value"
+    line = _REST.match(text, at + 1)
+    value = _SAFE_VALUE.fullmatch(line[0].strip()) if line and text[at : at + 1] == ":" else None
+    help = f"write {name} = {value[1] if value else 'value'}"
     if text[at : at + 1] == ",":
         help = f'an index is a key in quotes: "{name},0" = 1'
     return Fault(faults.TOML_SYNTAX, message, help, at)

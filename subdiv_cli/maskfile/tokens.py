@@ -25,6 +25,8 @@ class Token(NamedTuple):
 _SPACE = re.compile(r"[ \t\r\n]*")
 _NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _ASCII_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_BASE = re.compile(r"(\)|[A-Za-z0-9_.]{1,30})[ \t]*\Z")
+_POWER = re.compile(r"[ \t]*([+-]?[0-9]{1,10})")
 _OPERATORS = frozenset("+-*/^()[],")
 
 
@@ -38,9 +40,10 @@ def tokens(text: str, at: int = 0) -> Iterator[Token]:
         c = text[position]
         if c in _OPERATORS:
             if text.startswith("**", position):
-                raise Fault(
-                    faults.BAD_EXPRESSION, '"**" is not the power here', "write ^ for a power: z^2", at + position
-                )
+                base, power = _BASE.search(text, 0, position), _POWER.match(text, position + 2)
+                own = f"{base[1] if base and base[1] != ')' else '(…)'}^{power[1] if power else 2}"
+                help = f"write ^ for a power: {shown(own)}"
+                raise Fault(faults.BAD_EXPRESSION, '"**" is not the power here', help, at + position)
             kind, end = c, position + 1
         elif found := _NUMBER.match(text, position):
             kind, end = "number", found.end()

@@ -9,6 +9,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
+from subdiv_cli.model.formulas import derivative
+
 if TYPE_CHECKING:
     from subdiv_cli.model import Result
     from subdiv_cli.model.findings import Data, Finding, Question
@@ -87,7 +89,15 @@ class Curve(NamedTuple):
     name: str = "φ"
     """The name of the function."""
     label: str = ""
-    """What tells it from other functions of that name; nothing where it is the only one."""
+    """What tells it from others of that name, its data or its own name; nothing where it is the only one."""
+
+    @property
+    def title(self) -> str:
+        """The name of this curve alone: `φ''`, the component `ψ_1`, `f' for the data e_1`."""
+        if self.label.startswith(f"{self.name}_"):
+            return self.label
+        name = derivative(self.name, self.order)
+        return f"{name} for the data {self.label}" if self.label else name
 
 
 class Polygon(NamedTuple):

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from fractions import Fraction
-from math import gcd
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 _Number = TypeVar("_Number", int, Fraction)
 
@@ -46,10 +46,13 @@ class RootLog(NamedTuple):
         return self.text
 
 
+INFINITY = math.inf
+"""The exponent and the order of smoothness of polynomials; there is no other float among closed forms."""
 LogForm = Fraction | Log
 """A closed form without roots: `2`, `log2(64/9)`."""
-ClosedForm = LogForm | RootLog
-"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`, `-log2(root(x^2-x-1, 1.6180, 1.6181))`."""
+FiniteForm = LogForm | RootLog
+ClosedForm = FiniteForm | float
+"""An exponent known exactly: `2`, `log2(64/9)`, `log3(11)/2`, `-log2(root(x^2-x-1, 1.6180, 1.6181))`, `infinity`."""
 
 MAX_LOG_BASE = 1024
 MAX_LOG_DIVISOR = 256
@@ -58,10 +61,14 @@ MAX_LOG_BITS = 1024
 MAX_ROOT_BITS = 3322
 """The most bits of the coefficients of a root's polynomial: a thousand digits."""
 MAX_ROOT_DEGREE = 64
+_LONGEST_BRIEF = 24
+"""The most characters of a closed form that is read at a glance."""
 
 
 def spelled(x: ClosedForm) -> str | None:
     """A closed form as text that expectations read again; None for one that is beyond the bounds of their grammar."""
+    if x == INFINITY:
+        return "infinity"
     if isinstance(x, RootLog):
         bits = max(abs(c).bit_length() for c in x.root.coefficients)
         long = bits > MAX_ROOT_BITS or len(x.root.coefficients) > MAX_ROOT_DEGREE + 1 or x.divisor > MAX_LOG_DIVISOR
@@ -70,6 +77,11 @@ def spelled(x: ClosedForm) -> str | None:
         bits = max(abs(part).bit_length() for part in parts)
         long = bits > MAX_LOG_BITS or (isinstance(x, Log) and x.divisor > MAX_LOG_DIVISOR)
     return None if long else str(x)
+
+
+def is_brief(text: str) -> bool:
+    """Whether a closed form is read at a glance, and stands before its digits: `log2(64/9)`, but no `root(…)`."""
+    return "root(" not in text and len(text) <= _LONGEST_BRIEF
 
 
 def root_log_text(base: int, polynomial: str, low: str, high: str, divisor: int) -> str:
@@ -116,27 +128,23 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
     return Log(base=base, argument=argument, divisor=divisor)
 
 
-def less(x: ClosedForm, n: int) -> ClosedForm:
-    """The number x - n, n >= 0: of a root that of the root times a power of the base, in decimals that isolate it."""
+def plus(x: FiniteForm, n: int) -> FiniteForm:
+    """The number x + n, n an integer: of a root that of the root times a power of the base, spelled as a sum."""
     if isinstance(x, Fraction):
-        return x - n
-    scale: int = x.base ** (n * x.divisor)
+        return x + n
+    scale = Fraction(x.base) ** (-n * x.divisor)
     if isinstance(x, Log):
         return logarithm(x.base, x.argument / scale, x.divisor)
-    f, low, high = x.root
-    scaled = [c * scale ** (len(f) - 1 - i) for i, c in enumerate(f)]
-    coefficients = tuple(c // gcd(*scaled) for c in scaled)
-    below, above = x.text[x.text.index(", ") + 2 : x.text.index("))")].split(", ")
-    polynomial = spelled_terms(reversed(list(enumerate(coefficients))), "x", "*", str)
-    text = root_log_text(x.base, polynomial, _times(below, scale), _times(above, scale), x.divisor)
-    return RootLog(x.base, Root(coefficients, low * scale, high * scale), x.divisor, text)
+    return RootLog(x.base, multiplied(x.root, scale), x.divisor, f"{x.text}{n:+d}" if n else x.text)
 
 
-def _times(decimal: str, factor: int) -> str:
-    """A decimal times an integer, both positive, as a decimal."""
-    whole, _, places = decimal.partition(".")
-    digits = str(int(whole + places) * factor).zfill(len(places) + 1)
-    return f"{digits[: len(digits) - len(places)]}.{digits[len(digits) - len(places) :]}"
+def multiplied(root: Root, factor: Fraction) -> Root:
+    """The root times a number that is not zero."""
+    n = len(root.coefficients) - 1
+    p, q = factor.as_integer_ratio()
+    coefficients = [c * q**i * p ** (n - i) for i, c in enumerate(root.coefficients)]
+    low, high = sorted((root.low * factor, root.high * factor))
+    return Root(tuple(c // math.gcd(*coefficients) for c in coefficients), low, high)
 
 
 def unpowered(base: int, divisor: int) -> tuple[int, int]:
@@ -167,6 +175,14 @@ def rational(x: Fraction | int) -> str:
     """The text `p/q`, or `p` for an integer, of any length: Python itself refuses more than 4300 digits."""
     x = Fraction(x)
     return _integer_text(x.numerator) + ("" if x.denominator == 1 else f"/{_integer_text(x.denominator)}")
+
+
+Nested = Fraction | int | tuple["Nested", ...]
+
+
+def rationals(numbers: Nested) -> Any:
+    """Nested tuples of rationals as nested lists of their texts, integers too."""
+    return [rationals(x) for x in numbers] if isinstance(numbers, tuple) else rational(numbers)
 
 
 def _integer_text(n: int) -> str:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
-from subdiv_cli.model import Data
+from subdiv_cli.model.proofs import RadiusProof, WordBound
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,10 +31,12 @@ class FamilyRadius:
     bounded: bool = False
     """Whether it is proved that all products of L matrices have norms <= C ρ^L."""
     stopped: Literal["budget"] | None = None
-    proof: Mapping[str, Data] = field(default_factory=dict)
+    proof: RadiusProof | None = None
     """The proof of the upper bound, or of ρ itself."""
-    below: Mapping[str, Data] = field(default_factory=dict)
-    """The proof of the lower bound, where ρ itself is not proved: `word`, and `bound` below its spectral radius."""
+    left_out: str | None = None
+    """The reason why a better bound is not here, where there is one that the checker has not verified."""
+    below: WordBound | None = None
+    """The proof of the lower bound, where ρ itself is not proved."""
 
     @property
     def width(self) -> float:

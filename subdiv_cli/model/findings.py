@@ -6,14 +6,14 @@ question. A rule is a row of a kind's table: what all findings of one code share
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
 from math import inf, nextafter
-from typing import NamedTuple, NoReturn
+from typing import Any, Generic, NamedTuple, NoReturn, TypeVar, cast
 
-from subdiv_cli.model.closed import ClosedForm, less
+from subdiv_cli.model.closed import ClosedForm, plus
 
 Data = None | bool | int | str | Fraction | tuple["Data", ...] | Mapping[str, "Data"]
 """Exact plain data, as facts and witnesses hold it. Floats are left out on purpose."""
@@ -45,9 +45,12 @@ class Interval(NamedTuple):
 
 
 class Smoothness(NamedTuple):
-    """A smoothness: `order` is the largest n with C^n proved, None where not even continuity is."""
+    """A smoothness: `order` is the largest n with C^n proved, None where not even continuity is.
 
-    order: int | None = None
+    It is INFINITY for polynomials, and then sharp.
+    """
+
+    order: int | float | None = None
     sharp: bool = False
     """Whether C^(order+1) is refuted; without an order, whether continuity is."""
 
@@ -69,7 +72,7 @@ class Exponent(NamedTuple):
         return Exponent(
             lower=None if self.lower is None else _outward(Fraction(self.lower) - n, -inf),
             upper=None if self.upper is None else _outward(Fraction(self.upper) - n, inf),
-            exact=None if self.exact is None else less(self.exact, n),
+            exact=self.exact if self.exact is None or isinstance(self.exact, float) else plus(self.exact, -n),
             attained=self.attained,
             digits=None if self.digits is None else _digits_less(self.digits, n),
         )
@@ -125,6 +128,10 @@ STABILITY = Question("stability")
 """Are the integer translates of φ stable? Answered by a verdict."""
 DIMENSION = Question("dimension")
 """The dimension of the space E_A of constants of a mask of matrices: an integer."""
+WELL_DEFINED = Question("well_defined")
+"""Do the ends of the pieces meet, so that there is one curve? Answered by a verdict."""
+POLYNOMIALS = Question("polynomials")
+"""The degree of the polynomials among the components of the curve; None where there is no curve."""
 SPECTRAL = Question("spectral")
 """Has a Hermite scheme the spectral condition, up to the order of its derivatives? Answered by a verdict."""
 DERIVATIVES = Question("derivatives")
@@ -133,7 +140,7 @@ QUASI_INTERPOLATION = Question("quasi_interpolation")
 """The operator Q with S^∞ Q = 1 on the polynomials that are generated. Answered by a verdict."""
 
 _EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV))
-_DEGREES = frozenset(question.name for question in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION, DERIVATIVES))
+_DEGREES = frozenset(q.name for q in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION, POLYNOMIALS, DERIVATIVES))
 
 Answer = Verdict | int | Smoothness | Exponent | None
 
@@ -156,7 +163,7 @@ class Finding:
     reason: str | None = None
     """The reason why it is undecided or skipped."""
     why: str | None = None
-    """Where the statement is `what: why`, the second half: for those who have said what."""
+    """The part of the statement that says why, for those who have said what; None where it says only what."""
     value: Interval | None = None
     witness: Mapping[str, Data] = field(default_factory=dict)
     """Data from which the verdict can be rechecked without a search; the stage's docstring explains the keys."""
@@ -166,12 +173,36 @@ class Finding:
     """The number that the finding is about, where it is known exactly."""
     claims: tuple[int, ...] = ()
     """The claims of the certificate that state the same, checked independently."""
+    otherwise: tuple[Finding, ...] = field(default=(), repr=False)
+    """Findings of the rule that prove no more, by other routes: the first that can be certified, where this cannot."""
+
+
+def best_of(findings: Sequence[Finding]) -> Finding:
+    """The first of several findings of a rule, the strongest one, with the others as what is proved otherwise."""
+    return replace(findings[0], otherwise=tuple(findings[1:]))
 
 
 TOO_DEAR = "its proof asks more work of the checker than it does"
 UNWRITTEN = "its proof costs too much to write down; a higher --effort may do it"
-UNCERTIFIED = (TOO_DEAR, UNWRITTEN)
+OUT_OF_TIME = "the time budget ended before its proof was checked"
+UNCERTIFIED = (TOO_DEAR, UNWRITTEN, OUT_OF_TIME)
 """The reasons of a finding that would be decided, had it a place in the certificate."""
+
+
+Form = TypeVar("Form", bound=Mapping[str, object])
+"""A TypedDict: the form that the witnesses of a rule have, or the further data of a certificate."""
+
+
+def _in_form(data: Mapping[str, Data], form: type[Form], code: str) -> Form:
+    required, optional = (vars(form)[f"__{keys}_keys__"] for keys in ("required", "optional"))
+    if not required <= data.keys() <= required | optional:
+        raise ValueError(f"the data of {code} are no {form.__name__}: they have the keys {', '.join(data)}")
+    return cast(Form, data)
+
+
+def proof_of(finding: Finding, form: type[Form]) -> Form:
+    """The further data of a finding in their form. Raises ValueError where they have other keys."""
+    return _in_form(finding.proof, form, finding.code)
 
 
 def uncertified(finding: Finding, reason: str) -> Finding:
@@ -180,31 +211,36 @@ def uncertified(finding: Finding, reason: str) -> Finding:
         finding,
         verdict=Verdict.UNDECIDED,
         statement=f"not certified: {finding.statement}",
-        answers=tuple((question, _told(question, Verdict.UNDECIDED, None, None)) for question, _ in finding.answers),
+        answers=tuple((each, _following(each, Verdict.UNDECIDED, None, None)) for each, _ in finding.answers),
         reason=reason,
+        why=None,
         value=None,
         witness={},
         proof={},
         closed=None,
+        otherwise=(),
     )
 
 
-def answering(findings: Iterable[Finding], *asked: Question) -> Finding | None:
+def answering(findings: Iterable[Finding], *questions: Question) -> Finding | None:
     """The finding that answers the first of these questions that is answered at all; None where none is."""
     answers = {question: finding for finding in findings for question, _ in finding.answers}
-    return next((answers[question] for question in asked if question in answers), None)
+    return next((answers[question] for question in questions if question in answers), None)
 
 
 Answers = Mapping[Question, Answer]
-Witness = Mapping[str, Data]
+Further = Mapping[str, object]
+"""Further data for the certificate, a TypedDict."""
 
 
-class Rule(NamedTuple):
+class Rule(NamedTuple, Generic[Form]):
     """A row of a kind's table of codes: what its findings share, and the four verdicts they can have."""
 
     code: str
     name: str
     source: str
+    witness: type[Form]
+    """The form of the witnesses, a TypedDict: stages write it, and claims read it by `witness_of`."""
     answers: tuple[Question, ...] = ()
     proves: frozenset[str] = frozenset()
     """The properties that claims of its decided findings state."""
@@ -216,50 +252,65 @@ class Rule(NamedTuple):
     def proved(
         self,
         statement: str,
-        witness: Witness,
+        witness: Form,
         value: Interval | None = None,
         closed: ClosedForm | None = None,
-        proof: Witness | None = None,
+        proof: Further | None = None,
         answers: Answers | None = None,
+        why: str | None = None,
     ) -> Finding:
         """A finding that is proved; `answers` are those that follow neither from the verdict nor from the value."""
-        return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers)
+        return self._finding(Verdict.PROVED, statement, None, witness, value, closed, proof, answers, why)
 
     def refuted(
-        self, statement: str, witness: Witness, answers: Answers | None = None, why: str | None = None
+        self,
+        statement: str,
+        witness: Form,
+        answers: Answers | None = None,
+        why: str | None = None,
+        proof: Further | None = None,
     ) -> Finding:
-        """A finding that is refuted; `why` is put behind the statement."""
-        statement = f"{statement}: {why}" if why else statement
-        return replace(self._finding(Verdict.REFUTED, statement, None, witness, answers=answers), why=why)
+        """A finding that is refuted."""
+        return self._finding(Verdict.REFUTED, statement, None, witness, proof=proof, answers=answers, why=why)
 
-    def undecided(self, asked: str, reason: str, witness: Witness | None = None) -> Finding:
+    def undecided(self, question: str, reason: str, witness: Form | None = None) -> Finding:
         """A finding that could not be decided: the question, and why."""
-        return self._finding(Verdict.UNDECIDED, asked, reason, witness)
+        return self._finding(Verdict.UNDECIDED, question, reason, witness)
 
-    def skipped(self, asked: str, reason: str) -> Finding:
+    def skipped(self, question: str, reason: str) -> Finding:
         """A finding of a question that makes no sense for the scheme, and why."""
-        return self._finding(Verdict.SKIPPED, asked, reason)
+        return self._finding(Verdict.SKIPPED, question, reason)
+
+    def form(self, data: Mapping[str, Data]) -> Form:
+        """Plain data as a witness of this rule. Raises ValueError where they have other keys."""
+        return _in_form(data, self.witness, self.code)
+
+    def witness_of(self, finding: Finding) -> Form:
+        """The witness of a finding of this rule. Raises ValueError where it has other keys."""
+        return self.form(finding.witness)
 
     def _finding(
         self,
         verdict: Verdict,
         statement: str,
         reason: str | None,
-        witness: Witness | None = None,
+        witness: Form | None = None,
         value: Interval | None = None,
         closed: ClosedForm | None = None,
-        proof: Witness | None = None,
+        proof: Further | None = None,
         answers: Answers | None = None,
+        why: str | None = None,
     ) -> Finding:
-        told = {question: _told(question, verdict, value, closed) for question in self.answers} | dict(answers or {})
+        following = {question: _following(question, verdict, value, closed) for question in self.answers}
+        data, further = (cast(Mapping[str, Data], each or {}) for each in (witness, proof))
         return Finding(
             code=self.code, name=self.name, verdict=verdict, statement=statement, source=self.source,
-            answers=tuple(told.items()), reason=reason, value=value, witness=witness or {}, proof=proof or {},
-            closed=closed,
+            answers=tuple((following | dict(answers or {})).items()), reason=reason, why=why, value=value, witness=data,
+            proof=further, closed=closed,
         )  # fmt: skip
 
 
-def _told(question: Question, verdict: Verdict, value: Interval | None, closed: ClosedForm | None) -> Answer:
+def _following(question: Question, verdict: Verdict, value: Interval | None, closed: ClosedForm | None) -> Answer:
     """The answer to a question that follows from the verdict and the value of a finding."""
     if question.name in _EXPONENTS:
         value = value or Interval()
@@ -275,20 +326,24 @@ def row(
     code: str,
     name: str,
     source: str,
+    witness: type[Form],
     answers: Question | tuple[Question, ...] = (),
     proves: str = "",
     holds: bool = False,
     radius: bool = False,
-) -> Rule:
-    """The rule of a row; `answers` is one question or several, `proves` the properties, separated by blanks."""
+) -> Rule[Form]:
+    """The rule of a row, with the form of its witnesses.
+
+    `answers` is one question or several, `proves` the properties, separated by blanks.
+    """
     several = (answers,) if isinstance(answers, Question) else answers
-    return Rule(code, name, source, several, frozenset(proves.split()), holds, radius)
+    return Rule(code, name, source, witness, several, frozenset(proves.split()), holds, radius)
 
 
-def table(names: Mapping[str, object]) -> Mapping[str, Rule]:
+def table(names: Mapping[str, object]) -> Mapping[str, Rule[Any]]:
     """The rows among the names of a module, by their codes. Raises ValueError for a code that stands twice."""
     rows = [value for value in names.values() if isinstance(value, Rule)]
-    found = {rule.code: rule for rule in rows}
-    if len(found) < len(rows):
+    by_code = {rule.code: rule for rule in rows}
+    if len(by_code) < len(rows):
         raise ValueError("a code stands twice")
-    return found
+    return by_code

@@ -11,6 +11,10 @@ from subdiv_cli.model.closed import rational
 _LONGEST_EXACT = 24
 _LONGEST_BRIEF = 26
 _DIGITS = 10
+_MOST_DIGITS = 9
+"""The most digits of a fraction whose size is seen without a decimal."""
+_BESIDE = 4
+"""The places of a decimal that stands beside a fraction."""
 _LONGEST_BITS = 256
 """The bits from which on only leading digits are shown: huge integers are slow to print."""
 _VARIABLES = "xyzw"
@@ -24,6 +28,22 @@ def number(x: Fraction) -> str:
     """A rational as text: `-7/16`; one with a long spelling as its first digits, `0.43843…`, cut and not rounded."""
     short = is_short(x) and len(str(x)) <= _LONGEST_EXACT
     return str(x) if short else truncated(x)
+
+
+def valued(x: Fraction) -> str:
+    """A rational in a sentence: as `number`, one of ten digits or more with its decimal, `16295/16384 = 0.9945…`."""
+    text = number(x)
+    return text if "…" in text or is_plain(x) else f"{text} = {truncated(x, _BESIDE)}"
+
+
+def is_plain(x: Fraction) -> bool:
+    """Whether a rational says its size by itself: an integer, or a fraction of up to nine digits."""
+    return x.denominator == 1 or (is_short(x) and sum(map(str.isdigit, str(x))) <= _MOST_DIGITS)
+
+
+def sized(x: Fraction) -> str:
+    """A rational in a series: a fraction of ten digits or more as its first digits, `0.9945…`."""
+    return rational(x) if is_plain(x) else truncated(x, _BESIDE)
 
 
 def near_one(x: Fraction) -> str:

@@ -50,14 +50,14 @@ def _yes_or_no(verdict: Verdict, expectation: Expectation) -> Verdict:
     return Verdict.UNDECIDED
 
 
-def _smoothness(expectation: Expectation, found: Result) -> Verdict:
-    if found.convergent is Verdict.REFUTED:
+def _smoothness(expectation: Expectation, result: Result) -> Verdict:
+    if result.convergent is Verdict.REFUTED:
         return Verdict.REFUTED
-    order = found.smoothness.order
-    return _within(expectation, order, order if found.smoothness.sharp else None)
+    order = result.smoothness.order
+    return _within(expectation, order, order if result.smoothness.sharp else None)
 
 
-def _within(expectation: Expectation, at_least: int | None, at_most: int | None) -> Verdict:
+def _within(expectation: Expectation, at_least: int | float | None, at_most: int | float | None) -> Verdict:
     """The verdict on an integer between two bounds, None for no bound, against the expected range."""
     low, high = expectation.lower, expectation.upper
     if isinstance(low, Log | RootLog) or isinstance(high, Log | RootLog):
@@ -69,11 +69,11 @@ def _within(expectation: Expectation, at_least: int | None, at_most: int | None)
     return Verdict.PROVED if reaches and stays else Verdict.UNDECIDED
 
 
-def _exponent(compare: Compare, expectation: Expectation, found: Exponent | None) -> Verdict:
-    if found is None:
+def _exponent(compare: Compare, expectation: Expectation, exponent: Exponent | None) -> Verdict:
+    if exponent is None:
         return Verdict.UNDECIDED
     low, high = _closed(expectation.lower), expectation.upper
-    lower, upper = _ends(found)
+    lower, upper = _ends(exponent)
     below = None if upper is None else compare(upper, low)
     above = None if high is None or lower is None else compare(lower, _closed(high))
     if below == -1 or above == 1:
@@ -83,12 +83,12 @@ def _exponent(compare: Compare, expectation: Expectation, found: Exponent | None
     return Verdict.PROVED if reaches and stays else Verdict.UNDECIDED
 
 
-def _ends(found: Exponent) -> tuple[ClosedForm | None, ClosedForm | None]:
-    if found.exact is not None:
-        return found.exact, found.exact
+def _ends(exponent: Exponent) -> tuple[ClosedForm | None, ClosedForm | None]:
+    if exponent.exact is not None:
+        return exponent.exact, exponent.exact
     return (
-        None if found.lower is None else Fraction(found.lower),
-        None if found.upper is None else Fraction(found.upper),
+        None if exponent.lower is None else Fraction(exponent.lower),
+        None if exponent.upper is None else Fraction(exponent.upper),
     )
 
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import lcm
 
-from subdiv_cli.model.closed import ClosedForm, Root, RootLog
+from subdiv_cli.model.closed import INFINITY, ClosedForm, Root, RootLog
 
 _BITS = 272
 _DIGITS = {False: 40, True: 90}
@@ -22,9 +22,11 @@ _SPARE = 15
 
 @lru_cache(maxsize=256)
 def enclosure(x: ClosedForm, *, refined: bool = False) -> tuple[Fraction, Fraction]:
-    """The bounds lower <= x <= upper, to some 20 digits at least; `refined`, to 70."""
+    """The bounds lower <= x <= upper, to some 20 digits; `refined`, to 70. Raises OverflowError at infinity."""
     if isinstance(x, Fraction):
         return x, x
+    if isinstance(x, float):
+        raise OverflowError("infinity has no bounds")
     if isinstance(x, RootLog):
         low, high = _narrowed(x.root) if refined else (x.root.low, x.root.high)
         value, error = _exponent(1 / low, x.base, x.divisor, refined)
@@ -44,6 +46,8 @@ def compare(a: ClosedForm, b: ClosedForm) -> int | None:
     """The sign of a - b; None where 256 bits do not tell, as with equal numbers that are not written alike."""
     if a == b or _are_one(a, b):
         return 0
+    if INFINITY in (a, b):
+        return 1 if a == INFINITY else -1
     for refined in (False, True):
         (low, high), (lower, upper) = enclosure(a, refined=refined), enclosure(b, refined=refined)
         if low > upper or high < lower:

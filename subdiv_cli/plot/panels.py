@@ -50,12 +50,12 @@ def panels(masks: Sequence[Drawn]) -> list[Panel | Map]:
             elif isinstance(block, Heights):
                 where = f"φ(x, y, {', '.join(map(rational, block.at))})" if block.at else "φ"
                 maps.append(Map(f"{where} — {mask.title}", block))
-    found: list[Panel | Map] = [
+    panels: list[Panel | Map] = [
         Panel(f"{name} — {alone}" if alone else name, tuple(lines)) for name, lines in functions.items()
     ]
     if polygons:
-        found.append(Panel(alone or "limit curves", tuple(polygons), plane=True))
-    return found + maps
+        panels.append(Panel(alone or "limit curves", tuple(polygons), plane=True))
+    return panels + maps
 
 
 def rows(panel: Panel | Map, *, width: int, unicode: bool, height: int | None = None) -> list[str]:
@@ -68,7 +68,7 @@ def rows(panel: Panel | Map, *, width: int, unicode: bool, height: int | None = 
     return draw(lines, width=width, height=height or _TALL, unicode=unicode)
 
 
-def figure(found: Sequence[Panel | Map], form: str, style: str) -> bytes:
+def figure(panels: Sequence[Panel | Map], form: str, style: str) -> bytes:
     """The bytes of the panels one above another. `form` is svg, png or pdf, `style` of maps surface or contour.
 
     Raises MissingExtraError without matplotlib.
@@ -77,7 +77,7 @@ def figure(found: Sequence[Panel | Map], form: str, style: str) -> bytes:
     from subdiv_cli.plot.relief import relief
     from subdiv_cli.plot.reliefs import reliefs
 
-    maps = [relief(panel.heights, panel.title) for panel in found if isinstance(panel, Map)]
+    maps = [relief(panel.heights, panel.title) for panel in panels if isinstance(panel, Map)]
     if maps:
         return reliefs(maps, form, style)
-    return picture([panel for panel in found if isinstance(panel, Panel)], form)
+    return picture([panel for panel in panels if isinstance(panel, Panel)], form)

@@ -1,22 +1,23 @@
-"""Output formats, one file each: results in, a string out.
+"""Output formats, one file each: results in, the pieces of a text out, so that many masks need little memory.
 
 `json` is a contract (schema.json), `jsonl` its lines; `junit`, `sarif`, `github` and `markdown` are for CI servers and
 show what `notices` lists; `html` is a page of `cards` with curves by `svg`. `concise` is for grep; `text` is for
-people: `words` says it, `numbers` prints only certain digits, `letters` finds ASCII for the mathematics where it must,
-`layout` puts it into columns, `page` gathers the lines and `findings` leaves out what says the same again. `blocks`
-and `grids` set what kinds hand over (stencils, formulas, matrices), of which the pages of `show` consist. `problems`
-shows what is wrong with a file. `look` is all that a format knows beside the results. A format's module is imported
-when it is asked for.
+people: `words` says it, `marks` has the signs of verdicts, `reasons` the rows of the table, `numbers` prints only
+certain digits, `letters` finds ASCII for the mathematics where it must, `page` gathers the lines in columns and
+`findings` leaves out what says the same again. `blocks` and `grids` set what kinds hand over (stencils, formulas,
+matrices), of which the pages of `show` consist. `problems` shows what is wrong with a file. `look` is all that a format
+knows beside the results. A format's module is imported when it is asked for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from subdiv_cli.model import Result
 from subdiv_cli.report.look import Look
 
 Render = Callable[[Sequence[Result], Look], str]
+Pieces = Callable[[Sequence[Result], Look], Iterator[str]]
 
 FORMATS = {
     "text": "subdiv_cli.report.text",
@@ -29,7 +30,7 @@ FORMATS = {
     "markdown": "subdiv_cli.report.markdown",
     "html": "subdiv_cli.report.html",
 }
-"""The module whose `render` makes each format."""
+"""The module whose `pieces` makes each format."""
 
 SUFFIXES = {
     ".json": "json", ".jsonl": "jsonl", ".ndjson": "jsonl", ".xml": "junit", ".sarif": "sarif", ".md": "markdown",
@@ -42,8 +43,14 @@ FOR_PEOPLE = ("text", "concise")
 
 
 def renderer(name: str) -> Render:
-    """The function that renders a format. Raises KeyError for one that does not exist."""
+    """The function that renders a format as one text. Raises KeyError for one that does not exist."""
+    pieces = streamer(name)
+    return lambda results, look: "".join(pieces(results, look))
+
+
+def streamer(name: str) -> Pieces:
+    """The function that renders a format piece by piece. Raises KeyError for one that does not exist."""
     from importlib import import_module
 
-    render: Render = import_module(FORMATS[name]).render
-    return render
+    pieces: Pieces = import_module(FORMATS[name]).pieces
+    return pieces

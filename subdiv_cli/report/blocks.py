@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from subdiv_cli.model import Finding, Result, Verdict
 from subdiv_cli.model.blocks import Block, Formula, Grid, Matrix, Picture, Planes, Section, Statements, Text, Words
 from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV, answering
-from subdiv_cli.report import findings, words
+from subdiv_cli.report import findings, marks, words
 from subdiv_cli.report.grids import put_planes, tables
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.numbers import interval
@@ -27,7 +27,7 @@ def worded(block: Block, result: Result) -> Iterator[Block]:
     if isinstance(block, Words):
         yield from [Text(", ".join(words.facts(result)))] if block.about == "facts" else _exponents(result)
     elif isinstance(block, Statements):
-        yield from (Text(_sentence(found), words.ROLES[found.verdict]) for found in block.findings)
+        yield from (Text(_sentence(found), marks.of_finding(result, found).role) for found in block.findings)
     elif isinstance(block, Grid):
         yield from _narrow(block)
     else:
@@ -82,7 +82,7 @@ def put(page: Page, blocks: Iterable[Block], result: Result, draw: Draw = lambda
     """Put blocks on a page of text; pictures are left out unless `draw` makes lines of them."""
     for block in blocks:
         if isinstance(block, Statements) and block.full:
-            findings.show(page, page.look.shown(block.findings))
+            findings.show(page, result, page.look.shown(block.findings))
             continue
         for part in worded(block, result):
             _put(page, part, draw)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from html import escape
 from itertools import groupby
 
-from subdiv_cli.model import Finding, Result, Verdict
+from subdiv_cli.model import Finding, Result
 from subdiv_cli.model.blocks import (
     Block,
     Curve,
@@ -21,9 +22,8 @@ from subdiv_cli.model.blocks import (
     Words,
 )
 from subdiv_cli.model.closed import rational
-from subdiv_cli.model.formulas import derivative
 from subdiv_cli.model.properties import PROPERTIES
-from subdiv_cli.report import svg, words
+from subdiv_cli.report import marks, svg, words
 from subdiv_cli.report.blocks import put
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
@@ -33,6 +33,7 @@ from subdiv_cli.report.page import Page, paint
 
 MOST_WEIGHTS = 40
 """The most weights of a stencil that is shown: the numbers of a longer one are in the mask."""
+_ORDER = re.compile(r"\bC\^(\d+|∞)")
 _COLUMNS = 60
 """The columns of the stencils in several variables: half of a wide page."""
 
@@ -42,23 +43,28 @@ def text(words_: str) -> str:
     return escape(clean(words_))
 
 
+def maths(words_: str) -> str:
+    """A text with mathematics as HTML, the order of smoothness set as a power: C², not C^2."""
+    return _ORDER.sub(r"C<sup>\1</sup>", text(words_))
+
+
 def card(number: int, result: Result, look: Look) -> str:
     """The HTML of everything about one mask; its element is `mask-number`."""
     parts = [
         f'<article class="card" id="mask-{number}">',
         f"<h2>{_mark(result.status)} {text(words.name(result))}</h2>",
-        f"<p>{text(words.headline(result))}</p>",
+        f"<p>{maths(words.headline(result))}</p>",
         f'<p class="quiet">{_about(result)}</p>',
     ]
     told = list(notices(result, look))
     if told:
-        items = (f'<li class="{_LEVELS[n.level]}">{text(n.message)} <code>{text(n.code)}</code></li>' for n in told)
+        items = (f'<li class="{_LEVELS[n.level]}">{maths(n.message)} <code>{text(n.code)}</code></li>' for n in told)
         parts.append(f"<ul>{''.join(items)}</ul>")
     if result.status != "invalid":
         parts.append('<div class="two"><div>')
         parts += [_properties(result), _expectations(result), "</div><div>"]
         parts += [*(_section(section, result) for section in result.sections), "</div></div>"]
-        parts.append(_findings(look.shown(result.findings), look))
+        parts.append(_findings(result, look))
         if result.certificate is not None:
             parts.append(f"<p>proof: <code>{text(result.certificate)}</code></p>")
     return "".join([*parts, "</article>\n"])
@@ -68,7 +74,7 @@ _LEVELS = {"error": "bad", "warning": "open", "note": "quiet"}
 
 
 def _mark(status: str) -> str:
-    return f'<span class="{status}">{words.STATUS_MARKS[status]} {status}</span>'
+    return f'<span class="{status}">{marks.of_status(status).text}</span>'
 
 
 def _about(result: Result) -> str:
@@ -83,7 +89,8 @@ def _about(result: Result) -> str:
 def _properties(result: Result) -> str:
     rows = []
     for row in PROPERTIES:
-        shown = _verdict(getattr(result, row.key)) if row.form == "verdict" else _value(words.value(result, row))
+        verdict = row.form == "verdict"
+        shown = _verdict(marks.of_verdict(getattr(result, row.key))) if verdict else _value(words.value(result, row))
         rows += [f"<tr><th>{row.title}</th><td>{shown}</td></tr>"] if shown else []
     return _table(rows)
 
@@ -92,9 +99,9 @@ def _expectations(result: Result) -> str:
     rows = []
     for judged in result.expectations:
         instead = words.found_instead(result, judged)
-        found = f" — found {text(instead)}" if instead else ""
-        asked = text(words.asked(judged.expectation))
-        rows.append(f"<tr><th>{asked}</th><td>{_verdict(judged.verdict)}{found}</td></tr>")
+        found = f" — found {maths(instead)}" if instead else ""
+        asked = maths(words.asked(judged.expectation))
+        rows.append(f"<tr><th>{asked}</th><td>{_verdict(marks.of_verdict(judged.verdict))}{found}</td></tr>")
     return f"<h3>expected</h3>{_table(rows)}" if rows else ""
 
 
@@ -102,12 +109,12 @@ def _table(rows: Iterable[str]) -> str:
     return f"<table>{''.join(rows)}</table>"
 
 
-def _verdict(verdict: Verdict) -> str:
-    return f'<span class="{verdict.value}">{words.mark(verdict)}</span>'
+def _verdict(mark: marks.Shown) -> str:
+    return f'<span class="{mark.name}">{mark.text}</span>'
 
 
 def _value(shown: str | None) -> str:
-    return "" if shown is None else f'<span class="exact">{text(shown)}</span>'
+    return "" if shown is None else f'<span class="exact">{maths(shown)}</span>'
 
 
 def _section(section: Section, result: Result) -> str:
@@ -140,11 +147,9 @@ def _figures(blocks: Sequence[Block], result: Result) -> str:
     """The HTML of graphs; other pictures are not drawn here."""
     parts = []
     for curve in (block for block in blocks if isinstance(block, Curve)):
-        name = derivative(curve.name, curve.order)
-        of = f" for the data {curve.label}" if curve.label else ""
-        caption = f"<figcaption>{name}{of}, exact values at finitely many points</figcaption>"
-        title = f"the limit function {name}{of}" if of else f"the refinable function {name}"
-        parts.append(f"<figure>{svg.curve(curve, title)}{caption}</figure>")
+        caption = f"<figcaption>{curve.title}, exact values at finitely many points</figcaption>"
+        what = "the limit function" if curve.label else "the refinable function"
+        parts.append(f"<figure>{svg.curve(curve, f'{what} {curve.title}')}{caption}</figure>")
     return "".join(parts)
 
 
@@ -168,14 +173,19 @@ def _stencil(nodes: Sequence[str], numbers: Sequence[str], used: Sequence[int]) 
     return f'<span class="exact">{text(shown)}</span> <span class="quiet">on {text(where)}</span>'
 
 
-def _findings(findings: Iterable[Finding], look: Look) -> str:
+def _findings(result: Result, look: Look) -> str:
+    findings = look.shown(result.findings)
     items = [
-        f"<li><code>{found.code}</code> {text(found.name)} {_verdict(found.verdict)}<br>{text(found.statement)}"
-        + (f" (because {text(found.reason)})" if found.reason else "")
+        f"<li><code>{found.code}</code> {text(found.name)} {_verdict(marks.of_finding(result, found))}"
+        + f"<br>{maths(found.statement)}"
+        + (f" (because {maths(found.reason)})" if found.reason else "")
         + f'<br><span class="quiet">{text(found.source)}</span>{_witness(found) if look.verbosity > 1 else ""}</li>'
         for found in findings
     ]
-    return f"<details><summary>{len(items)} findings</summary><ol>{''.join(items)}</ol></details>" if items else ""
+    meanings = words.legend(found.statement for found in findings)
+    legend = f'<p class="quiet">{text(meanings)}</p>' if meanings else ""
+    shown = f"<summary>{len(items)} findings</summary>{legend}<ol>{''.join(items)}</ol>"
+    return f"<details>{shown}</details>" if items else ""
 
 
 def _witness(found: Finding) -> str:

@@ -15,29 +15,31 @@ from subdiv_cli.report.letters import letters
 from subdiv_cli.report.look import Look
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The lines of all results; nothing is wrapped. Below verbosity 0 only what did not pass, and no findings."""
-    lines: list[str] = []
     for result in results:
         allowed = look.allow_undecided and result.status == "undecided"
         if look.verbosity >= 0:
-            lines += _lines(result, look)
+            yield _text(_lines(result, look), look)
         elif result.status != "passed" and not allowed:
-            lines += _missed(result)
+            yield _text(_missed(result), look)
     if look.verbosity >= 0 and len(results) != 1:
-        lines.append(words.footer(results, allow_undecided=look.allow_undecided))
+        yield _text([words.footer(results, allow_undecided=look.allow_undecided)], look)
+
+
+def _text(lines: Iterable[str], look: Look) -> str:
     return "".join(letters(line, look.unicode) + "\n" for line in lines)
 
 
 def _lines(result: Result, look: Look) -> Iterator[str]:
     yield from _problems(result)
     for found in look.shown(result.findings):
-        yield f"{result.file}: {_finding(found)}"
+        yield f"{words.place(result)}: {_finding(found)}"
     yield from _judged(result, result.expectations)
     yield from _regressions(result)
     yield from _notes(result)
     if not result.problems and answering(result.findings, CONVERGENCE) is None and not result.expectations:
-        yield f"{result.file}: {result.status}"
+        yield f"{words.place(result)}: {result.status}"
 
 
 def _missed(result: Result) -> Iterator[str]:
@@ -48,30 +50,30 @@ def _missed(result: Result) -> Iterator[str]:
     else:
         yield from _judged(result, (judged for judged in result.expectations if judged.verdict is not Verdict.PROVED))
     if not result.problems and not result.expectations:
-        yield f"{result.file}: {words.verdict_sentence(result)}"
+        yield f"{words.place(result)}: {words.verdict_sentence(result)}"
     yield from _notes(result)
 
 
 def _problems(result: Result) -> Iterator[str]:
     for problem in result.problems:
-        yield problem_line(problem, result.file)
+        yield problem_line(problem, words.place(result))
 
 
 def _regressions(result: Result) -> Iterator[str]:
     for worse in result.regressions or ():
-        yield f"{result.file}: worse than the baseline: {worse.message}"
+        yield f"{words.place(result)}: worse than the baseline: {worse.message}"
 
 
 def _judged(result: Result, judgements: Iterable[Judgement]) -> Iterator[str]:
     for judged in judgements:
-        yield f"{result.file}: {words.judged(result, judged, judged.verdict.value)}"
+        yield f"{words.place(result)}: {words.judged(result, judged, judged.verdict.value)}"
 
 
 def _notes(result: Result) -> Iterator[str]:
     if result.stopped:
-        yield f"{result.file}: stopped by the {result.stopped}"
+        yield f"{words.place(result)}: stopped by the {result.stopped}"
     for hint in result.hints:
-        yield f"{result.file}: hint: {hint}"
+        yield f"{words.place(result)}: hint: {hint}"
 
 
 def _finding(found: Finding) -> str:

@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
-from subdiv_cli.model import Finding, Verdict
-from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER
-from subdiv_cli.report import words
-from subdiv_cli.report.numbers import data, interval
+from subdiv_cli.model import Finding, Result, Verdict
+from subdiv_cli.report import marks
+from subdiv_cli.report.numbers import data
 from subdiv_cli.report.page import INDENT, Cell, Page, led, stacked
 
 NARROW = 60
@@ -26,8 +25,8 @@ Block = Finding | list[Finding] | int
 """One finding, several skipped for one reason, or the number of those left out."""
 
 
-def show(page: Page, findings: Sequence[Finding]) -> None:
-    """Put all findings on the page, in their order."""
+def show(page: Page, result: Result, findings: Sequence[Finding]) -> None:
+    """Put all findings on a mask on the page, in their order."""
     for block in findings if page.look.verbosity > 0 else blocks(findings):
         page.blank()
         if isinstance(block, int):
@@ -35,7 +34,7 @@ def show(page: Page, findings: Sequence[Finding]) -> None:
         elif isinstance(block, list):
             _skipped(page, block)
         else:
-            _finding(page, block)
+            _finding(page, block, marks.of_finding(result, block))
 
 
 def blocks(findings: Sequence[Finding]) -> Iterator[Block]:
@@ -81,36 +80,23 @@ def _skipped(page: Page, findings: Sequence[Finding]) -> None:
     """Put several findings skipped for the same reason on the page: their codes and the reason."""
     indent = _indent(page)
     codes = dict.fromkeys(found.code for found in findings)
-    verdict = page.say(words.mark(Verdict.SKIPPED))
-    lead = [(" " * INDENT, ""), (verdict.ljust(indent - INDENT - 1), words.ROLES[Verdict.SKIPPED]), (" ", "")]
-    text = page.say(f"{', '.join(codes)}: {findings[0].reason}")
-    page.lines += led(lead, text, page.look.width, hanging=indent)
+    mark = marks.of_verdict(Verdict.SKIPPED)
+    lead = [(" " * INDENT, ""), (page.say(mark.text).ljust(indent - INDENT - 1), mark.role), (" ", "")]
+    page.lines += led(lead, page.say(f"{', '.join(codes)}: {findings[0].reason}"), page.look.width, hanging=indent)
 
 
-def _finding(page: Page, found: Finding) -> None:
-    indent = _indent(page)
-    verdict = page.say(words.mark(found.verdict)).ljust(indent - INDENT)
+def _finding(page: Page, found: Finding, mark: marks.Shown) -> None:
+    indent, role = _indent(page), mark.role
+    verdict = page.say(mark.text).ljust(indent - INDENT)
     title = f"{found.code} {page.say(found.name)}"
-    role = words.ROLES[found.verdict]
     if page.look.width >= NARROW:
         page.lines.append([(" " * INDENT, ""), (verdict, role), (title, "code")])
     else:
-        page.lines += stacked([[Cell(verdict, role), Cell(title, "code")]], page.look.width - INDENT, INDENT)
+        page.lines += stacked(("", ""), [[Cell(verdict, role), Cell(title, "code")]], page.look.width - INDENT, INDENT)
     page.put(found.statement, indent=indent, hanging=2)
-    if (shown := _unsaid(found)) is not None:
-        page.put(f"value: {shown}", indent=indent, hanging=2)
     if found.reason:
         page.put(f"because {found.reason}", indent=indent, hanging=2)
     if page.look.verbosity > 1:
         for key, value in found.witness.items():
             page.put(f"{key}: {data(value)}", indent=indent, hanging=2)
     page.put(found.source, "quiet", indent=indent, hanging=2)
-
-
-def _unsaid(found: Finding) -> str | None:
-    """The value of a finding whose statement does not have it already; that of a Hölder exponent always does."""
-    said = any(question in (HOLDER_LOWER, HOLDER_UPPER) for question, _ in found.answers)
-    if found.value is None or said or (found.value.exact is not None and found.value.exact in found.statement):
-        return None
-    shown = interval(found.value)
-    return None if shown is None or shown.lstrip("≥≤ ").rstrip("…") in found.statement else shown

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import subdiv_cli
 from subdiv_cli.model import Exponent, Result
-from subdiv_cli.report import words
-from subdiv_cli.report.cards import card, text
+from subdiv_cli.report import marks, words
+from subdiv_cli.report.cards import card, maths, text
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import finite
 
@@ -18,10 +18,10 @@ _ALONE = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inli
 _TITLES = ("status", "mask", "convergence", "smoothness", "Hölder exponent", "sum rules", "file")
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The HTML page."""
-    page = "".join(_page(results, look))
-    return page if page.isascii() else page.encode("utf-8", "backslashreplace").decode("utf-8")
+    for piece in _page(results, look):
+        yield piece if piece.isascii() else piece.encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def _page(results: Sequence[Result], look: Look) -> Iterator[str]:
@@ -36,12 +36,18 @@ def _page(results: Sequence[Result], look: Look) -> Iterator[str]:
     yield '<div class="scroll"><table class="overview"><thead><tr>'
     yield "".join(f'<th scope="col"><button type="button">{name}</button></th>' for name in _TITLES)
     yield "</tr></thead><tbody>\n"
-    yield from (_row(number, result) for number, result in enumerate(results, 1))
+    yield from (_row(number, result) for number, result in _ordered(results))
     yield "</tbody></table></div>\n"
-    yield from (card(number, result, look) for number, result in enumerate(results, 1))
+    yield from (card(number, result, look) for number, result in _ordered(results))
     yield f'<p class="quiet">subdiv {subdiv_cli.__version__}. Every verdict is a theorem: '
     yield "<code>subdiv explain CODE</code> says which.</p>"
     yield f"</main><script>{_asset('page.js')}</script></body></html>\n"
+
+
+def _ordered(results: Sequence[Result]) -> Iterator[tuple[int, Result]]:
+    """The results with their numbers, those that did not pass first."""
+    for status in ("failed", "invalid", "undecided", "passed"):
+        yield from ((number, result) for number, result in enumerate(results, 1) if result.status == status)
 
 
 def _asset(name: str) -> str:
@@ -60,7 +66,7 @@ def _remarks(look: Look) -> str:
 
 
 def _find() -> str:
-    options = "".join(f"<option>{status}</option>" for status in words.STATUS_MARKS)
+    options = "".join(f"<option>{status}</option>" for status in marks.STATUSES)
     return (
         '<div class="find" hidden><input id="text" type="search" placeholder="find a mask" aria-label="find a mask">'
         f'<select id="status" aria-label="status"><option value="">every status</option>{options}</select></div>\n'
@@ -72,10 +78,13 @@ def _row(number: int, result: Result) -> str:
     exponent = result.holder or Exponent()
     lower = finite(exponent.lower)
     cells = [
-        (f'<span class="{result.status}">{words.STATUS_MARKS[result.status]} {result.status}</span>', result.status),
+        (f'<span class="{result.status}">{marks.of_status(result.status).text}</span>', result.status),
         (f'<a href="#mask-{number}">{text(name)}</a>', name),
         (text(words.convergence(result)), words.convergence(result)),
-        (text(words.smoothness_or_that_of_phi(result) or ""), "" if order is None else str(order)),
+        (
+            maths(words.smoothness_or_that_of_phi(result) or ""),
+            "" if order is None else str(order).replace("inf", "Infinity"),
+        ),
         (text(words.holder(result) or ""), "" if lower is None else repr(lower)),
         (("" if result.sum_rule_order is None else str(result.sum_rule_order),) * 2),
         (f"<code>{text(result.file)}</code>", result.file),

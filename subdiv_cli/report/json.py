@@ -3,35 +3,37 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 import subdiv_cli
-from subdiv_cli.model import Data, Exponent, Finding, Interval, Judgement, Problem, Result, Smoothness
+from subdiv_cli.model import INFINITY, Data, Exponent, Finding, Interval, Judgement, Problem, Result, Smoothness
 from subdiv_cli.model.closed import rational, spelled
 from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import finite
 from subdiv_cli.report.words import found, summary
 
+_PLACE = "results of subdiv"
+"""What stands for the results while the rest of the report is spelled."""
 _LONG = 10**4000
 """The integers from which on they are written as strings: Python does not print them as numbers."""
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The report as JSON; `look` does not change how it looks. ASCII only where a letter is not valid Unicode."""
-    return document([as_data(result, look) for result in results], summary(results), look)
+    return document((as_data(result, look) for result in results), summary(results), look)
 
 
-def document(results: Sequence[Mapping[str, Any]], counts: Mapping[str, int], look: Look) -> str:
-    """The report of results that are JSON data already: parts of a run that are merged."""
+def document(results: Iterator[Mapping[str, Any]], counts: Mapping[str, int], look: Look) -> Iterator[str]:
+    """The report of results that are JSON data already, a piece for each: parts of a run that are merged."""
     report: dict[str, Any] = {
         "format": "subdiv-report",
         "version": 1,
         "tool": {"name": "subdiv", "version": subdiv_cli.__version__},
         "summary": counts,
-        "results": results,
+        "results": [_PLACE] if counts["files"] else [],
     }
     if look.shard is not None:
         report["shard"] = {"index": look.shard[0], "count": look.shard[1]}
@@ -39,7 +41,15 @@ def document(results: Sequence[Mapping[str, Any]], counts: Mapping[str, int], lo
         report["missing"] = list(look.missing)
     if look.interrupted:
         report["interrupted"] = True
-    return valid(json.dumps(report, ensure_ascii=False, indent=2, allow_nan=False) + "\n")
+    head, _, tail = _spelled(report).partition(json.dumps(_PLACE))
+    yield head
+    for number, result in enumerate(results):
+        yield (",\n    " if number else "") + _spelled(result).replace("\n", "\n    ")  # no string has a line break
+    yield tail + "\n"
+
+
+def _spelled(data: Mapping[str, Any]) -> str:
+    return valid(json.dumps(data, ensure_ascii=False, indent=2, allow_nan=False))
 
 
 def valid(text: str) -> str:
@@ -97,7 +107,7 @@ def _derivatives(result: Result) -> list[dict[str, Any]] | None:
 
 
 def _smoothness(smooth: Smoothness) -> dict[str, Any]:
-    return {"order": smooth.order, "sharp": smooth.sharp}
+    return {"order": "infinity" if smooth.order == INFINITY else smooth.order, "sharp": smooth.sharp}
 
 
 def _error(problem: Problem) -> dict[str, Any]:
@@ -144,6 +154,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "value": _value(finding.value),
         "source": finding.source,
         "reason": finding.reason,
+        "why": finding.why,
         "witness": plain(finding.witness),
         "claims": list(finding.claims),
     }

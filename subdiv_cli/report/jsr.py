@@ -40,7 +40,7 @@ def render(radius: FamilyRadius, look: Look, *, file: str, name: str | None, pro
 def _first(radius: FamilyRadius) -> str:
     title = "joint spectral radius"
     if radius.upper is None:
-        why = "the time budget ended" if radius.stopped else "a higher effort computes more"
+        why = radius.left_out or ("the time budget ended" if radius.stopped else "a higher effort computes more")
         return f"? {title}: not one bound was found; {why}"
     if radius.exact is None:
         sign = "✓" if radius.width <= _NARROW else "~"

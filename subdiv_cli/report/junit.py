@@ -1,11 +1,13 @@
 """The report as JUnit XML, which CI servers read: a test suite for each mask, a test case for each expectation.
 
 A refuted expectation is a failure, and an undecided one too, unless undecided is allowed: then it is skipped. An
-invalid mask is an error. A mask without expectations has the one test case `convergent`.
+invalid mask is an error. A mask without expectations has the one test case `convergent`. A mask is analysed once for
+all its expectations, so each has an equal part of its time; a merged report has no times.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 from xml.etree import ElementTree as Xml
@@ -16,6 +18,8 @@ from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.notices import notices
 
+_NEXT = "\n  "
+"""What stands before each suite."""
 _COUNTED = ("failure", "error", "skipped")
 
 
@@ -29,34 +33,37 @@ class Case(NamedTuple):
     message: str = ""
 
 
-def render(results: Sequence[Result], look: Look) -> str:
-    """The XML document. It has no times: the same results give the same bytes."""
-    root = Xml.Element("testsuites", name="subdiv")
-    totals = dict.fromkeys(("tests", "failures", "errors"), 0)
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
+    """The XML document. But for its times the same results give the same bytes."""
+    totals = Counter[str | None]()
     for result in results:
-        cases = list(_cases(result, look))
-        suite = _suite(result, cases)
-        root.append(suite)
-        for key in totals:
-            totals[key] += int(suite.get(key, "0"))
-    for key, count in totals.items():
-        root.set(key, str(count))
-    Xml.indent(root)
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + Xml.tostring(root, encoding="unicode") + "\n"
+        totals.update(case.outcome for case in _cases(result, look))
+    counts = {"tests": totals.total(), "failures": totals["failure"], "errors": totals["error"]}
+    root = Xml.Element("testsuites", {"name": "subdiv", **{key: str(count) for key, count in counts.items()}})
+    root.text = _NEXT if results else None
+    head, end, tail = Xml.tostring(root, encoding="unicode").partition("</")
+    yield f'<?xml version="1.0" encoding="UTF-8"?>\n{head.removesuffix(_NEXT)}'
+    for result in results:
+        suite = _suite(result, list(_cases(result, look)))
+        Xml.indent(suite, level=1)
+        yield _NEXT + Xml.tostring(suite, encoding="unicode")
+    yield f"\n{end}{tail}\n" if results else "\n"
 
 
 def _suite(result: Result, cases: Sequence[Case]) -> Xml.Element:
     counts = {kind: sum(case.outcome == kind for case in cases) for kind in _COUNTED}
-    suite = Xml.Element(
-        "testsuite",
-        name=clean(words.name(result)),
-        tests=str(len(cases)),
-        failures=str(counts["failure"]),
-        errors=str(counts["error"]),
-        skipped=str(counts["skipped"]),
-    )
+    shown = {
+        "name": clean(words.name(result)),
+        "tests": str(len(cases)),
+        "failures": str(counts["failure"]),
+        "errors": str(counts["error"]),
+        "skipped": str(counts["skipped"]),
+    }
+    suite = Xml.Element("testsuite", {**shown, **_time(result.seconds)})
+    share = None if result.seconds is None else result.seconds / len(cases)
     for case in cases:
-        node = Xml.SubElement(suite, "testcase", classname=clean(result.file or "mask"), name=clean(case.name))
+        named = {"classname": clean(words.place(result) or "mask"), "name": clean(case.name)}
+        node = Xml.SubElement(suite, "testcase", {**named, **_time(share)})
         if case.outcome is not None:
             shown = {"message": clean(case.message)}
             why = Xml.SubElement(node, case.outcome, {"type": case.kind, **shown} if case.kind else shown)
@@ -64,6 +71,10 @@ def _suite(result: Result, cases: Sequence[Case]) -> Xml.Element:
     suite_out = Xml.SubElement(suite, "system-out")
     suite_out.text = clean(words.headline(result))
     return suite
+
+
+def _time(seconds: float | None) -> dict[str, str]:
+    return {} if seconds is None else {"time": f"{seconds:.3f}"}
 
 
 def _cases(result: Result, look: Look) -> Iterator[Case]:
@@ -88,7 +99,8 @@ def _cases(result: Result, look: Look) -> Iterator[Case]:
             yield _missed(name, judged.verdict, words.judged(result, judged, judged.verdict.value), look)
     if not result.expectations:
         passed = result.convergent is Verdict.PROVED
-        yield Case("convergent") if passed else _missed("convergent", result.convergent, words.headline(result), look)
+        why = words.explained(words.headline(result))
+        yield Case("convergent") if passed else _missed("convergent", result.convergent, why, look)
 
 
 def _missed(name: str, verdict: Verdict, message: str, look: Look) -> Case:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from subdiv_cli.report.marks import MARKS
+
 _WORDS = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "ζ": "zeta", "η": "eta", "θ": "theta",
     "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "ν": "nu", "ξ": "xi", "π": "pi", "ρ": "rho", "σ": "sigma",
@@ -19,7 +21,7 @@ _SIGNS = {
     "–": "-", "‐": "-", "‑": "-", "“": '"', "”": '"', "„": '"', "‘": "'", "’": "'", "′": "'", "″": "''",
     "«": '"', "»": '"', "⌈": "ceil(", "⌉": ")", "⌊": "floor(", "⌋": ")", "⟨": "<", "⟩": ">", "°": " deg",
     "ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "ß": "ss", "ø": "oe", "Ø": "Oe", "æ": "ae",
-    "ł": "l", "Ł": "L", "✓": "+", "✗": "x", "─": "-", "│": "|", "\N{NO-BREAK SPACE}": " ", "\u2009": " ", "\u202f": " ",
+    "ł": "l", "Ł": "L", "─": "-", "│": "|", "\N{NO-BREAK SPACE}": " ", "\u2009": " ", "\u202f": " ",
 }  # fmt: skip
 _RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿⁱ", "0123456789+-ni", strict=True))
 _LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₙᵢⱼₖ", "0123456789+-nijk", strict=True))
@@ -27,7 +29,7 @@ _PARTS = {
     "½": "1/2", "⅓": "1/3", "⅔": "2/3", "¼": "1/4", "¾": "3/4", "⅕": "1/5", "⅖": "2/5", "⅗": "3/5", "⅘": "4/5",
     "⅙": "1/6", "⅚": "5/6", "⅐": "1/7", "⅛": "1/8", "⅜": "3/8", "⅝": "5/8", "⅞": "7/8", "⅑": "1/9", "⅒": "1/10",
 }  # fmt: skip
-_TABLE = str.maketrans({**_SIGNS, **_WORDS})
+_TABLE = str.maketrans({**_SIGNS, **_WORDS, **{mark.sign: mark.ascii for mark in MARKS.values()}})
 
 
 def clean(text: str) -> str:

@@ -23,7 +23,7 @@ class Look(NamedTuple):
     """Whether other letters than ASCII can be written."""
     colour: bool = False
     verbosity: int = 0
-    """-1: what failed; 0: a line each and what did not pass in full; 1: everything in full; 2: witnesses as well."""
+    """-1: what failed; 0: a screen, or of several a line each and why; 1: every finding; 2: witnesses as well."""
     problems: bool = True
     """Whether the text report shows what is wrong with an invalid file; the command line puts it on stderr instead."""
     allow_undecided: bool = False

@@ -6,44 +6,41 @@ A comment has bounds (65,536 characters on GitHub): of long lists the beginning 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from subdiv_cli.model import Result
 from subdiv_cli.report import words
 from subdiv_cli.report.letters import clean
 from subdiv_cli.report.look import Look
+from subdiv_cli.report.marks import MARKS
 from subdiv_cli.report.notices import Notice, notices
 
-_SIGNS = {"passed": "✅", "failed": "❌", "undecided": "❔", "invalid": "🚫"}
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$@])")
 _TITLES = ("", "mask", "convergence", "smoothness", "Hölder exponent")
 MOST = 50_000
 """The most characters of the two lists together."""
 
 
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The Markdown of the comment."""
-    missed = [r for r in results if r.status != "passed" and not (look.allow_undecided and r.status == "undecided")]
-    sign = _SIGNS["failed"] if missed else _SIGNS["passed"]
-    parts = [f"### {sign} subdiv: {words.footer(results, allow_undecided=look.allow_undecided)}\n"]
+    missed = (r for r in results if r.status != "passed" and not (look.allow_undecided and r.status == "undecided"))
+    shown = _within((_failure(result, look) for result in missed), MOST)
+    sign = MARKS["failed" if shown else "passed"].picture
+    yield f"### {sign} subdiv: {words.footer(results, allow_undecided=look.allow_undecided)}\n\n"
     if look.interrupted:
-        parts.append("The run was interrupted: not all masks were checked.\n")
-    room = MOST
-    if missed:
-        shown = _within([_failure(result, look) for result in missed], room)
-        room -= len(shown)
-        parts.append(shown)
+        yield "The run was interrupted: not all masks were checked.\n\n"
+    if shown:
+        yield shown + "\n"
     if look.missing:
-        parts.append("Of the baseline, not checked: " + ", ".join(map(_code, look.missing[:50])) + "\n")
-    rows = _within([_row(result) for result in results], room)
+        yield "Of the baseline, not checked: " + ", ".join(map(_code, look.missing[:50])) + "\n\n"
+    rows = _within(map(_row, results), MOST - len(shown))
     header = "| " + " | ".join(_TITLES) + " |\n" + "|---" * len(_TITLES) + "|\n"
-    parts.append(f"<details><summary>All masks</summary>\n\n{header}{rows}\n</details>\n")
-    return "\n".join(parts)
+    yield f"<details><summary>All masks</summary>\n\n{header}{rows}\n</details>\n"
 
 
 def _failure(result: Result, look: Look) -> str:
     """The Markdown of a mask that did not pass, and why."""
-    head = f"- {_SIGNS[result.status]} **{_text(words.name(result))}** ({_code(result.file)})\n"
+    head = f"- {MARKS[result.status].picture} **{_text(words.name(result))}** ({_code(result.file)})\n"
     return head + "".join(f"  - {_notice(notice)}\n" for notice in notices(result, look))
 
 
@@ -58,7 +55,7 @@ def _row(result: Result) -> str:
     else:
         told = (words.convergence(result), words.smoothness_or_that_of_phi(result), words.holder(result))
         cells = [_text(words.name(result)), *(_text(text or "") for text in told)]
-    return f"| {_SIGNS[result.status]} {result.status} | " + " | ".join(cells) + " |\n"
+    return f"| {MARKS[result.status].picture} {result.status} | " + " | ".join(cells) + " |\n"
 
 
 def _within(pieces: Iterable[str], room: int) -> str:

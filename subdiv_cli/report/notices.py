@@ -52,7 +52,7 @@ def _gate(result: Result, look: Look) -> Iterator[Notice]:
             yield _missed(result, judged, look)
     if not result.expectations and result.status != "passed":
         level: Level = "error" if result.status == "failed" else _open(look)
-        yield Notice(level, _code(result, "convergent"), "convergence", words.headline(result))
+        yield Notice(level, _code(result, "convergent"), "convergence", words.explained(words.headline(result)))
 
 
 def _problem(problem: Problem) -> Notice:

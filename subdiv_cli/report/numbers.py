@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from subdiv_cli.model import Data, Exponent, Interval
-from subdiv_cli.model.closed import rational, spelled
+from subdiv_cli.model.closed import is_brief, rational, spelled
+from subdiv_cli.model.formulas import is_plain
 
 PLACES = 10
 """The most decimal places, where a number is not known exactly."""
@@ -70,7 +71,10 @@ def at_most(upper: float, places: int = 6) -> str:
 
 
 def enclosed(lower: float | None, upper: float | None, closed: str | None = None) -> str | None:
-    """An exact number followed by its digits, or an interval, or a bound, as text; None where nothing is known."""
+    """An exact number with its digits, or an interval, or a bound, as text; None where nothing is known.
+
+    A brief closed form stands before its digits, `log2(64/9) = 2.8300749985…`, and any other behind them.
+    """
     lower, upper = finite(lower), finite(upper)
     if lower is not None and upper is not None:
         shown = digits(lower, upper)
@@ -78,7 +82,9 @@ def enclosed(lower: float | None, upper: float | None, closed: str | None = None
             return shown
         if _is_rational(closed) and _terminates(closed):
             return closed
-        return f"{closed} {'∈' if ' .. ' in shown else '='} {shown}"
+        if is_brief(closed):
+            return f"{closed} {'∈' if ' .. ' in shown else '='} {shown}"
+        return f"{shown}, exactly {closed}" if " .. " in shown else f"{shown} = {closed}"
     if closed is not None:
         return closed
     if lower is not None:
@@ -86,13 +92,14 @@ def enclosed(lower: float | None, upper: float | None, closed: str | None = None
     return None if upper is None else at_most(upper)
 
 
-def interval(value: Interval | Exponent) -> str | None:
-    """An interval or an exponent as text, exact value first; one that takes lines is shown as its digits only."""
-    attained = getattr(value, "attained", None)
+def interval(value: Interval | Exponent, *, brief: bool = False) -> str | None:
+    """An interval or an exponent as text; a closed form that takes lines is left to its digits.
+
+    `brief`: one that is not read at a glance is, too.
+    """
     closed = value.exact if value.exact is None or isinstance(value.exact, str) else spelled(value.exact)
-    brief = closed is not None and (len(closed) <= LONGEST or value.lower is None or value.upper is None)
-    shown = enclosed(value.lower, value.upper, closed if brief else None)
-    return shown if shown is None or attained is None else f"{shown}, {'attained' if attained else 'not attained'}"
+    fits = closed is not None and (is_brief(closed) if brief else len(closed) <= LONGEST)
+    return enclosed(value.lower, value.upper, closed if fits or value.lower is None or value.upper is None else None)
 
 
 def data(value: Data) -> str:
@@ -132,4 +139,4 @@ def _is_rational(text: str) -> bool:
 
 def _terminates(text: str) -> bool:
     """Whether a rational needs no digits beside it: an integer, or a short decimal such as 3/2."""
-    return (Fraction(text) * 1000).denominator == 1
+    return (Fraction(text) * 1000).denominator == 1 and is_plain(Fraction(text))

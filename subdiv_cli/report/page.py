@@ -36,6 +36,11 @@ class Page:
         self.look = look
         self.lines: list[Line] = []
 
+    def take(self) -> str:
+        """The finished lines as text, which are put away; the last one stays, since `blank` looks at it."""
+        done, self.lines = self.lines[:-1], self.lines[-1:]
+        return paint(done, colour=self.look.colour)
+
     def say(self, text: str) -> str:
         """The text as it may be printed."""
         return letters(text, self.look.unicode)
@@ -129,7 +134,7 @@ def table(
     columns -= indent
     widths = _widths(header, rows, columns)
     if widths is None:
-        return stacked(rows, columns, indent)
+        return stacked(header, rows, columns, indent)
     lines = _row([Cell(title, "quiet") for title in header], widths, indent)
     lines.append([(" " * indent, ""), ((" " * GAP).join(rule * size for size in widths), "quiet")])
     for row in rows:
@@ -173,16 +178,21 @@ def _row(cells: Sequence[Cell], widths: Sequence[int], indent: int) -> list[Line
     return lines
 
 
-def stacked(rows: Sequence[Sequence[Cell]], columns: int, indent: int) -> list[Line]:
-    """The lines of each row as a list: its first two cells, beside each other if they fit, and under them the rest."""
+def stacked(header: Sequence[str], rows: Sequence[Sequence[Cell]], columns: int, indent: int) -> list[Line]:
+    """The lines of each row as a list: its first two cells, beside each other if they fit, and under them the rest.
+
+    Those below are named by the header.
+    """
     lines: list[Line] = []
     for (title, role), *others in rows:
+        named = list(zip(header[1:], others, strict=True))
         lines += paragraph(title, columns + indent, role=role, indent=indent)
         if len(lines[-1]) and others and width(title) + GAP + width(others[0].text) <= columns:
-            lines[-1] += [(" " * GAP, ""), others.pop(0)]
-        for text, its in others:
+            lines[-1] += [(" " * GAP, ""), named.pop(0)[1]]
+        for name, (text, its) in named:
             if text:
-                lines += paragraph(text, columns + indent, role=its, indent=indent + GAP, hanging=GAP)
+                told = f"{name}: {text}" if name else text
+                lines += paragraph(told, columns + indent, role=its, indent=indent + GAP, hanging=GAP)
     return lines
 
 

@@ -1,46 +1,34 @@
-"""The report for people: the verdict in words, one table, the expectations, then each finding with its why and source.
+"""The report for people: the answer in words, a table of properties each with its reason, the expectations, the answer.
 
-One mask has the full report; several have a line each, then the full report of those that did not pass.
+One mask takes one screen, and with -v every finding with its theorem and source. Several have a line each, and those
+that did not pass the few lines that say why; with -v all have their full reports.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Sequence
 
-from subdiv_cli.model import Exponent, Finding, Judgement, Result, Verdict
+from subdiv_cli.model import Judgement, Result, Verdict
 from subdiv_cli.model.closed import rational
-from subdiv_cli.model.findings import answering
-from subdiv_cli.model.properties import PROPERTIES, Property
-from subdiv_cli.report import findings, words
+from subdiv_cli.report import findings, marks, reasons, words
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.numbers import at_least, at_most, finite, worth
 from subdiv_cli.report.page import INDENT, Cell, Page, joined, paint
 
-
-class PropertyRow(NamedTuple):
-    """A row of the table: a property, whether it has it, its value or why there is none, the codes that prove it."""
-
-    title: Cell
-    verdict: Cell
-    value: Cell
-    proof: Cell
+TITLES = ("property", "verdict", "value, and why", "proof")
+_EFFORT = "a higher --effort may decide what is undecided"
 
 
-TITLES = ("property", "verdict", "value", "proof")
-
-
-def render(results: Sequence[Result], look: Look) -> str:
+def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The text of the report on these masks, in this order."""
     page = _TextReport(look)
     if look.verbosity < 0:
-        page.failures(results)
+        yield from page.failures(results)
     elif len(results) == 1:
         page.full(results[0])
         page.closing(results[0])
     else:
-        page.overview(results)
-    return paint(page.lines, colour=look.colour)
+        yield from page.overview(results)
+    yield paint(page.lines, colour=look.colour)
 
 
 class _TextReport(Page):
@@ -48,52 +36,99 @@ class _TextReport(Page):
 
     # several masks
 
-    def failures(self, results: Sequence[Result]) -> None:
-        """Put nothing but what did not pass."""
-        failing = [result for result in results if result.status != "passed"]
-        failing = [r for r in failing if not (self.look.allow_undecided and r.status == "undecided")]
-        for result in failing:
-            self.headline(result)
-            self.notes(result)
-            self.problems(result)
-            for worse in result.regressions or ():
-                self.put(f"worse than the baseline: {worse.message}", "bad", indent=INDENT, hanging=INDENT)
-            for judged in result.expectations if result.regressions is None else ():
-                if judged.verdict is not Verdict.PROVED:
-                    self.missed(result, judged)
+    def failures(self, results: Sequence[Result]) -> Iterator[str]:
+        """Put nothing but what did not pass; the text of each mask as soon as it is put."""
+        yield from self.why(filter(self.is_failing, results))
+        failing = any(map(self.is_failing, results))
         if failing and len(results) > 1:
-            self.put(words.footer(results, allow_undecided=self.look.allow_undecided), "head")
+            self.counts(results)
+
+    def overview(self, results: Sequence[Result]) -> Iterator[str]:
+        """Put a line for each mask, then why some did not pass (or all in full, with -v), then the counts.
+
+        The text of each mask as soon as it is put.
+        """
+        if results:
+            self.table(("status", "mask", "convergence", "smoothness", "Hölder exponent"), list(map(self.row, results)))
+        if self.look.verbosity > 0:
+            for result in results:
+                if result.status != "invalid" or self.look.problems:  # else the table has said it
+                    self.blank()
+                    self.full(result)
+                    self.closing(result, indent=INDENT)
+                    yield self.take()
+        else:
+            statuses = ("passed", "invalid")
+            yield from self.why(each for each in results if each.status not in statuses or self.tells(each))
+        self.blank()
+        self.counts(results)
+
+    def tells(self, result: Result) -> bool:
+        """Whether there is something to read of an invalid mask here."""
+        return result.status == "invalid" and self.look.problems
+
+    def is_failing(self, result: Result) -> bool:
+        return result.status != "passed" and not (self.look.allow_undecided and result.status == "undecided")
+
+    def why(self, results: Iterable[Result]) -> Iterator[str]:
+        """Put the few lines that say why each of these masks did not pass, and what the symbols in them mean.
+
+        The text of each mask as soon as it is put.
+        """
+        told: list[str] = []
+        for result in results:
+            if self.look.verbosity >= 0:
+                self.blank()
+            told += self.failure(result)
+            yield self.take()
+        if told and self.look.verbosity >= 0:
+            self.blank()
+        self.legend(told)
+
+    def failure(self, result: Result) -> list[str]:
+        """Put why a mask did not pass; returns the lines with symbols in them."""
+        self.headline(result)
+        self.items([*([result.file] if result.name else []), *_parameters(result)])
+        self.notes(result)
+        self.problems(result)
+        self.regressions(result)
+        missed = [judged for judged in result.expectations if judged.verdict is not Verdict.PROVED]
+        said = [words.headline(result)]
+        for judged in missed if result.regressions is None else ():
+            self.missed(result, judged)
+            for reason in reasons.of_missed(result, judged):
+                if not any(reason.why in earlier for earlier in said):
+                    self.put(reason.sentence, indent=2 * INDENT, hanging=INDENT)
+                    said.append(reason.sentence)
+        return said
+
+    def regressions(self, result: Result) -> None:
+        """Put what is worse than in the baseline, in a line each."""
+        for worse in result.regressions or ():
+            self.put(f"worse than the baseline: {worse.message}", "bad", indent=INDENT, hanging=INDENT)
 
     def missed(self, result: Result, judged: Judgement) -> None:
         """Put an expectation that was not proved, in a line."""
-        text = words.judged(result, judged, words.mark(judged.verdict))
-        self.put(text, words.ROLES[judged.verdict], indent=INDENT, hanging=INDENT)
+        mark = marks.of_verdict(judged.verdict)
+        where = "" if judged.line is None else f" (line {judged.line})"
+        self.put(words.judged(result, judged, mark.text) + where, mark.role, indent=INDENT, hanging=INDENT)
 
-    def overview(self, results: Sequence[Result]) -> None:
-        """Put a line for each mask, then in full those that did not pass (or all, with -v), then the counts."""
-        if results:
-            self.table(("status", "mask", "convergence", "smoothness", "Hölder exponent"), list(map(self.row, results)))
-        for result in results:
-            if result.status == "invalid" and not self.look.problems:
-                continue  # the table has said it
-            if self.look.verbosity > 0 or result.status != "passed":
-                self.blank()
-                self.full(result)
-                self.closing(result, indent=INDENT)
-        self.blank()
+    def counts(self, results: Sequence[Result]) -> None:
+        """Put the counts, and what may decide what is undecided."""
+        if not self.look.allow_undecided and any(result.status == "undecided" for result in results):
+            self.put(f"{_EFFORT}; --allow-undecided lets it pass", "quiet")
         self.put(words.footer(results, allow_undecided=self.look.allow_undecided), "head")
 
     def row(self, result: Result) -> list[Cell]:
-        status = self.cell(f"{words.STATUS_MARKS[result.status]} {result.status}", words.STATUS_ROLES[result.status])
+        mark = marks.of_status(result.status)
+        status = self.cell(mark.text, mark.role)
         label = self.cell(words.name(result))
         if result.status == "invalid":
             return [status, label, self.cell(words.errors(result)), self.cell(None), self.cell(None)]
-        role = words.ROLES[result.convergent]
-        verdict = self.cell(words.convergence(result), role)
         return [
             status,
             label,
-            verdict,
+            self.cell(words.convergence(result), marks.of_verdict(result.convergent).role),
             self.cell(words.smoothness_or_that_of_phi(result)),
             self.cell(words.holder(result)),
         ]
@@ -101,38 +136,42 @@ class _TextReport(Page):
     # one mask
 
     def full(self, result: Result) -> None:
-        """Put everything about one mask."""
+        """Put one mask on a screen; with -v, or where findings are selected, the findings too."""
         self.headline(result)
         self.about(result)
         self.problems(result)
         if result.status == "invalid":
             return
-        rows = [row for row in self.properties(result) if row]
-        if rows:
+        if rows := reasons.of_result(result):
             self.blank()
-            self.table(TITLES, list(_once(rows)))
+            self.table(TITLES, [self.reason(row) for row in rows])
+            self.legend(row.text for row in rows)
         for line in words.figures(result, digits=self.look.verbosity > 0):
             self.put(line, "quiet", indent=INDENT, hanging=2)
         self.expectations(result)
         self.stencils(result)
-        findings.show(self, self.look.shown(result.findings))
+        if self.look.verbosity > 0 or self.look.select:
+            findings.show(self, result, self.look.shown(result.findings))
+
+    def reason(self, row: reasons.PropertyRow) -> list[Cell]:
+        verdict = self.cell(None) if row.mark is None else self.cell(row.mark.text, row.mark.role)
+        return [self.cell(row.title), verdict, self.cell(row.text), self.cell(row.codes, "quiet")]
 
     def headline(self, result: Result) -> None:
-        sign, role = words.STATUS_MARKS[result.status], words.STATUS_ROLES[result.status]
-        self.put(f"{sign} {words.name(result)}: {words.headline(result)}", role, hanging=2)
+        mark = marks.of_status(result.status)
+        self.put(f"{mark.sign} {words.name(result)}: {words.headline(result)}", mark.role, hanging=2)
 
     def about(self, result: Result) -> None:
         """Put file, kind, parameters, reference, then the facts."""
-        items = [result.file] if result.name and result.file else []
-        if result.kind:
-            items.append(result.kind)
-        items += [f"{name} = {rational(value)}" for name, value in result.parameters.items()]
-        if result.reference:
-            items.append(result.reference)
-        separator = " · " if self.look.unicode else "; "
-        for row in (items, words.facts(result)):
-            self.lines += joined([self.say(i) for i in row], separator, self.look.width, indent=INDENT, role="quiet")
+        about = [result.file if result.name else "", result.kind or "", *_parameters(result), result.reference or ""]
+        self.items(filter(None, about))
+        self.items(words.facts(result))
         self.notes(result)
+
+    def items(self, items: Iterable[str]) -> None:
+        """Put short texts in a row."""
+        separator = " · " if self.look.unicode else "; "
+        self.lines += joined([self.say(i) for i in items], separator, self.look.width, indent=INDENT, role="quiet")
 
     def notes(self, result: Result) -> None:
         """Put what a reader of the verdict must know besides: the run was stopped, the mask may be meant otherwise."""
@@ -150,58 +189,29 @@ class _TextReport(Page):
             self.blank()
             self.lines += problem_lines(problem, self.look)
 
-    def properties(self, result: Result) -> list[PropertyRow | None]:
-        """The rows of the table; None for a property nothing is known of and no question was about."""
-        return [row for each in PROPERTIES for row in self.rows_of(result, each)]
-
-    def rows_of(self, result: Result, row: Property) -> list[PropertyRow | None]:
-        """The row of a property; of an exponent that is only enclosed one for each bound, both with the same places."""
-        exponent = result.holder or Exponent()
-        if row.key != "holder" or exponent.exact is not None:
-            return [self.property(result, row)]
-        lower, upper = finite(exponent.lower), finite(exponent.upper)
-        places = worth(lower, upper) if lower is not None and upper is not None else 6
-        below = None if lower is None else at_least(lower, places)
-        above = None if upper is None else words.labelled(at_most(upper, places), exponent)
-        findings = [answering(result.findings, question) for question in (row.question, *row.more)]
-        return [
-            self.line(title, found.verdict if found else None, value, found)
-            for title, value, found in zip(("Hölder, lower", "Hölder, upper"), (below, above), findings, strict=True)
-        ]
-
-    def property(self, result: Result, row: Property) -> PropertyRow | None:
-        """The row of a property: proved by one finding, and shown to be sharp by others."""
-        found = answering(result.findings, row.question, *row.instead)
-        verdict = getattr(result, row.key) if row.form == "verdict" else found.verdict if found else None
-        also = (answering(result.findings, question) for question in row.more)
-        wanted = Verdict.REFUTED if row.form == "smoothness" else Verdict.PROVED
-        sharp = [other for other in also if other is not None and other.verdict is wanted]
-        return self.line(row.title, verdict, words.value(result, row), found, *sharp)
-
-    def line(
-        self, title: str, verdict: Verdict | None, value: str | None, found: Finding | None, *also: Finding
-    ) -> PropertyRow | None:
-        """The cells of title, verdict, value or reason, and codes of the findings; None where there is none of them."""
-        if found is None and value is None and verdict in (None, Verdict.SKIPPED):
-            return None
-        if value is None and found is not None and verdict in (Verdict.SKIPPED, Verdict.UNDECIDED):
-            value = found.reason
-        shown = ("", "text") if verdict is None else (words.mark(verdict), words.ROLES[verdict])
-        codes = ", ".join(each.code for each in (found, *also) if each is not None)
-        return PropertyRow(self.cell(title), self.cell(*shown), self.cell(value), self.cell(codes, "quiet"))
+    def legend(self, texts: Iterable[str]) -> None:
+        """Put what the symbols in these texts mean."""
+        if (meanings := words.legend(texts)) is not None:
+            self.put(f"({meanings})", "quiet", indent=INDENT, hanging=1)
 
     def expectations(self, result: Result) -> None:
-        """Put the expectations of the mask, each judged; where it was not proved, with what holds instead."""
-        if not result.expectations:
+        """Put the expectations: those proved in a row, each other one in a line, with what holds instead.
+
+        Where there is a baseline also what is worse.
+        """
+        if not result.expectations and not result.regressions:
             return
-        found = [words.found_instead(result, judged) for judged in result.expectations]
-        rows = []
-        for judged, instead in zip(result.expectations, found, strict=True):
-            shown = self.cell(words.mark(judged.verdict), words.ROLES[judged.verdict])
-            rows.append([self.cell(words.asked(judged.expectation)), shown, self.cell(instead)])
         self.blank()
-        header = ("expected", "verdict", "found") if any(found) else ("expected", "verdict")
-        self.table(header, [row[: len(header)] for row in rows])
+        proved = [judged for judged in result.expectations if judged.verdict is Verdict.PROVED]
+        if proved:
+            self.items(
+                f"{'expected and proved: ' if judged is proved[0] else ''}{words.asked_briefly(judged.expectation)}"
+                for judged in proved
+            )
+        for judged in result.expectations:
+            if judged.verdict is not Verdict.PROVED:
+                self.missed(result, judged)
+        self.regressions(result)
 
     def stencils(self, result: Result) -> None:
         """Put the sections that have grids of numbers, with -v."""
@@ -215,21 +225,18 @@ class _TextReport(Page):
                 put(self, section.blocks, result)
 
     def closing(self, result: Result, *, indent: int = 0) -> None:
-        """Put the reason for the exit code."""
+        """Put the answer once more, with the reason for the exit code."""
         if result.status == "invalid":
             return
-        role = words.STATUS_ROLES[result.status]
+        mark = marks.of_status(result.status)
         sentence = words.verdict_sentence(result, allow_undecided=self.look.allow_undecided)
         self.blank()
-        self.put(f"{words.STATUS_MARKS[result.status]} {sentence}", role, indent=indent, hanging=2)
+        if result.status == "undecided" and not self.look.allow_undecided:
+            self.put(_EFFORT, "quiet", indent=indent + INDENT)
+        self.put(f"{mark.sign} {sentence}", mark.role, indent=indent, hanging=2)
         if result.certificate is not None:
             self.unbroken(f"proof: {result.certificate}", indent=indent)
 
 
-def _once(rows: Sequence[PropertyRow]) -> Iterator[PropertyRow]:
-    """Keep the reason why properties were skipped in the first of theirs only."""
-    told: set[str] = set()
-    for row in rows:
-        reason = row.value.text if row.verdict.role == words.ROLES[Verdict.SKIPPED] else ""
-        yield row._replace(value=Cell("")) if reason and reason in told else row
-        told.add(reason)
+def _parameters(result: Result) -> list[str]:
+    return [f"{name} = {rational(value)}" for name, value in result.parameters.items()]

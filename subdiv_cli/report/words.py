@@ -2,30 +2,52 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from subdiv_cli.model import Data, Expectation, Exponent, Judgement, Result, Smoothness, Verdict
-from subdiv_cli.model.closed import rational
+from subdiv_cli.model import INFINITY, Data, Expectation, Exponent, Judgement, Log, Result, RootLog, Smoothness, Verdict
+from subdiv_cli.model.closed import is_brief, rational, spelled
 from subdiv_cli.model.findings import CONVERGENCE, SUMS, answering
+from subdiv_cli.model.order import enclosure
 from subdiv_cli.model.properties import BY_KEY, Property
-from subdiv_cli.report.numbers import LONGEST, data, interval
+from subdiv_cli.report.numbers import LONGEST, data, digits, interval
 
-MARKS = {Verdict.PROVED: "✓", Verdict.REFUTED: "✗", Verdict.UNDECIDED: "?", Verdict.SKIPPED: "–"}
-ROLES = {Verdict.PROVED: "good", Verdict.REFUTED: "bad", Verdict.UNDECIDED: "open", Verdict.SKIPPED: "none"}
+_RADIUS = r"ρ_\d"
+_SYMBOLS = {
+    r"φ": "φ: the refinable function",
+    r"S0?_\d": "S_ν: the scheme of divided differences of order ν",
+    r"S0?_\(Δ": "S_(Δ^k): the scheme of differences of order k",
+    r"T_\d": "T_ε: the transition matrices",
+    _RADIUS: "ρ_k: the joint spectral radius of S on differences of order k",
+    r"ρ\(": "ρ: the joint spectral radius",
+}
+"""The symbols that findings use, and what they mean."""
 _NO_WORSE = "nothing is worse than in the baseline"
-STATUS_MARKS = {"passed": "✓", "failed": "✗", "undecided": "?", "invalid": "!"}
-STATUS_ROLES = {"passed": "good", "failed": "bad", "undecided": "open", "invalid": "bad"}
 
 
-def mark(verdict: Verdict) -> str:
-    """A verdict as symbol and word: never colour alone."""
-    return f"{MARKS[verdict]} {verdict.value}"
+def legend(texts: Iterable[str]) -> str | None:
+    """The meaning of the symbols in these texts, in a line; None where there is none of them."""
+    text = "\n".join(texts)
+    meanings = [meaning for symbol, meaning in _SYMBOLS.items() if re.search(symbol, text)]
+    return "; ".join(meanings) if meanings else None
+
+
+def explained(text: str) -> str:
+    """The text with the meaning of a radius ρ_k in it, for those who see this line alone."""
+    return f"{text} ({_SYMBOLS[_RADIUS]})" if re.search(_RADIUS, text) else text
 
 
 def name(result: Result) -> str:
-    """The name of the mask, else that of its file."""
-    return result.name or result.file
+    """The name of the mask, else that of its file; with the parameters that vary in the run."""
+    at = (f"{parameter} = {rational(result.parameters[parameter])}" for parameter in result.varied)
+    return ", ".join((result.name or result.file, *at))
+
+
+def place(result: Result) -> str:
+    """The file of the mask, with the parameters that vary in the run, in one word: `four_point.toml[w=1/16]`."""
+    at = ",".join(f"{parameter}={rational(result.parameters[parameter])}" for parameter in result.varied)
+    return f"{result.file}[{at}]" if at else result.file
 
 
 def convergence(result: Result) -> str:
@@ -49,8 +71,8 @@ def smoothness_or_that_of_phi(result: Result) -> str | None:
 
 
 def _order(smooth: Smoothness) -> str | None:
-    if smooth.order is None:
-        return None
+    if smooth.order is None or smooth.order == INFINITY:
+        return None if smooth.order is None else "C^∞"
     return f"C^{smooth.order}, not C^{smooth.order + 1}" if smooth.sharp else f"C^{smooth.order} at least"
 
 
@@ -69,8 +91,10 @@ def facts(result: Result) -> list[str]:
 def _fact(key: str, value: Data) -> str | None:
     """A fact of a mask in words; None for one that goes without saying."""
     match key, value:
-        case "arity" | "coefficients", int():
-            return f"arity {value}" if key == "arity" else _count(value, "coefficient")
+        case "arity" | "coefficients" | "control_points", int():
+            return f"arity {value}" if key == "arity" else _count(value, key[:-1].replace("_", " "))
+        case "size", int():
+            return f"{value}×{value} matrices"
         case "support", (int(first), int(last)):
             return f"support {first} … {last}"
         case "gaps", tuple() if value:
@@ -79,7 +103,7 @@ def _fact(key: str, value: Data) -> str | None:
             return f"supported on a lattice of spacing {value}"
         case (("symmetry" | "type"), str()):
             return value
-        case (("interpolatory" | "nonnegative"), True):
+        case (("interpolatory" | "nonnegative" | "stochastic"), True):
             return key
         case "dilation", tuple():
             return f"dilation {_matrix(value)}"
@@ -87,7 +111,10 @@ def _fact(key: str, value: Data) -> str | None:
             return "anisotropic"
         case "symmetries", int() if value > 1:
             return f"{value} symmetries"
-        case (("gaps" | "spacing" | "symmetry" | "type" | "interpolatory" | "nonnegative" | "centre"), _):
+        case (
+            ("gaps" | "spacing" | "symmetry" | "type" | "interpolatory" | "nonnegative" | "stochastic" | "centre"),
+            _,
+        ):
             return None
         case (("dimension" | "cosets" | "isotropic" | "lowest" | "highest" | "symmetries"), _):
             return None
@@ -103,8 +130,8 @@ def _matrix(rows: tuple[Data, ...]) -> str:
 
 
 def holder(result: Result) -> str | None:
-    """The Hölder exponent of φ as text, and what it means where it is not positive; None where it is unknown."""
-    return value(result, BY_KEY["holder"])
+    """The Hölder exponent of φ in brief, and what it means where it is not positive; None where it is unknown."""
+    return _exponent(result.holder, BY_KEY["holder"], brief=True)
 
 
 def figures(result: Result, *, digits: bool) -> Iterator[str]:
@@ -174,16 +201,28 @@ def asked(expectation: Expectation) -> str:
     return f"{expectation.key} {relation}{text if len(text) <= LONGEST else text[: LONGEST // 3] + '…'}"
 
 
-def found(result: Result, expectation: Expectation) -> str | None:
-    """The value of the property that an expectation is about; None where the result has none."""
+def asked_briefly(expectation: Expectation) -> str:
+    """An expectation as `asked`, but of a closed form that is not read at a glance its digits: `sobolev = 3.2596…`."""
+    number = expectation.lower
+    if expectation.upper != number or not isinstance(number, RootLog | Log) or is_brief(expectation.text):
+        return asked(expectation)
+    low, high = enclosure(number, refined=True)
+    return f"{expectation.key} = {digits(float(low), float(high))}"
+
+
+def found(result: Result, expectation: Expectation, *, brief: bool = False) -> str | None:
+    """The value of the property that an expectation is about; None where the result has none.
+
+    `brief`: a closed form that is not read at a glance is left to its digits.
+    """
     if expectation.key == "convergent":
         return _decided(result)
     if expectation.key == "smoothness":
         return smoothness(result) or (_decided(result) if result.convergent is Verdict.REFUTED else None)
-    return value(result, BY_KEY[expectation.key], bare=True)
+    return value(result, BY_KEY[expectation.key], bare=True, brief=brief)
 
 
-def value(result: Result, row: Property, *, bare: bool = False) -> str | None:
+def value(result: Result, row: Property, *, bare: bool = False, brief: bool = False) -> str | None:
     """The value of a property as text; None where nothing is known, or where the verdict is all.
 
     `bare`: what stands behind the name of the property, a number without its noun, and `stable` for a verdict.
@@ -192,11 +231,23 @@ def value(result: Result, row: Property, *, bare: bool = False) -> str | None:
     if row.form == "smoothness":
         return smoothness_or_that_of_phi(result)
     if row.form == "exponent":
-        shown = None if given is None else interval(given)
-        return shown if shown is None or row.key != "holder" else labelled(shown, given)
+        return _exponent(given, row, brief=brief)
     if row.form == "verdict":
         return {Verdict.PROVED: row.key, Verdict.REFUTED: f"not {row.key}"}.get(given) if bare else None
     return None if given is None else rational(given) if bare else f"{row.form} {given}"
+
+
+def _exponent(given: Exponent | None, row: Property, *, brief: bool = False) -> str | None:
+    """An exponent as text, of a Hölder exponent with what is known besides; None where it is unknown."""
+    shown = None if given is None else interval(given, brief=brief)
+    if shown is None or given is None or row.key != "holder":
+        return shown
+    attained = _attained(given)
+    return labelled(f"{shown}, {attained}" if attained else shown, given)
+
+
+def _attained(exponent: Exponent) -> str | None:
+    return {True: "attained", False: "not attained", None: None}[exponent.attained]
 
 
 def _decided(result: Result) -> str | None:
@@ -204,46 +255,53 @@ def _decided(result: Result) -> str | None:
     return convergence(result) if result.convergent in (Verdict.PROVED, Verdict.REFUTED) else None
 
 
-def found_instead(result: Result, judgement: Judgement) -> str | None:
+def found_instead(result: Result, judgement: Judgement, *, brief: bool = False) -> str | None:
     """The value of a property whose expectation was not proved."""
-    return None if judgement.verdict is Verdict.PROVED else found(result, judgement.expectation)
+    return None if judgement.verdict is Verdict.PROVED else found(result, judgement.expectation, brief=brief)
 
 
 def judged(result: Result, judgement: Judgement, verdict: str) -> str:
     """A judged expectation as text: `expected smoothness = 3: refuted, found C^2, not C^3`; `verdict` as given."""
-    instead = found_instead(result, judgement)
-    text = f"expected {asked(judgement.expectation)}: {verdict}"
+    instead = found_instead(result, judgement, brief=True)
+    text = f"expected {asked_briefly(judgement.expectation)}: {verdict}"
     return f"{text}, found {instead}" if instead else text
 
 
 def verdict_sentence(result: Result, *, allow_undecided: bool = False) -> str:
-    """The sentence that explains the exit code, for one mask."""
+    """The answer in a line, with the reason for the exit code: `passed: C^1, not C^2; 7 of 7 expectations proved`."""
     if result.status == "invalid":
         return "invalid: the mask was not checked"
-    if result.regressions is not None:
-        worse = "; ".join(regression.message for regression in result.regressions)
-        why = f"worse than in the baseline: {worse}" if worse else _NO_WORSE
-    elif not result.expectations:
-        why = {
-            "passed": "convergence proved; the mask states no expectation",
-            "failed": "convergence refuted; the mask states no expectation",
-            "undecided": "convergence neither proved nor refuted; the mask states no expectation",
-        }[result.status]
+    status = f"{result.status} (allowed)" if allow_undecided and result.status == "undecided" else result.status
+    return f"{status}: {'; '.join([*_answers(result), _gate(result)])}"
+
+
+def _answers(result: Result) -> Iterator[str]:
+    """The smoothness, or why there is none, and the Hölder exponent in brief."""
+    if result.convergent is Verdict.PROVED:
+        yield smoothness(result) or "converges"
     else:
-        why = _judged(result)
-    return f"{result.status}: {why}" + (" (allowed)" if allow_undecided and result.status == "undecided" else "")
+        yield {Verdict.REFUTED: "does not converge"}.get(result.convergent, "convergence undecided")
+        if result.refinable.order is not None:
+            yield f"φ is {_order(result.refinable)}"
+    exponent = result.holder or Exponent()
+    exact = None if exponent.exact is None else spelled(exponent.exact)
+    number = exact if exact is not None and is_brief(exact) else interval(exponent, brief=True)
+    if number is not None:
+        attained = _attained(exponent)
+        yield f"Hölder {labelled(number, exponent)}" + (f" ({attained})" if attained else "")
 
 
-def _judged(result: Result) -> str:
-    total = len(result.expectations)
-    proved = sum(judged.verdict is Verdict.PROVED for judged in result.expectations)
-    refuted = sum(judged.verdict is Verdict.REFUTED for judged in result.expectations)
-    if total == 1:
-        return f"the expectation is {'proved' if proved else 'refuted' if refuted else 'neither proved nor refuted'}"
-    if proved == total:
-        return "both expectations proved" if total == 2 else f"all {total} expectations proved"
-    parts = [(proved, "proved"), (refuted, "refuted"), (total - proved - refuted, "undecided")]
-    return f"of {_count(total, 'expectation')} " + ", ".join(f"{number} {word}" for number, word in parts if number)
+def _gate(result: Result) -> str:
+    """What the exit code follows: the baseline, else the expectations, else convergence."""
+    if result.regressions is not None:
+        return "worse than in the baseline" if result.regressions else _NO_WORSE
+    if not result.expectations:
+        return "no expectation stated"
+    verdicts = [judged.verdict for judged in result.expectations]
+    counts = {verdict: verdicts.count(verdict) for verdict in (Verdict.PROVED, Verdict.REFUTED)}
+    counts[Verdict.UNDECIDED] = len(verdicts) - sum(counts.values())
+    also = [f"{count} {verdict.value}" for verdict, count in counts.items() if count and verdict is not Verdict.PROVED]
+    return ", ".join([f"{counts[Verdict.PROVED]} of {_count(len(verdicts), 'expectation')} proved", *also])
 
 
 def summary(results: Iterable[Result]) -> dict[str, int]:

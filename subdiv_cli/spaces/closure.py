@@ -2,21 +2,26 @@
 
 What happens to the vectors in the long run happens on its recurrent part, the intersection U of the spaces spanned by
 all images under products of length 1, 2, 3, …: on the rest long products are 0. So the vectors are replaced by images
-until these are in U, a tree whose leaves generate U. U is spanned by words applied to them, M_(w_ℓ) ⋯ M_(w_1) g, and
+until these are in U, a tree whose leaves generate U; where it has too many nodes they stay, and what is called U is all
+that they generate. U is spanned by words applied to them, M_(w_ℓ) ⋯ M_(w_1) g, and
 comes with words that do: a bound from below of what the family does to the vectors needs that they span it, one from
 above only that it holds them and is invariant.
 """
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from flint import fmpq_mat, nmod_mat
 
 from subdiv_cli.exact.linalg import reduced
+from subdiv_cli.model import Look, no_clock
 
 LARGEST_DIMENSION = 120
+LARGEST_TREE = 2000
+"""The most nodes of a tree; where more were needed, the vectors themselves generate the space, transients included."""
 LONGEST = 1000
 """The most bits of the numbers of a space; those of the masks of papers have 20."""
 _PRIMES = (2**61 - 1, 2**62 - 57, 2**59 - 55)
@@ -48,15 +53,15 @@ class InvariantSpace:
         return self.basis.nrows()
 
 
-def invariant_space(family: Sequence[fmpq_mat], vectors: fmpq_mat) -> InvariantSpace | None:
+def invariant_space(family: Sequence[fmpq_mat], vectors: fmpq_mat, look: Look = no_clock) -> InvariantSpace | None:
     """The space U of k vectors, rows of n entries, under n×n matrices.
 
     None where it is larger than LARGEST_DIMENSION, or has no short basis. Tree and words are found modulo a prime:
-    what is independent there is independent, and all else is checked exactly.
+    what is independent there is independent, and all else is checked exactly. Raises what `look` raises.
     """
     on_rows = [m.transpose() for m in family]
     for prime in _PRIMES:
-        search = _Search(on_rows, prime)
+        search = _Search(on_rows, prime, look)
         tree, leaves = search.tree(on_rows, vectors)
         if (origins := search.words(leaves)) is None:
             return None
@@ -64,7 +69,7 @@ def invariant_space(family: Sequence[fmpq_mat], vectors: fmpq_mat) -> InvariantS
             return _zero(tree, leaves, len(family)) if not any(leaves.entries()) else None
         span = fmpq_mat([_image(on_rows, leaves, origin).tolist()[0] for origin in origins])
         basis = reduced(span)
-        if _longest(basis) > LONGEST:
+        if longest(basis) > LONGEST:
             return None
         to_coordinates = basis.transpose() * (basis * basis.transpose()).inv()
         images = [*(basis * m for m in on_rows), leaves]
@@ -86,19 +91,22 @@ def _zero(tree: Tree, leaves: fmpq_mat, letters: int) -> InvariantSpace:
 class _Search:
     """Spans modulo a prime of numerators of vectors and matrices, which have the spans of these themselves."""
 
-    def __init__(self, on_rows: Sequence[fmpq_mat], prime: int) -> None:
+    def __init__(self, on_rows: Sequence[fmpq_mat], prime: int, look: Look) -> None:
         self.letters = [_modulo(m, prime) for m in on_rows]
-        self.prime = prime
+        self.prime, self.look = prime, look
 
     def tree(self, on_rows: Sequence[fmpq_mat], vectors: fmpq_mat) -> tuple[Tree, fmpq_mat]:
         """The tree of some vectors, and its leaves as rows."""
         recurrent = self._recurrent(_modulo(vectors, self.prime))
-        rows, tree, leaves = [fmpq_mat([row]) for row in vectors.tolist()], [], []
+        rows, tree, leaves = deque(fmpq_mat([row]) for row in vectors.tolist()), [], []
         while rows:
-            row, *rows = rows
+            self.look()
+            row = rows.popleft()
             tree.append(_stacked(recurrent, _modulo(row, self.prime)).rank() == recurrent.nrows())
             if tree[-1]:
                 leaves.append(row.tolist()[0])
+            elif len(tree) + len(rows) + len(on_rows) > LARGEST_TREE:
+                return (True,) * vectors.nrows(), vectors
             else:
                 rows += [row * m for m in on_rows]
         return tuple(tree), fmpq_mat(leaves)
@@ -111,6 +119,7 @@ class _Search:
         span, known = _rows(span, independent), [names[i] for i in independent]
         new, names = span, known
         while new.nrows() and len(known) <= LARGEST_DIMENSION:
+            self.look()
             images = _stacked(*(new * m for m in self.letters))
             names = [(leaf, (*word, letter)) for letter in range(len(self.letters)) for leaf, word in names]
             independent = [i - len(known) for i in _independent_rows(_stacked(span, images)) if i >= len(known)]
@@ -122,10 +131,12 @@ class _Search:
         """A basis of U."""
         space, rank = _row_space(vectors), 0
         while rank != space.nrows() <= LARGEST_DIMENSION:
+            self.look()
             rank = space.nrows()
             space = _row_space(_stacked(space, *(space * m for m in self.letters)))
         rank = 0
         while rank != space.nrows():
+            self.look()
             rank = space.nrows()
             space = _row_space(_stacked(*(space * m for m in self.letters)))
         return space
@@ -168,6 +179,6 @@ def _image(on_rows: Sequence[fmpq_mat], leaves: fmpq_mat, origin: Origin) -> fmp
     return row
 
 
-def _longest(rows: fmpq_mat) -> int:
+def longest(rows: fmpq_mat) -> int:
     """The bits of the longest numerator or denominator."""
     return max(max(abs(int(x.p)).bit_length(), int(x.q).bit_length()) for x in rows.entries())

@@ -64,13 +64,13 @@ class Lattice:
     @cached_property
     def representatives(self) -> tuple[Index, ...]:
         """The m representatives, one index >= 0 of each coset, the smallest ones, 0 first."""
-        found: dict[Index, Index] = {}
+        of_coset: dict[Index, Index] = {}
         for total in range(self.index * self.dimension):
             for alpha in indices_of_degree(self.dimension, total):
-                found.setdefault(self.coset(alpha), alpha)
-            if len(found) == self.index:
+                of_coset.setdefault(self.coset(alpha), alpha)
+            if len(of_coset) == self.index:
                 break
-        return tuple(found.values())
+        return tuple(of_coset.values())
 
     @cached_property
     def corner(self) -> tuple[Index, ...]:

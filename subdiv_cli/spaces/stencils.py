@@ -71,6 +71,7 @@ from flint import fmpq, fmpq_mat
 
 from subdiv_cli.exact.linalg import eigenvectors, identity, nullspace
 from subdiv_cli.exact.rationals import to_fmpq
+from subdiv_cli.model import Look, no_clock
 from subdiv_cli.spaces.closure import InvariantSpace, invariant_space
 from subdiv_cli.spaces.lattice import Index, indices_of_degree
 from subdiv_cli.spaces.transition import TransitionOperators
@@ -88,10 +89,13 @@ class SequenceSpace(NamedTuple):
 
 
 class StencilSpaces:
-    """The spaces of theorems 1 to 3 for one mask, each computed once; sequences lie on windows, index by index."""
+    """The spaces of theorems 1 to 3 for one mask, each computed once; sequences lie on windows, index by index.
 
-    def __init__(self, operators: TransitionOperators) -> None:
-        self.operators = operators
+    What takes long looks at the clock, and raises what `look` raises.
+    """
+
+    def __init__(self, operators: TransitionOperators, look: Look = no_clock) -> None:
+        self.operators, self._look = operators, look
 
     @cached_property
     def constants(self) -> fmpq_mat | None:
@@ -117,7 +121,7 @@ class StencilSpaces:
         window = self.operators.window
         if window is None:
             return None
-        kernel = eigenvectors(self.operators.on(window)[0], 1)
+        kernel = eigenvectors(self.operators.on(window, self._look)[0], 1)
         return tuple(_sequence([to_fmpq(x) for x in row], window, self.operators.size) for row in kernel)
 
     @cached_property
@@ -132,7 +136,10 @@ class StencilSpaces:
         return tuple(_combined(row, self.fixed) for row in dual.inv().tolist())
 
     def differences(self, k: int) -> SequenceSpace | None:
-        """The space V_k(w); None without stencils, and where it is too large."""
+        """The space V_k(w); None without stencils, and where it is too large.
+
+        That the dilation is as theorem 3 asks is the caller's to check.
+        """
         if self.stencils is None:
             return None
         orders = list(indices_of_degree(self.operators.lattice.dimension, k))
@@ -148,12 +155,12 @@ class StencilSpaces:
         return self._space([between, _convolved(difference((j + 1,)), w)])
 
     def _space(self, generators: Sequence[VectorSequence]) -> SequenceSpace | None:
-        window = self.operators.closed_window(alpha for v in generators for alpha in v)
+        window = self.operators.closed_window((alpha for v in generators for alpha in v), self._look)
         if window is None:
             return None
         zero = [fmpq(0)] * self.operators.size
         rows = fmpq_mat([[x for alpha in window for x in v.get(alpha, zero)] for v in generators])
-        space = invariant_space(self.operators.on(window), rows)
+        space = invariant_space(self.operators.on(window, self._look), rows, self._look)
         return None if space is None else SequenceSpace(window, space)
 
 

@@ -21,6 +21,7 @@ from math import lcm
 from flint import fmpq_mat
 
 from subdiv_cli.exact.linalg import identity, matrix, nullspace
+from subdiv_cli.model import Look, no_clock
 from subdiv_cli.spaces.lattice import Index, Lattice, box
 
 LARGEST_WINDOW = 1000
@@ -79,10 +80,14 @@ class TransitionOperators:
         near = {tuple(map(sum, zip(beta, shift, strict=True))) for beta in indices for shift in self._shifts}
         return {alpha for x in near if (alpha := self.lattice.preimage(x)) is not None}
 
-    def closed_window(self, start: Iterable[Index]) -> tuple[Index, ...] | None:
-        """The smallest set that holds the start and the supports of all images; None above LARGEST_WINDOW indices."""
+    def closed_window(self, start: Iterable[Index], look: Look = no_clock) -> tuple[Index, ...] | None:
+        """The smallest set that holds the start and the supports of all images; None above LARGEST_WINDOW indices.
+
+        Raises what `look` raises.
+        """
         window, new = set[Index](), set(start)
         while new:
+            look()
             window |= new
             if len(window) > LARGEST_WINDOW:
                 return None
@@ -119,16 +124,17 @@ class TransitionOperators:
         side, s = int(2 * farthest * total), self.lattice.dimension
         return list(box((-side,) * s, (side,) * s)) if (2 * side + 1) ** s <= LARGEST_BOX else None
 
-    def on(self, window: Sequence[Index]) -> tuple[fmpq_mat, ...]:
+    def on(self, window: Sequence[Index], look: Look = no_clock) -> tuple[fmpq_mat, ...]:
         """The T_ε on sequences over an invariant window as square matrices, m coordinates an index, index by index.
 
-        They act on columns.
+        They act on columns. Raises what `look` raises.
         """
         common = lcm(*(int(a.numer_denom()[1]) for a in self.terms.values()))
         scaled = {index: (a * common).numer_denom()[0].tolist() for index, a in self.terms.items()}
         m, places = self.size, {alpha: j for j, alpha in enumerate(window)}
         matrices = []
         for epsilon in self.lattice.representatives:
+            look()
             rows = [[0] * (m * len(window)) for _ in range(m * len(window))]
             for alpha, i in places.items():
                 at = [e + x for e, x in zip(epsilon, self.lattice.image(alpha), strict=True)]

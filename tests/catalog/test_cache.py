@@ -69,8 +69,9 @@ def test_what_a_hit_depends_on(store, tmp_path):
 
     assert not hit()
     assert hit()
-    assert not hit(overrides={"w": Fraction(1, 20)})
-    assert hit(overrides={"w": Fraction(1, 20)})
+    assert not hit(overrides={"w": [Fraction(1, 20)]})
+    assert hit(overrides={"w": [Fraction(1, 20)]})
+    assert hit(overrides={"w": [Fraction(1, 20), Fraction(1, 16)]}), "the values are those of one result"
     assert not hit(work=10_000)
     assert not hit(required=[parse_property("C1")])
     assert hit(required=[parse_property("C1")])
@@ -248,7 +249,7 @@ def other_root(r):
 RATIONAL, LOGARITHM, ROOT, BOUNDED = (
     f"scalar/{name}.toml" for name in ("four_point", "dual_four_point", "six_point_1_64", "six_point")
 )
-SETTINGS = {BOUNDED: {"overrides": {"theta": Fraction(117, 4000)}, "work": 250}}
+SETTINGS = {BOUNDED: {"overrides": {"theta": [Fraction(117, 4000)]}, "work": 250}}
 """With so little effort the exponent is not known exactly."""
 NUMBERS = [
     *((RATIONAL, exponent("holder", exact=Fraction(3))), (RATIONAL, exponent("holder", exact=Fraction(3, 2)))),

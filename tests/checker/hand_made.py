@@ -74,7 +74,9 @@ def naive_norm(c, p, level):
 def chaikin():
     """Claims: 0 residue-sums, 1 sum-rules, 2 derived, 3 generation, 4 reproduction, 5 norm ν=2, 6 norm ν=3, 7 product,
     8 eigen-condition, 9 independent, 10 stable, 11 converges, 12 smooth, 13 not-smooth, 14 not-smooth by the sum rules,
-    15 holder-lower, 16 holder-upper, 17 holder-upper by the sum rules, 18 holder-exact, 19 sobolev."""
+    15 holder-lower, 16 holder-upper, 17 holder-upper by the sum rules, 18 holder-exact, 19 sobolev, 20 converges,
+    21 smooth, 22 not-smooth, 23 holder-lower and 24 holder-upper by it, 25 holder-lower by ν=2, 26 sobolev-at-least,
+    27 sobolev-at-most, 28 the same by the sum rules."""
     return document(
         2,
         poly(-1, 1, 3, 3, 1, over=4),
@@ -99,6 +101,15 @@ def chaikin():
             claim("holder-upper", [10, 1], length=1, radius="1/8"),
             claim("holder-exact", [15, 16], property="holder", level=2, norm="1/16"),
             sobolev([10, 1], poly(0, "-1/32", 1), "1/32"),
+            claim("converges", [19, 10], property="convergent", holds=True),
+            claim("smooth", [19], order=1),
+            claim("not-smooth", [19], order=3),
+            claim("holder-lower", [19], level=2, norm="1/16"),
+            claim("holder-upper", [19], length=2, radius="1/32"),
+            claim("holder-lower", [5, 1], level=1, norm="1/4"),
+            claim("sobolev-at-least", [15], length=2, bound="1/16"),
+            claim("sobolev-at-most", [16], length=2, bound="1/32"),
+            claim("sobolev-at-most", [10, 1], length=1, bound="1/8"),
         ],
     )
 
@@ -172,7 +183,7 @@ def unstable():
 
 def cycle():
     """1 + z^3: 0 dependent, 1 unstable, 2 reduction to the Haar function, 3 independent, 4 stable, 5 sum-rules,
-    6 norm, 7 not-smooth by the product, 8 product, 9 holder-upper."""
+    6 norm, 7 product, 8 not-smooth by the product, 9 holder-upper, 10 diverges as φ is not continuous."""
     return document(
         2,
         poly(5, 1, 0, 0, 1),
@@ -187,6 +198,7 @@ def cycle():
             claim("product", [5], mask=1, word=[0], radius="1"),
             claim("not-smooth", [4, 7, 2], order=0),
             claim("holder-upper", [4, 7, 2], length=1, radius="1"),
+            claim("diverges", [8], property="convergent", holds=False),
         ],
     )
 

@@ -90,6 +90,8 @@ MASKS = {
         [[2, 0], [0, 3]],
         scaled(product(ray(1, 0), ray(1, 0), ray(0, 1, count=3), ray(0, 1, count=3)), Fraction(1, 6), (-1, -2)),
     ),
+    "halves": (QUINCUNX, {(0, 0): Fraction(1, 2), (0, 1): Fraction(1), (0, 2): Fraction(1, 2)}),
+    "apart": (QUINCUNX, {(0, 0): Fraction(1, 2), (3, 0): Fraction(1), (6, 0): Fraction(1, 2)}),
     "half_haar": (TWO, box([(1, 0), (0, 1), (0, 1)], "1/2")),  # 1, 1 times a hat: it does not converge
     "sheared": ([[2, 1], [0, 2]], box([(1, 0), (0, 1)], 1)),
 }
@@ -401,7 +403,21 @@ class _Book:
         cofactor = polynomial(divided(annihilator(self.name, k), [Fraction(c) for c in f]))
         fields = {"polynomial": polynomial(f), "low": low, "high": high}
         name = "sobolev-lower" if stable is None else "sobolev"
-        self.add("surface-sobolev", uses, {"cofactor": cofactor}, property=name, **fields)
+        return self.add("surface-sobolev", uses, {"cofactor": cofactor}, property=name, **fields)
+
+    def routes(self, converges, stable, lower, upper, mean, factors):
+        """What follows for the bilinear B-spline from other claims on it, k = 2, α = 1, σ = 3/2."""
+        self.add("smooth", [converges], order=0)
+        self.add("holder-lower", [converges], length=1, bound="1")
+        self.add("holder-upper", [1, stable], length=2, bound="1/16")
+        self.add("holder-upper", [mean], length=2, bound="1/8")
+        self.add("not-smooth", [mean], order=2)
+        self.add("sobolev-at-least", [lower], length=1, bound="1/2")
+        self.add("sobolev-at-most", [upper], length=2, bound="1/16")
+        self.add("sobolev-at-most", [1, stable], length=2, bound="1/16")
+        decay = self.add("directional-decay", [0, *factors], order=1, level=2, norm="1/4")
+        self.add("holder-lower", [decay], length=2, bound="1/4")
+        self.add("converges", [decay], property="convergent", holds=True)
 
     def quasi_interpolation(self, converges, degree, centre, *around):
         """The stencil has a weight at the centre, and others at indices about it: pairs of both."""
@@ -443,13 +459,13 @@ def bilinear():
     book.add("smooth", [root, family], order=0)
     book.add("not-smooth", [stable, root, family], order=1)
     book.add("not-smooth", [stable, 1], order=2)
-    book.add("holder-lower", [root, family], length=1, bound="1/2")
-    book.add("holder-upper", [root, family, 1, stable], length=1, bound="1/2")
+    lower = book.add("holder-lower", [root, family], length=1, bound="1/2")
+    upper = book.add("holder-upper", [root, family, 1, stable], length=1, bound="1/2")
     exact = {"length": 1, "polynomial": ["-1", "2"], "low": "1/2", "high": "1/2"}
     book.add("holder-root", [root, family, 1, stable], **exact)
     book.add("reproduction", [1], degree=1)
     book.quasi_interpolation(converges, 1, (0, 0), 1)
-    book.sobolev(2, [-1, 8], "1/8", "1/8", stable)
+    mean = book.sobolev(2, [-1, 8], "1/8", "1/8", stable)
     book.sobolev(2, [-1, 8], "1/8", "1/8")
     spline = book.box([(1, 0), (1, 0), (0, 1), (0, 1)], 1, (-1, -1))
     book.add("box-smooth", [spline], property="smooth", order=0)
@@ -466,6 +482,7 @@ def bilinear():
     book.add("directional-converges", [0, *factors], property="convergent", holds=True)
     book.gram(converges, tree=[-1, 1, -1, -1, -1, 1, -1, -1])
     book.add("positive-converges", [0], property="convergent", holds=True)
+    book.routes(converges, stable, lower, upper, mean, factors)
     return book.document()
 
 
@@ -575,6 +592,9 @@ def butterfly():
         fields = {"directions": [list(x) for x in pair], "level": 2, "norm": q(pair_norm(found, 2))}
         pairs.append(book.add("pair-norm", witness={"quotient": found}, **fields))
     book.add("directional-smooth", [0, *pairs], property="smooth", order=1)
+    worst = max(Fraction(book.claims[number]["statement"]["norm"]) for number in pairs)
+    decay = book.add("directional-decay", [0, *pairs], order=2, level=2, norm=q(worst / 4))
+    book.add("smooth", [decay], order=1)
     return book.document()
 
 
@@ -643,9 +663,20 @@ def haar():
     book.add("diverges", [root, family], property="convergent", holds=False)
     spline = book.box([(1, 0), (0, 1)], 1, (0, 0))
     stable = book.add("box-stable", [spline], property="stable", holds=True)
-    book.add("box-not-smooth", [spline], property="not-smooth", order=0)
+    jumps = book.add("box-not-smooth", [spline], property="not-smooth", order=0)
     book.add("not-smooth", [stable, root, family], order=0)
+    book.add("diverges", [jumps], property="convergent", holds=False)
+    book.add("box-holder", [spline], property="holder-value", value=0)
     book.add("holder-root", [root, family, 1, stable], length=1, polynomial=["-1", "1"], low="1", high="1")
+    return book.document()
+
+
+def apart():
+    """The mask stays in 3 Z^2: its box spline is C^0, and S diverges."""
+    book = _Book("apart")
+    book.structure(2)
+    witness = {"functional": [1, 0], "modulus": 3}
+    book.add("sublattice-diverges", witness=witness, property="convergent", holds=False)
     return book.document()
 
 
@@ -687,6 +718,7 @@ ALL_MULTIVARIATE = {
         chaikin_hat,
         loop,
         haar,
+        apart,
         flat,
         trilinear,
     )

@@ -11,12 +11,12 @@ from fractions import Fraction
 from hand_made import claim
 from support import four_point, scheme
 
-from subdiv_cli.checker import KINDS
+from subdiv_cli.checker.radius.rules import RULEBOOK as RADIUS
 from subdiv_cli.model import Effort
 from subdiv_cli.pipeline import check, joint_spectral_radius
 
 OF_RADII = {
-    *KINDS["matrices"].rules,
+    *RADIUS.rules,
     "transition",
     "positive-symbol",
     "holder-root",

@@ -114,6 +114,7 @@ def test_a_kind_is_loaded_when_it_is_asked_for():
 
 KNOWS = {
     "radius": {"radius"},
+    "curves": {"radius", "curves"},
     "scalar": {"radius", "scalar"},
     "multivariate": {"radius", "scalar", "multivariate"},
     "vector": {"radius", "scalar", "vector"},

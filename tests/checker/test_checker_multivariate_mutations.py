@@ -18,7 +18,8 @@ from hand_made_multivariate import ALL_MULTIVARIATE, MASKS, norm, pair_norm, pai
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from subdiv_cli.checker import KINDS, check_document
+from subdiv_cli.checker import check_document
+from subdiv_cli.checker.radius.rules import RULEBOOK as RADIUS
 
 
 class Facts(NamedTuple):
@@ -36,7 +37,7 @@ class Facts(NamedTuple):
     directions: list[list[int]] | None = None
 
 
-RADIUS_RULES = KINDS["matrices"].rules
+RADIUS_RULES = RADIUS.rules
 GOLDEN = (1 + math.sqrt(5)) / 2
 FACTS = {
     "bilinear": Facts(2, True, 1, 0, True, 1.5, 1, [[0, 1], [0, 1], [1, 0], [1, 0]]),
@@ -50,6 +51,7 @@ FACTS = {
     "chaikin_hat": Facts(2, True, 1, 0, True, 1.5, 1),
     "loop": Facts(4, True, 3, 2, True, 3.5, 1),
     "haar": Facts(1, False, 0, -1, True, 0.5, 0, [[0, 1], [1, 0]]),
+    "apart": Facts(2, False, 1, 0, False, 1.5, 1),
     "flat": Facts(0, False, math.nan, -1, False, math.nan, -1),
     "trilinear": Facts(
         2, True, 1, 0, True, 1.5, 1, [[0, 0, 1], [0, 0, 1], [0, 1, 0], [0, 1, 0], [1, 0, 0], [1, 0, 0]]
@@ -121,6 +123,9 @@ def is_true(s, name):
         "directional-norm": directional,
         "pair-norm": pair,
         "matrix-norm": decay,
+        "directional-decay": decay,
+        "sobolev-at-least": lambda: exponent() <= facts.s + 1e-9,
+        "sobolev-at-most": lambda: exponent() >= facts.s - 1e-9,
     }[s["property"]]()
 
 

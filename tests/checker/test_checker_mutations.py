@@ -98,7 +98,9 @@ def is_true(s, name):
     facts, (p, masks) = FACTS[name], masks_of(name)
     start, a = masks[s.get("mask", 0)]
     order, quotients = order_and_quotients(a, p)
-    log = {key: -math.log(Fraction(s[key]), p) for key in ("norm", "radius") if key in s and Fraction(s[key]) > 0}
+    log = {
+        key: -math.log(Fraction(s[key]), p) for key in ("norm", "radius", "bound") if key in s and Fraction(s[key]) > 0
+    }
 
     def derived():
         z, symbol = Fraction(3, 7), s["symbol"]
@@ -150,6 +152,8 @@ def is_true(s, name):
         "levels": lambda: Fraction(s["tolerance"]) >= Fraction(1, 2 ** (s["levels"] + 1)),
         "hermite-bound": lambda: s["order"] == 2 and Fraction(s["constant"]) >= Fraction(1, 8),
         "sobolev": sobolev,
+        "sobolev-at-least": lambda: log["bound"] / s["length"] <= facts.sobolev + 1e-9,
+        "sobolev-at-most": lambda: log["bound"] / s["length"] >= facts.sobolev - 1e-9,
         "residue-sums": lambda: s["sums"] == sums(),
         "sum-rules": lambda: s["order"] == order,
         "derived": derived,

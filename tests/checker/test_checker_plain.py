@@ -43,13 +43,25 @@ def test_literal_numbers(entries, start, arity):
     assert plain_mask(content) == plain(arity, start, [x for _, x in entries])
 
 
+def test_a_mask_without_start_begins_at_zero():
+    assert plain_mask("[mask]\ncoefficients = [1, 2]\n") == plain(2, 0, [Fraction(1), Fraction(2)])
+    heading = 'kind = "multivariate"\n[mask]\n'
+    for rows, start in (("[[1, 2]]", "[0, 0]"), ("[[[1, 2]]]", "[0, 0, 0]")):
+        found = plain_mask(f"{heading}coefficients = {rows}\n")
+        assert found is not None
+        assert found == plain_mask(f"{heading}start = {start}\ncoefficients = {rows}\n")
+
+
 @pytest.mark.parametrize(
     "content",
     [
         "",
         "[mask",
         'kind = "vector"\n[mask]\nstart = 0\ncoefficients = [1]\n',
-        "[mask]\ncoefficients = [1, 1]\n",
+        "[mask]\nstart = 0\n",
+        "[mask]\nstart = 0\ncoefficients = [[1, 1]]\n",
+        'kind = "multivariate"\n[mask]\ncoefficients = [1, 1]\n',
+        'kind = "multivariate"\n[mask]\ncoefficients = ' + "[" * 9 + "1" + "]" * 9 + "\n",
         '[mask]\nsymbol = "1+z"\n',
         '[parameters]\nw = 1\n[mask]\nstart = 0\ncoefficients = [1, "w"]\n',
         '[mask]\nstart = 0\ncoefficients = [1, "1/0"]\n',
@@ -138,5 +150,11 @@ def test_the_mask_of_a_certificate_in_several_variables(tmp_path, capsys):
     assert capsys.readouterr().out.startswith("NOT VERIFIED mask: ")
 
 
-def test_a_certificate_of_matrices_is_about_no_mask():
-    assert mask_of({"kind": "matrices", "matrices": [[["1"]]]}) is None
+def test_plain_families_of_matrices():
+    found = plain_mask('kind = "matrices"\nmatrices = [[[1, 0], ["2/3", "1/3"]], [["2/3", 0.25], [0, 1]]]\n')
+    assert found == mask_of(
+        {"kind": "matrices", "matrices": [[["1", "0"], ["2/3", "1/3"]], [["2/3", "1/4"], ["0", "1"]]]}
+    )
+    for other in ("[[[w]]]", '[[["w"]]]', "[[1]]", "[1]", "1", '"1"', "{}"):
+        assert plain_mask(f'kind = "matrices"\nmatrices = {other}\n') is None
+    assert plain_mask('kind = "matrices"\n') is None

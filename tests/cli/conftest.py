@@ -21,7 +21,7 @@ class Catalog:
         self.error = None
 
     def check_all(self, targets, **settings):
-        listeners = {name: settings.pop(name, None) for name in ("on_total", "on_done", "on_skipped")}
+        listeners = {name: settings.pop(name, None) for name in ("on_total", "on_done", "on_skipped", "on_unwritten")}
         self.asked = (list(targets), settings)
         listeners["on_total"](len(self.results))
         for made in self.results:

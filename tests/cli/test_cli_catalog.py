@@ -37,6 +37,13 @@ def test_list_finds_words_in_names_files_and_references():
     assert subdiv("list", "no such mask").returncode == 1
 
 
+def test_list_in_a_pipe_has_a_line_for_each_mask():
+    rows = subdiv("list", COLUMNS=None).stdout.splitlines()[3:-1]
+    assert len(rows) == len(list(masks_directory().rglob("*.toml")))
+    assert all(row.endswith(".toml") for row in rows)
+    assert max(map(len, rows)) > 120
+
+
 def test_clean(tmp_path):
     cache = tmp_path / "cache"
     subdiv("check", masks_directory() / "scalar" / "four_point.toml", "--cache-dir", cache)

@@ -11,7 +11,7 @@ def pages(tmp_path, monkeypatch):
         "# SD101 residue-sums\n\nΣ of each class is 1 ≥ ½.\n\n    code\n", encoding="utf-8"
     )
     (tmp_path / "SD201.md").write_text("# SD201 convergence\n\nText.\n", encoding="utf-8")
-    (tmp_path / "vector.md").write_text("# no code\n", encoding="utf-8")
+    (tmp_path / "notes.md").write_text("# notes\n\nRemarks.\n", encoding="utf-8")
     monkeypatch.setattr(explain, "_PAGES", tmp_path)
 
 
@@ -22,15 +22,22 @@ def test_page(code):
 
 def test_codes_and_titles():
     assert explain.codes() == ["SD101", "SD201"]
+    assert explain.subjects() == ["notes"]
     assert explain.title("SD101") == "residue-sums"
 
 
 @pytest.mark.parametrize(
     ("code", "near"),
-    [("SD102", ["SD101", "SD201"]), ("convergance", ["convergence"]), ("zzz", []), ("../SD101", ["SD101"])],
+    [
+        ("SD102", ["SD101", "SD201"]),
+        ("convergance", ["convergence"]),
+        ("note", ["notes"]),
+        ("zzz", []),
+        ("../SD101", ["SD101"]),
+    ],
 )
 def test_unknown_codes(code, near):
-    with pytest.raises(explain.UnknownCodeError) as caught:
+    with pytest.raises(explain.UnknownPageError) as caught:
         explain.page(code)
     assert set(near) <= set(caught.value.near)
     assert bool(near) == bool(caught.value.near)
@@ -45,13 +52,13 @@ def test_command(run):
 
 
 def test_command_without_a_code(run):
-    codes = "SD101  residue-sums  Σ of each class is 1 ≥ ½.\nSD201  convergence   Text.\n"
-    assert run("explain").stdout == codes + "vector\n"
+    assert run("explain").stdout == (
+        "notes  Remarks.\n\nSD101  residue-sums  Σ of each class is 1 ≥ ½.\nSD201  convergence   Text.\n"
+    )
 
 
-def test_pages_of_kinds():
-    assert explain.kinds() == ["vector"]
-    assert explain.page(" Vector ") == explain.page("vector")
+def test_command_of_a_subject(run):
+    assert run("explain", "Notes").stdout == "# notes\n\nRemarks.\n"
 
 
 @pytest.mark.parametrize(("unicode", "dots"), [(True, " …"), (False, " ...")])
@@ -60,9 +67,16 @@ def test_a_long_summary_is_shortened_to_its_line(run, tmp_path, monkeypatch, uni
     (tmp_path / "SD201.md").write_text(f"# SD201 convergence\n\n{text}\n", encoding="utf-8")
     monkeypatch.setenv("COLUMNS", "60")
     monkeypatch.setattr("subdiv_cli.cli.explain.speaks_mathematics", lambda stream: unicode)
-    line = run("explain").stdout.splitlines()[1]
+    line = run("explain").stdout.splitlines()[-1]
     assert line == "SD201  convergence   The first paragraph, going on for" + dots
     assert len(line) <= 60
+
+
+def test_in_a_pipe_nothing_is_cut_or_wrapped(run, tmp_path):
+    text = "The first paragraph, " + "which is long, " * 20 + "and its end."
+    (tmp_path / "SD201.md").write_text(f"# SD201 convergence\n\n{text}\n", encoding="utf-8")
+    assert run("explain").stdout.splitlines()[-1] == f"SD201  convergence   {text}"
+    assert run("explain", "SD201").stdout == f"# SD201 convergence\n\n{text}\n"
 
 
 def test_command_in_ascii(run, monkeypatch):

@@ -8,7 +8,7 @@ from click.testing import CliRunner
 from support import subdiv
 
 from subdiv_cli import pipeline
-from subdiv_cli.checker import Outcome
+from subdiv_cli.checker import Outcome, check_document
 from subdiv_cli.cli import main
 from subdiv_cli.jsr.answer import _primitive, answer
 from subdiv_cli.model import Effort
@@ -103,17 +103,34 @@ def test_no_certificate_without_a_bound(family, tmp_path):
     assert not proof.exists()
 
 
-def test_a_proof_beyond_the_checker_is_said_not_to_be_written(family, tmp_path, monkeypatch):
-    exhausted = Outcome(False, lambda: "NOT VERIFIED claim 0: too much work", exhausted=True)
-    monkeypatch.setattr("subdiv_cli.pipeline.check_document", lambda _: exhausted)
+EXHAUSTED = Outcome(False, lambda: "NOT VERIFIED claim 0: too much work", exhausted=True)
+
+
+def test_a_bound_whose_proof_is_beyond_the_checker_is_left_out(family, tmp_path, monkeypatch):
+    """What is verified takes its place, and a line says so."""
+
+    def check(document, goes_on):
+        return check_document(document) if document["claims"][0]["rule"] == "polytope" else EXHAUSTED
+
+    monkeypatch.setattr("subdiv_cli.pipeline.check_document", check)
     proof = tmp_path / "proof.json"
     run = subdiv("jsr", family, "--certificate", proof)
     assert run.returncode == 3
-    assert run.stderr == f"warning: {proof} is not written: the proof asks more than the checker does\n"
-    assert run.stdout.startswith("✓ joint spectral radius = root(")
-    assert "certificate" not in run.stdout
+    assert run.stderr == "warning: a better bound is left out: its proof asks more work of the checker than it does\n"
+    assert run.stdout.startswith("~ joint spectral radius in ")
+    assert check_document(json.loads(proof.read_text())).verified
+
+
+def test_without_a_proof_that_the_checker_accepts_there_is_no_bound(family, tmp_path, monkeypatch):
+    monkeypatch.setattr("subdiv_cli.pipeline.check_document", lambda document, goes_on: EXHAUSTED)
+    proof = tmp_path / "proof.json"
+    run = subdiv("jsr", family, "--certificate", proof)
+    assert run.returncode == 3
+    assert run.stderr.startswith(f"warning: {proof} is not written: nothing is proved\n")
+    why = "its proof asks more work of the checker than it does"
+    assert run.stdout.startswith(f"? joint spectral radius: not one bound was found; {why}\n")
     assert not proof.exists()
-    assert subdiv("jsr", family).returncode == 0
+    assert subdiv("jsr", family).returncode == 3
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,8 @@ from cli_samples import result
 from subdiv_cli.catalog.task import Done
 from subdiv_cli.cli import progress as module
 from subdiv_cli.cli.progress import Progress
+from subdiv_cli.model import Effort, watch
+from subdiv_cli.model.watch import At
 
 
 @pytest.fixture(autouse=True)
@@ -64,3 +66,57 @@ def test_what_is_told_afterwards():
         "   0.250 s  passed.toml",
         "   0.000 s  passed.toml",
     ]
+
+
+@pytest.fixture
+def heard(monkeypatch):
+    """What is heard while there is a listener."""
+    heard = []
+    watch.listen(lambda at: heard.append(str(at)))
+    yield heard
+    watch.listen(None)
+
+
+def test_who_listens_hears_where_the_clock_is_looked_at(heard, monkeypatch):
+    monkeypatch.setattr(watch, "PAUSE", 0)
+    watch.begin("joint radius")
+    watch.count(1234, "vertices")
+    Effort(5).limited(3).allows(2)
+    watch.begin("checker")
+    assert heard == ["joint radius", "joint radius, 1,234 vertices", "checker"]
+    watch.listen(None)
+    watch.begin("nobody hears this")
+    assert len(heard) == 3
+
+
+def test_a_listener_is_not_told_too_often(heard):
+    watch.begin("smoothness")
+    for number in range(1000):
+        watch.count(number, "products")
+        watch.look()
+    assert heard[0] == "smoothness"
+    assert len(heard) < 10
+
+
+def test_one_mask_shows_what_it_is_at_once_it_takes_long(monkeypatch):
+    made = io.StringIO()
+    made.isatty = lambda: True
+    progress = Progress(made)
+    with progress.watching():
+        watch.begin("sum rules")
+        assert made.getvalue() == ""
+        monkeypatch.setattr(module, "PATIENCE", 0)
+        watch.tell(At("joint radius", 312, "vertices"))
+        assert made.getvalue() == "\rjoint radius, 312 vertices, 0 s"
+        progress.begin(2)
+        progress.step(DONES[0])
+        watch.begin("checker")
+        assert made.getvalue().endswith("\r1/2 masks, slowest passed.toml 0.2 s; checker, 0 s")
+    assert made.getvalue().endswith(" \r")
+    assert not watch.is_heard()
+
+
+def test_nobody_listens_where_there_is_no_terminal():
+    made = io.StringIO()
+    with Progress(made).watching():
+        assert not watch.is_heard()

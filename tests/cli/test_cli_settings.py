@@ -82,6 +82,36 @@ def test_every_key(tree):
     assert not (tree / "kept").exists()
 
 
+def files(run):
+    return [result["file"] for result in json.loads(run.stdout)["results"]]
+
+
+def test_paths_are_checked_where_none_is_named(tree):
+    settings(tree, 'paths = ["masks", "inner/masks/m.toml"]\nformat = "json"')
+    assert files(check(tree)) == ["masks/m.toml", "inner/masks/m.toml"]
+    assert files(check(tree / "masks")) == ["m.toml", "../inner/masks/m.toml"], "from where one stands"
+    assert files(check(tree, "inner/masks")) == ["inner/masks/m.toml"]
+    assert files(check(tree, "--mask", "[1, 1]")) == ["--mask"]
+    (tree / "list.txt").write_text("inner/masks\n")
+    assert files(check(tree, "--files-from", "list.txt")) == ["inner/masks/m.toml"]
+    settings(tree, 'format = "json"')
+    assert "nothing to check: name a file" in check(tree).stderr
+    settings(tree, "paths = []")
+    assert check(tree).returncode == 2
+
+
+def test_exclude(tree):
+    for name in ("drafts", "masks/drafts"):
+        (tree / name).mkdir()
+        (tree / name / "d.toml").write_text(CHAIKIN)
+    settings(tree, 'paths = ["."]\nexclude = ["inner", "./drafts"]\nformat = "json"')
+    assert files(check(tree)) == ["masks/m.toml", "masks/drafts/d.toml"]
+    assert files(check(tree / "masks")) == ["../masks/m.toml", "../masks/drafts/d.toml"], "relative to the file"
+    assert files(check(tree, "--exclude", "masks")) == ["drafts/d.toml", "inner/masks/m.toml"][:1]
+    assert files(check(tree, SUBDIV_EXCLUDE="m.toml drafts/*")) == ["masks/drafts/d.toml"]
+    assert files(check(tree, "inner/masks/m.toml", "drafts")) == ["inner/masks/m.toml", "drafts/d.toml"]
+
+
 def test_no_cache(tree):
     settings(tree, 'cache = false\ncache-dir = "kept"')
     assert subdiv("check", "masks", cwd=tree, SUBDIV_CACHE_DIR=None).returncode == 0
@@ -93,6 +123,8 @@ def test_no_cache(tree):
     [
         ('requires = ["C1"]', 'there is no setting "requires"', 5),
         ('require = "C1"', "require cannot be str", 5),
+        ('paths = "masks"', "paths cannot be str", 5),
+        ("exclude = [1]", "exclude must be a list of strings", 5),
         ("require = [1]", "require must be a list of strings", 5),
         ("jobs = true", "jobs cannot be bool", 5),
         ("jobs = 0", "is neither auto nor a number", 5),

@@ -5,6 +5,7 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
+from typing import TypedDict
 
 import pytest
 from click.testing import CliRunner
@@ -39,8 +40,14 @@ F = Fraction
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 HAT = Curve(2, 1, -1, (F(1, 2), F(1), F(1, 2)), (F(-1), F(1)))
 BUMP = Heights(((F(1, 2), F(0)), (F(0), F(1, 2))), {(i, j): F(1, 1 + i * i + j * j) for i, j in SQUARE})
-CONVERGES = Rule("SD998", "toy-convergence", "nobody", answers=(CONVERGENCE,))
-SMOOTH = Rule("SD999", "toy-smoothness", "nobody", answers=(SMOOTHNESS,))
+
+
+class Empty(TypedDict):
+    """The witness of a toy."""
+
+
+CONVERGES = Rule("SD998", "toy-convergence", "nobody", Empty, answers=(CONVERGENCE,))
+SMOOTH = Rule("SD999", "toy-smoothness", "nobody", Empty, answers=(SMOOTHNESS,))
 
 
 class Toy:
@@ -68,7 +75,7 @@ def analyse(scheme, effort, tolerance=None):
         found = SMOOTH.proved("it is smooth", {}, answers={SMOOTHNESS: Smoothness(0)})
     else:
         found = SMOOTH.undecided("is it smooth?", "nobody knows")
-    return Analysis(scheme, {"size": scheme.size}, (CONVERGES.undecided("does it?", "who knows"), found), scheme)
+    return Analysis(scheme, {"extent": scheme.size}, (CONVERGES.undecided("does it?", "who knows"), found), scheme)
 
 
 def portrait(analysis, result):
@@ -84,7 +91,9 @@ def portrait(analysis, result):
         Statements(result.findings),
         Words("exponents"),
     )
-    return Portrait((Section("All", blocks), Section("Found", (Statements(result.findings, full=True),))), {"size": 3})
+    return Portrait(
+        (Section("All", blocks), Section("Found", (Statements(result.findings, full=True),))), {"extent": 3}
+    )
 
 
 def functions(scheme, effort, options, certify):
@@ -160,7 +169,7 @@ def run(monkeypatch, tmp_path):
 def test_show_in_every_format(run):
     text = run("show", "toy3.toml")
     assert (text.exit_code, text.stderr) == (0, "")
-    for part in ("  size: 3\n", "x = 1/2 y", "    a_i  1/2\n    b_i       3\n", " 2 │  ·  -2", "⎣ 3  40 ⎦", "█"):
+    for part in ("  extent: 3\n", "x = 1/2 y", "    a_i  1/2\n    b_i       3\n", " 2 │  ·  -2", "⎣ 3  40 ⎦", "█"):
         assert part in text.stdout
     assert "it is smooth (proved, SD999)" in text.stdout
     assert "✓ proved     SD999 toy-smoothness\n               it is smooth\n               nobody\n" in text.stdout
@@ -170,7 +179,7 @@ def test_show_in_every_format(run):
     latex = run("show", "toy3.toml", "--format", "latex").stdout
     assert latex.count("\\begin{tikzpicture}") == 2
     page = json.loads(run("show", "toy3.toml", "--format", "json").stdout)
-    assert (page["size"], page["report"]["kind"]) == (3, "toy")
+    assert (page["extent"], page["report"]["kind"]) == (3, "toy")
     refused = run("show", "toy3.toml", "--tolerance", "1/2")
     assert refused.exit_code == 2
     assert "--tolerance belongs to curves" in refused.stderr

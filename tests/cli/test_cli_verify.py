@@ -23,7 +23,8 @@ def proofs(tmp_path_factory):
 def test_a_directory_of_certificates(proofs):
     run = subdiv("verify", proofs)
     assert run.returncode == 0
-    lines = run.stdout.splitlines()
+    *lines, summary = run.stdout.splitlines()
+    assert summary == "4 certificates: 4 VERIFIED"
     assert [Path(line.split(": ")[0]).stem for line in lines] == [
         "bspline_degree_2",
         "chaikin_in_z3",
@@ -68,9 +69,55 @@ def test_a_forged_number_is_found(proofs, tmp_path):
     forged.write_text(json.dumps(document), encoding="utf-8")
     run = subdiv("verify", proofs / "four_point.json", forged)
     assert run.returncode == 1
-    good, bad = run.stdout.splitlines()
+    good, bad, summary = run.stdout.splitlines()
+    assert summary == "2 certificates: 1 VERIFIED, 1 NOT VERIFIED"
     assert ": VERIFIED " in good
     assert ": NOT VERIFIED " in bad
+
+
+@pytest.fixture
+def mixed(proofs, tmp_path):
+    """Four good certificates, and one that is none."""
+    for proof in proofs.iterdir():
+        (tmp_path / proof.name).write_bytes(proof.read_bytes())
+    (tmp_path / "empty.json").write_text("{}", encoding="utf-8")
+    return tmp_path
+
+
+def test_quiet(proofs, mixed):
+    assert (subdiv("verify", proofs, "-q").returncode, subdiv("verify", proofs, "-q").stdout) == (0, "")
+    run = subdiv("verify", mixed, "-q")
+    bad, summary = run.stdout.splitlines()
+    assert run.returncode == 1
+    assert bad.startswith(f"{mixed / 'empty.json'}: NOT VERIFIED document: ")
+    assert summary == "5 certificates: 4 VERIFIED, 1 NOT VERIFIED"
+
+
+def test_json(mixed):
+    run = subdiv("verify", mixed, mixed / "none.json", "--format", "json")
+    report = json.loads(run.stdout)
+    assert run.returncode == 2
+    assert "none.json cannot be read" in run.stderr
+    assert (report["format"], report["version"]) == ("subdiv-verify", 1)
+    assert report["summary"] == {"certificates": 6, "verified": 4, "not_verified": 1, "unreadable": 1}
+    statuses = {Path(result["file"]).stem: result["status"] for result in report["results"]}
+    assert (statuses["empty"], statuses["none"], statuses["four_point"]) == ("not_verified", "unreadable", "verified")
+    assert all(set(result) == {"file", "status", "line", "claim"} for result in report["results"])
+    forged = json.loads((mixed / "four_point.json").read_text(encoding="utf-8"))
+    (number,) = (n for n, c in enumerate(forged["claims"]) if c["rule"] == "norm" and c["statement"]["nu"] == 2)
+    forged["claims"][number]["statement"]["norm"] = "1/2"
+    (mixed / "forged.json").write_text(json.dumps(forged), encoding="utf-8")
+    (result,) = json.loads(subdiv("verify", mixed / "forged.json", "--format", "json").stdout)["results"]
+    assert (result["status"], result["claim"]) == ("not_verified", number)
+
+
+def test_several_processes_say_the_same_in_the_same_order(mixed):
+    for proof in [*mixed.iterdir()]:
+        for copy in range(4):
+            (mixed / f"{copy}-{proof.name}").write_bytes(proof.read_bytes())
+    one, two = (subdiv("verify", mixed, "--jobs", jobs) for jobs in (1, 2))
+    assert (one.stdout, one.returncode) == (two.stdout, two.returncode)
+    assert two.stdout.endswith("\n25 certificates: 20 VERIFIED, 5 NOT VERIFIED\n")
 
 
 def test_what_is_no_certificate(proofs, tmp_path):

@@ -11,31 +11,31 @@ from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.exact.closed import closed_ball
 from subdiv_cli.kinds.hermite import KIND
 from subdiv_cli.model import Effort, Exponent, logarithm
-from subdiv_cli.model.closed import less
+from subdiv_cli.model.closed import plus
 from subdiv_cli.pipeline import check, draw, show
 
 MASKS = masks_directory() / "hermite"
 
 
-@pytest.mark.parametrize("n", [0, 1, 2, 5])
-def test_an_exponent_less_an_integer(n):
+@pytest.mark.parametrize("n", [0, -1, -2, 5])
+def test_an_exponent_plus_an_integer(n):
     root = check(scheme(de_rham(HERMITE_CUBIC), kind="hermite"), (), Effort()).result.holder.exact
     for x in (Fraction(7, 2), logarithm(2, Fraction(64, 9)), logarithm(3, Fraction(11), 2), root):
-        found = less(x, n)
-        assert abs(float(closed_ball(x)) - n - float(closed_ball(found))) < 1e-12
-    assert less(root, 0) == root
-    assert less(logarithm(2, Fraction(64, 9)), 1) == logarithm(2, Fraction(32, 9))
+        total = plus(x, n)
+        assert abs(float(closed_ball(x)) + n - float(closed_ball(total))) < 1e-12
+    assert plus(root, 0) == root
+    assert plus(logarithm(2, Fraction(64, 9)), -1) == logarithm(2, Fraction(32, 9))
 
 
-def test_the_root_of_a_derivative_is_isolated_by_its_decimals():
-    """The text is read again as the same number."""
+def test_the_exponent_of_a_derivative_is_read_again_as_the_same_number():
     from subdiv_cli.exact.closed import compare
     from subdiv_cli.maskfile.closed import read_closed_form
 
     root = check(scheme(merrien("-1/10", "-1/2"), kind="hermite"), (), Effort()).result.holder.exact
-    found = less(root, 1)
-    assert str(found) == "-log2(root(20*x^2-15*x+1, 0.676038, 0.676040))"
-    assert compare(read_closed_form(str(found)), found) == 0
+    exponent = plus(root, -1)
+    assert str(exponent) == "-log2(root(80*x^2-30*x+1, 0.338019, 0.338020))-1"
+    assert exponent.root.coefficients == (1, -15, 20)
+    assert compare(read_closed_form(str(exponent)), exponent) == 0
 
 
 def test_bounds_of_a_derivative_are_outward():

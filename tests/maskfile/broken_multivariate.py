@@ -40,10 +40,10 @@ KEYS = [
     one("nothing", MASK + "dilation = 2\n", "SD005", "nothing gives the coefficients", "mask.coefficients", 2, 2, "tensor"),
     one("two-forms", MASK + 'symbol = "z2"\n' + ONE, "SD015", "symbol and terms", "mask.terms", 4, 1, "one of the two"),
     one("start-with-terms", MASK + ONE + "start = [0, 0]\n", "SD015", "terms and start", "mask.start", 4, 1, "one of the two"),
-    several("terms-in-scalar", "[mask]\n" + ONE, ("SD005", "start", "mask.start", 1, 2, "start = -3"), ("SD004", '"terms"', "mask.terms", 2, 1, "multivariate")),
+    one("terms-without-kind", "[mask]\n" + ONE + "dilation = 2\n", "SD005", 'kind = "multivariate" is missing: dilation is for', "mask.dilation", 3, 1, "at the top, above [mask]"),
+    one("terms-in-scalar", 'kind = "scalar"\n[mask]\ncoefficients = [1]\n' + ONE, "SD004", '"terms"', "mask.terms", 4, 1, "multivariate"),
 ]  # fmt: skip
 COEFFICIENTS = [
-    one("grid-without-start", MASK + "coefficients = [[1, 1]]\n", "SD005", "start is missing", "mask.start", 2, 2, "[-1, -1]"),
     one("grid-start-number", MASK + "start = 0\ncoefficients = [[1, 1]]\n", "SD006", "a list of integers, not an integer", "mask.start", 3, 9, "[-1, -1]"),
     one("grid-start-short", MASK + "start = [0]\ncoefficients = [[1, 1]]\n", "SD023", "nested 2 deep", "mask.start", 3, 9, "each variable"),
     one("grid-start-far", MASK + "start = [0, 2000]\ncoefficients = [[1, 1]]\n", "SD010", "2000 is beyond 1000", "mask.start[1]", 3, 13, "smaller"),

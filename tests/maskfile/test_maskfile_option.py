@@ -13,7 +13,8 @@ from subdiv_cli.kinds.reading import read_text
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.writing import write
 from subdiv_cli.maskfile import MaskFileError
-from subdiv_cli.maskfile.option import parse_override
+from subdiv_cli.maskfile.option import Given, parse_override
+from subdiv_cli.maskfile.pasted import is_toml
 
 
 def four_point(w: Q) -> ScalarScheme:
@@ -44,7 +45,24 @@ def test_masks_from_the_command_line(text: str, start: int, coefficients: tuple[
         ("[1,2", "SD008", "never closed", 1),
         ("[]", "SD009", "the mask is empty", 2),
         ("[0, 0]/2", "SD009", "all coefficients", 1),
-        ("[1 2]", "SD008", "the number 2 stands directly after", 4),
+        ("[1, 2 2]", "SD008", "the number 2 stands directly after", 7),
+        ("[1 2", "SD008", "never closed", 1),
+        ("[1, 3; 3, 1]/4", "SD008", "[1, 3; 3, 1] is a matrix, as MATLAB writes it", 6),
+        ("[1 3; 3 1]/4", "SD008", "[1 3; 3 1] is a matrix, as MATLAB writes it", 5),
+        ("1,3\n3,1\n", "SD008", "one list or the rows of a matrix?", 4),
+        ("0,25; 0,75", "SD008", "Decimals have a point", 5),
+        ("1,3,3,1/4", "SD008", "is the list divided, or its last number?", 8),
+        ('["0,5", 1]', "SD008", 'the character """', 2),
+        ('["1/2, 1]', "SD008", 'the character """', 2),
+        ('{"coefficients": [1, 3, 3, 1]}', "SD008", "braces are no list", 1),
+        ("[0.125 0.375 ... 0.125]", "SD008", "the list is abridged", 14),
+        ("(1+z)*[1, 3, 3, 1]", "SD008", "z cannot stand in a single number", 4),
+        ("1/0*[1, 3, 3, 1]", "SD007", "division by zero", 3),
+        ("v*[1, 3, 3, 1]", "SD008", '"v" is not declared', 1),
+        ("(1, 3, 3, 1]", "SD008", '"," stands where', 3),
+        ("1 + 1*[1, 3, 3, 1]", "SD008", '"+" stands where * or / or a list', 3),
+        ("[1, 3] * [3, 1]", "SD008", '"[" stands where', 10),
+        ("Fraction(1, 2), 1", "SD008", "function call", 1),
         ("[1,]", "SD008", '"]" stands where', 4),
         ("[1,2]/0", "SD007", "division by zero", 7),
         ("[1,z]", "SD008", "z cannot stand", 4),
@@ -52,8 +70,7 @@ def test_masks_from_the_command_line(text: str, start: int, coefficients: tuple[
         ("[1,w]/2", "SD008", '"w" is not declared', 4),
         ("1/(1+z)", "SD008", "1 + z does not divide 1", 3),
         ("", "SD008", "empty", 1),
-        ("1/8,1/2,3/4", "SD008", "stands in brackets", 4),
-        ("(1,2,1)/4", "SD008", "stands in brackets", 3),
+        ("[1, z], 2", "SD008", "z cannot stand", 5),
     ],
 )
 def test_bad_masks_from_the_command_line(text: str, code: str, message: str, column: int) -> None:
@@ -68,13 +85,110 @@ def test_bad_masks_from_the_command_line(text: str, code: str, message: str, col
 
 def test_mends_on_the_command_line() -> None:
     for text, mend in (
-        ("1/8,1/2,3/4", "put the list in brackets: [1/8,1/2,3/4]"),
-        ("(1,2,1)/4", "put the list in brackets: [1, 2, 1]/2"),
         ("[1,w]", "give it a value: -p w=1/16"),
+        ("[1, 3; 3, 1]/4", "a mask in two variables is lists in lists: [[1, 3], [3, 1]]"),
+        ("1,3\n3,1\n", "put one list in brackets; a mask in two variables is [[1,3], [3,1]]"),
+        ("1,3,3,1/4", "write [1,3,3,1]/4 or [1,3,3,1/4]"),
+        ('{"a": [1, 3, 3, 1]}', "write the list alone: [1, 3, 3, 1]"),
+        ("3/8 z", "write * to multiply, 3/8 * z, or put the divisor in parentheses, 3/(8 z)"),
+        ("(1+z)**4/8", "write ^ for a power: (…)^4"),
+        ("z**3", "write ^ for a power: z^3"),
+        ("z + 0,25", "write decimals with a point: 0.25"),
     ):
         with pytest.raises(MaskFileError) as caught:
             from_option(text)
         assert caught.value.problems[0].help == mend
+
+
+CUBIC = ["1/4", "3/4", "3/4", "1/4"]
+SPELLED = {
+    "1/4*[1, 3, 3, 1]": CUBIC,
+    "1/4 [1 3 3 1]": CUBIC,
+    "(1/4)[1, 3, 3, 1]": CUBIC,
+    "-1/2*[1, 2]/2": ["-1/4", "-1/2"],
+    "-[1, 2]": ["-1", "-2"],
+    "(1+1)*[1 + 1, 2]": ["4", "4"],
+    '["1/4", \'3/4\', "3/4", 0.25]': CUBIC,
+    '["1/2 + 1/4", "(1+2)/4"]': ["3/4", "3/4"],
+    '["1/2 + 1", "3/2"]/2': ["3/4", "3/4"],
+    "[2.5e-1, 0.75, 7.5E-1, 25e-2]": CUBIC,
+    "array([0.25, 0.75, 0.75, 0.25])": CUBIC,
+    "np.array([1, 3, 3, 1], dtype=float64) / 4": CUBIC,
+    "0.25*numpy.array([1., 3., 3., 1.])": CUBIC,
+    "[np.float64(0.25), np.float64(0.75), np.float64(0.75), np.float64(0.25)]": CUBIC,
+    "[np.float64(1 + 2)/4, float(3)/4]": ["3/4", "3/4"],
+    "[0.25 0.75 0.75 0.25]": CUBIC,
+    "[ 0.25 -0.75\n -0.75  0.25]": ["1/4", "-3/4", "-3/4", "1/4"],
+    "[1 -2 + 3 4]": ["1", "1", "4"],
+    "[1 - 2 3]": ["-1", "3"],
+    "[1 -2, 3]": ["-1", "3"],
+    "[1 3 3 1]/4;": CUBIC,
+    "[1; 3; 3; 1]'/4": CUBIC,
+    "[1, 3, ...\n 3, 1]./4": CUBIC,
+    "(0.25, 0.75, 0.75, 0.25)": CUBIC,
+    "(1,3,3,1)/4": CUBIC,
+    "1/4,3/4,3/4,1/4": CUBIC,
+    "0.25,0.75,0.75,0.25\n": CUBIC,
+    "0.25;0.75;0.75;0.25": CUBIC,
+    "0.25\t0.75\t0.75\t0.25": CUBIC,
+    "0.25\n0.75\r\n0.75\n\n0.25\n": CUBIC,
+    "0.25,\n0.75,\n0.75,\n0.25,\n": CUBIC,
+    "1/4 3/4 3/4 1/4": CUBIC,
+    "(1+z)^3\n/ 4\n": CUBIC,
+    "(1 + z) (1 + z) (1 + z) / 4": CUBIC,
+}
+
+
+@pytest.mark.parametrize("text", SPELLED)
+def test_spellings_of_other_programs(text: str) -> None:
+    """Each is the mask that is meant, exactly, from --mask and from standard input, and is written as it reads."""
+    wanted = ScalarScheme(arity=2, start=0, coefficients=tuple(map(Q, SPELLED[text])))
+    mask = from_option(text)
+    assert mask.scheme() == wanted
+    assert read_text(write(mask), file="--mask") == mask
+    assert read_text(text, file="-").scheme() == wanted
+
+
+def test_spellings_with_parameters_and_in_two_variables() -> None:
+    for text in ("w, 1, w", "[w 1 w]", "1/2*[2w, 2, 2w]", '["w", 1, "w"]'):
+        assert from_option(text, names=["w"]).scheme({"w": Q(1, 2)}).coefficients == (Q(1, 2), 1, Q(1, 2))
+    rows = "[[1 2 1]\n [2 4 2]\n [1 2 1]]"
+    for text in (f"{rows}/4", "array([[1, 2, 1], [2, 4, 2], [1, 2, 1]])/4", "((1,2,1),(2,4,2),(1,2,1))/4"):
+        assert from_option(text, start=(-1, -1)).scheme().terms == BILINEAR
+
+
+@pytest.mark.parametrize(
+    ("text", "toml"),
+    [
+        ("[mask]\ncoefficients = [1, 1]", True),
+        ("kind = 1", True),
+        ("", True),
+        ("# nothing\n", True),
+        ("[mask]\n", True),
+        ("[mask\n1, 1", True),
+        ("[[1, 2], [2, 1]]", False),
+        ("[1, 1]", False),
+        ("(1+z)^2/2", False),
+        ('["a = b", 1]', False),
+        ("array([1, 1], dtype=int)", False),
+        ("1, 1  # a = b", False),
+        ("[w 1 w]/2", False),
+    ],
+)
+def test_a_mask_file_is_told_from_a_list(text: str, toml: bool) -> None:
+    assert is_toml(text) is toml
+
+
+def test_what_stands_beside_a_list_on_standard_input() -> None:
+    read = read_text("[w, 1, w]", file="-", given=Given((-3,), 3, ("w",)))
+    assert read.scheme({"w": Q(2)}) == ScalarScheme(arity=3, start=-3, coefficients=(Q(2), Q(1), Q(2)))
+    with pytest.raises(MaskFileError, match="--start belongs to a list of coefficients"):
+        read_text("[mask]\ncoefficients = [1, 1]\n", file="-", given=Given((-3,), None, ()))
+    with pytest.raises(MaskFileError) as caught:
+        read_text("[1, 2\n 3, v]", file="-")
+    assert [(p.file, p.line, p.column) for p in caught.value.problems] == [("-", 2, 2)]
+    with pytest.raises(MaskFileError, match="table name"):
+        read_text("[1, 2, 1]", file="list.toml")
 
 
 def test_parameters_of_a_mask_from_the_command_line() -> None:

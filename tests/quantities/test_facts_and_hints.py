@@ -71,7 +71,6 @@ def test_hints(coefficients, fragments):
         scheme([1, 1]),
         scheme(["0.546", "0.454", "0.454", "0.546"]),
         scheme(["0.125", "0.375", "0.375", "0.125"], over=Fraction(1, 2)),
-        scheme(_CDF_9_7),
     ],
 )
 def test_no_hint_for_a_good_mask(mask):

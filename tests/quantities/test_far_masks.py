@@ -42,12 +42,13 @@ def test_the_quincunx_hat_anywhere(at):
 
 
 def test_a_skew_dilation_far_off():
-    _, refinable, holder, sobolev, stable = far = answers(hat(SKEW, (0, 1), (1000, 998)))
+    convergent, refinable, holder, sobolev, stable = far = answers(hat(SKEW, (0, 1), (1000, 998)))
     assert far == answers(hat(SKEW, (0, 1), (0, 0)))
     assert (refinable.order, refinable.sharp) == (0, True)
     assert (holder.lower, holder.upper) == (1, 1)
     assert (sobolev.lower, sobolev.upper) == (1.5, 1.5)
     assert stable is Verdict.REFUTED
+    assert convergent is Verdict.REFUTED, "(0, 1) and M(0, 1) = (23, -5) span a lattice of index 23"
 
 
 @pytest.mark.parametrize(

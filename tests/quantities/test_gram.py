@@ -21,7 +21,7 @@ CONVERGENT = sorted(set(NAMES) - COUNTEREXAMPLES)
 
 
 def gram_of(scheme):
-    return gram_sequence(scheme, Lattice(scheme.dilation))
+    return gram_sequence(scheme, Lattice(scheme.dilation), EFFORT)
 
 
 def times(f, g):
@@ -99,7 +99,7 @@ def test_masks_made_unstable_are_refuted(name, direction, n):
     assert check_document(checked.document).verified
     finding = next(f for f in checked.result.findings if f.code == "SD616")
     assert finding.witness.get("order", n) == n  # of a tensor product a factor is refuted
-    assert torsion_zero(gram_of(scheme)) is not None
+    assert torsion_zero(gram_of(scheme), EFFORT) is not None
     assert positive_tree(gram_of(scheme), EFFORT) is None
 
 

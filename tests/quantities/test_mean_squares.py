@@ -44,7 +44,7 @@ def found(scheme, stable=False):
 
 def growth(scheme):
     lattice = Lattice(scheme.dilation)
-    order = sum_rule_order(scheme, lattice)
+    order = sum_rule_order(scheme, lattice, Effort())
     answer = mean_squares(scheme, lattice, order, Effort(200_000))
     return float(answer.growth.radius.enclosure().real.mid())
 
@@ -114,7 +114,7 @@ def test_differences_of_the_subdivided_delta_grow_at_that_rate(name):
     """m^-L Σ |∇^μ S^L δ|² in floats, the largest over |μ| = k."""
     scheme = scheme_of(next(row for row in ROWS if row["id"] == name))
     lattice = Lattice(scheme.dilation)
-    k, m = sum_rule_order(scheme, lattice), lattice.index
+    k, m = sum_rule_order(scheme, lattice, Effort()), lattice.index
     levels, between = {2: (12, 6), 3: (5, 2), 4: (5, 2)}[m]
     sizes = []
     for level in (levels - between, levels):
@@ -142,7 +142,7 @@ def test_the_transfer_operator_in_floats(row):
     """Its spectral radius on all sequences over a window that vanish at 1 to order 2k."""
     scheme = scheme_of(row)
     lattice = Lattice(scheme.dilation)
-    k, s = sum_rule_order(scheme, lattice), lattice.dimension
+    k, s = sum_rule_order(scheme, lattice, Effort()), lattice.dimension
     b = autocorrelation(scheme)
     window = closed_window(scheme, b, k)
     t = np.zeros((len(window), len(window)))
@@ -238,7 +238,7 @@ def test_shifts_and_reversal_change_nothing(cofactor):
     def s(changed):
         scheme = MultivariateScheme(dilation=((2, 0), (0, 2)), terms=changed)
         lattice = Lattice(scheme.dilation)
-        order = sum_rule_order(scheme, lattice)
+        order = sum_rule_order(scheme, lattice, Effort())
         answer = mean_squares(scheme, lattice, order, Effort())
         polynomial = answer.growth and list(answer.growth.radius.minimal_polynomial)
         return order, polynomial, reproduction(scheme, lattice, order - 1).degree
@@ -281,7 +281,7 @@ def solved(matrix, right):
 def test_polynomials_are_subdivided_to_themselves(row):
     scheme = scheme_of(row)
     lattice = Lattice(scheme.dilation)
-    found = reproduction(scheme, lattice, sum_rule_order(scheme, lattice) - 1)
+    found = reproduction(scheme, lattice, sum_rule_order(scheme, lattice, Effort()) - 1)
     for degree in range(found.degree + 1):
         assert reproduces(scheme, degree, found.shift)
     assert not reproduces(scheme, found.degree + 1, found.shift)

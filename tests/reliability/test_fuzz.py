@@ -17,7 +17,8 @@ from support import canonical, cases, seeded
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.catalog.task import Settings, Task, perform
 from subdiv_cli.checker import check_text
-from subdiv_cli.kinds.reading import read_bytes
+from subdiv_cli.kinds.option import from_option
+from subdiv_cli.kinds.reading import read_bytes, read_text
 from subdiv_cli.kinds.writing import from_scheme, write
 from subdiv_cli.maskfile import MaskFileError
 from subdiv_cli.model import Verdict
@@ -169,6 +170,65 @@ def test_mutants(part, capsys):
     assert mix["proved"] >= COUNT * 0.1
     assert mix["refuted"] >= COUNT * 0.1
     assert sizes[-1] < sizes[1] + 40, "memory stays where it is"
+
+
+def spelled(rng, numbers):
+    """A list as some program prints it, and the numbers that it has; sometimes there is a factor."""
+    times = rng.choice([1, 1, Fraction(1, 4), 2])
+    words = [rng.choice([str(x), f"{x} ", f"({x})"]) for x in numbers]
+    quote = rng.choice(["'", '"'])
+    body = rng.choice(
+        [
+            lambda: f"[{', '.join(words)}]",
+            lambda: f"[{'  '.join(map(str, numbers))}]",
+            lambda: f"[{','.join(f'{quote}{x}{quote}' for x in numbers)}]",
+            lambda: f"np.array([{', '.join(words)}])",
+            lambda: f"array([{','.join(words)}], dtype=float64)",
+            lambda: f"[{'; '.join(map(str, numbers))}]'",
+            lambda: f"({', '.join(words)},0)",
+            lambda: f"[{' '.join(map(str, numbers[:1]))} ...\n {' '.join(map(str, numbers[1:]))}]",
+        ]
+    )()
+    if times == 1:
+        bare = [",".join(words), " ".join(map(str, numbers)), "\n".join(map(str, numbers)) + "\n", ";".join(words)]
+        divided = any(x.denominator > 1 for x in numbers[:-1]) or numbers[-1].denominator == 1
+        text = rng.choice([body, *(bare if divided and len(numbers) > 1 else [])])
+    else:
+        text = rng.choice([f"{times}*{body}", f"{times} * {body}", f"{body}*{times}", f"{body} / ({1 / times});"])
+    return text, tuple(times * x for x in numbers)
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_lists_of_other_programs_and_mutants_of_them(part):
+    """Half are as they are printed, and are exactly those numbers; of the others nothing but MaskFileError comes."""
+    rng, mix = seeded(part), Counter()
+    for _ in range(COUNT):
+        numbers = [Fraction(rng.randint(-9, 9), rng.choice([1, 1, 2, 4, 10])) for _ in range(rng.randint(1, 6))]
+        numbers[0], numbers[-1] = numbers[0] or Fraction(1), numbers[-1] or Fraction(1)
+        text, wanted = spelled(rng, numbers)
+        if rng.random() < 0.5:
+            assert read_text(text, file="-").scheme().coefficients == wanted, text
+            assert from_option(text).scheme().coefficients == wanted, text
+            mix["read"] += 1
+            continue
+        for _ in range(rng.randint(1, 3)):
+            at = rng.randrange(len(text) + 1)
+            text = text[:at] + rng.choice("[](),;:'\"\n ./*-+^zw=#{}…0e") + text[at + rng.randint(0, 1) :]
+        try:
+            mask = from_option(text, names=["w"])
+            scheme = mask.scheme({name: Fraction(3, 2) for name in mask.parameters})
+            mix["mutant read"] += 1
+        except MaskFileError as error:
+            (problem, *_) = error.problems
+            assert problem.code != "SD099", text
+            assert problem.help, text
+            mix["refused"] += 1
+            continue
+        again = read_text(write(mask), file="--mask")
+        assert again.scheme({name: Fraction(3, 2) for name in mask.parameters}) == scheme, text
+    assert mix["read"] >= COUNT * 0.4
+    assert mix["mutant read"] >= COUNT * 0.02
+    assert mix["refused"] >= COUNT * 0.15
 
 
 @pytest.mark.parametrize("part", range(PARTS))

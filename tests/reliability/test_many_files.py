@@ -6,12 +6,21 @@ A thousand; `SUBDIV_CASES=10000` asks for ten thousand.
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from runs import CHAIKIN
 from support import cases
 
+from subdiv_cli.catalog.run import check_all
+from subdiv_cli.kinds.reading import read_text
+from subdiv_cli.report import renderer
+from subdiv_cli.report.look import Look
+
 COUNT = cases()
+BASE = 60
+"""The MiB of a run of few masks, at most."""
+SUFFIXES = ["json", "jsonl", "html", "xml", "sarif", "md", "txt"]
 MEASURED = """
 import json, resource, sys, time
 from subdiv_cli.cli import main
@@ -63,13 +72,29 @@ def test_many_masks(tmp_path):
     assert len(names) == COUNT
     assert code == 2
     assert out.count('"status": "passed"') == COUNT - 1
-    assert own < 320 + COUNT / 250, "a few KiB a mask at most"
+    assert own < BASE + COUNT / 250, "a few KiB a mask at most"
     assert worker < 160
     entries = written(cache)
     assert len(entries) == COUNT // 10
-    out, (code, warm, own, worker) = measured(*arguments, "--format", "junit")
+    files = [tmp_path / f"report.{suffix}" for suffix in SUFFIXES]
+    outputs = [word for file in files for word in ("-o", str(file))]
+    out, (code, warm, own, worker) = measured(*arguments, *outputs)
     assert written(cache) == entries, "all are found, none is written again"
     assert code == 2
-    assert out.count("<testcase ") == COUNT
-    assert own < 150 + COUNT / 25, "the findings of all masks, without their witnesses"
+    assert files[SUFFIXES.index("xml")].read_text("utf-8").count("<testcase ") == COUNT
+    assert len(json.loads(files[SUFFIXES.index("json")].read_bytes())["results"]) == COUNT
+    assert own < BASE + COUNT / 250
     print(f"\n  {COUNT} masks: {cold:.1f} s cold, {warm:.1f} s from the cache, {own:.0f} and {worker:.0f} MiB")
+
+
+def test_merged_reports_need_no_more_memory_the_more_masks_they_have(tmp_path):
+    (result,) = check_all([read_text(CHAIKIN.format(start=0), file="m.toml")])
+    needed = []
+    for count in (100, 1000):
+        file, written = tmp_path / f"{count}.json", [tmp_path / f"{count}-merged.{suffix}" for suffix in SUFFIXES]
+        results = [replace(result, file=f"m{number}.toml", status="failed") for number in range(count)]
+        file.write_text(renderer("json")(results, Look()), encoding="utf-8")
+        _, (code, _, own, _) = measured("merge", str(file), *(word for path in written for word in ("-o", str(path))))
+        assert (code, written[0].read_bytes()) == (0, file.read_bytes())
+        needed.append(own)
+    assert needed[1] < needed[0] + 10, "MiB"

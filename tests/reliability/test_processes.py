@@ -173,8 +173,8 @@ def test_a_step_that_no_budget_interrupts_is_ended_from_outside(tmp_path, monkey
 
     perform = pool.perform
     monkeypatch.setattr(pool, "perform", hang)
-    monkeypatch.setattr(pool, "PATIENCE", (2.0, 0.5))
-    results = list(check_all([str(masks(tmp_path, 12))], jobs=jobs, seconds=0.5))
+    monkeypatch.setattr(pool, "PATIENCE", (1.5, 0.5))
+    results = list(check_all([str(masks(tmp_path, 12))], jobs=jobs, seconds=2))
     assert (results[3].status, results[3].stopped, results[3].findings) == ("undecided", "budget", ())
     assert [result.status for result in results if result is not results[3]] == ["passed"] * 11
 

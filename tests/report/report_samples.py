@@ -71,6 +71,7 @@ FOUR_POINT = Result(
             name="sum-rule-order",
             verdict=P,
             statement="the symbol has the factor (1+z)^4 and no higher power: order 4",
+            why="the symbol has the factor (1+z)^4 and no higher power",
             source="Dyn 1992, section 3",
             witness={"cofactor": {"start": -3, "coefficients": (Fraction(-1, 16), Fraction(1, 4), Fraction(-1, 16))}},
         ),
@@ -79,6 +80,7 @@ FOUR_POINT = Result(
             name="convergence",
             verdict=P,
             statement="‖(1/2)S_1‖∞ = 5/8 < 1, so S converges uniformly",
+            why="‖(1/2)S_1‖∞ = 5/8 < 1",
             source="Dyn 1992, Theorem 3.2",
             value=Interval(lower=0.625, upper=0.625, exact="5/8"),
             witness={"level": 1, "norm": Fraction(5, 8)},
@@ -88,6 +90,7 @@ FOUR_POINT = Result(
             name="smoothness",
             verdict=P,
             statement="‖((1/2)S_2)^2‖∞ = 3/4 < 1, so every limit function is C^1",
+            why="‖((1/2)S_2)^2‖∞ = 3/4 < 1",
             source="Dyn 1992, Theorem 3.4",
             witness={"nu": 2, "level": 2, "norm": Fraction(3, 4)},
         ),
@@ -96,6 +99,7 @@ FOUR_POINT = Result(
             name="next-smoothness",
             verdict=R,
             statement="C^2 would need an eigenvalue below 1/4 where T_0 has 1/4, and the mask is interpolatory",
+            why="C^2 would need an eigenvalue below 1/4 where T_0 has 1/4",
             source="Dyn 1992, Theorem 5.3",
             witness={"word": (0,), "factor": "z - 1/4"},
         ),
@@ -104,6 +108,7 @@ FOUR_POINT = Result(
             name="holder-lower",
             verdict=P,
             statement="α ≥ −log2(‖S_{Δ^4}^6‖∞)/6 ≥ 1.9",
+            why="−log2(‖S_{Δ^4}^6‖∞)/6 ≥ 1.9",
             source="Dyn 1992, section 3",
         ),
         finding(
@@ -111,6 +116,7 @@ FOUR_POINT = Result(
             name="holder-upper",
             verdict=P,
             statement="α ≤ −log2 ρ(T_0) = 2",
+            why="−log2 ρ(T_0) = 2",
             source="Dyn 1992, section 4",
         ),
         finding(
@@ -118,6 +124,7 @@ FOUR_POINT = Result(
             name="stability",
             verdict=P,
             statement="an interpolatory mask is stable: φ(k) = δ_k",
+            why="φ(k) = δ_k",
             source="Dyn 1992, section 5",
         ),
     ),
@@ -159,6 +166,7 @@ UNDECIDED = Result(
     stopped="budget",
     convergent=P,
     smoothness=Smoothness(order=2),
+    refinable=Smoothness(order=2),
     holder=Exponent(
         lower=2.8300749985, upper=2.8300749986, exact=Log(base=2, argument=Fraction(64, 9)), attained=False
     ),

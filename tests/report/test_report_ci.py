@@ -52,6 +52,7 @@ def test_junit_is_valid_and_read_back():
     JUNIT.assertValid(etree.fromstring(text.encode("utf-8")))
     suites = JUnitXml.fromstring(text.encode("utf-8"))
     assert len(suites) == len(EVERYTHING)
+    assert "time=" not in text, "hand-made and merged results have no times"
     outcomes = {suite.name: [[type(r).__name__ for r in case.result] for case in suite] for suite in list(suites)[:4]}
     assert outcomes == {
         "four-point scheme": [[], []],
@@ -104,9 +105,39 @@ def test_github_annotations():
         "::error title=halved Chaikin%3A convergent = true,file=masks/scalar/half.toml,line=1"
         "::expected convergent = true: refuted, found not convergent [expect-convergent]"
     )
-    assert lines[4].startswith("::error title=masks/broken.toml%3A SD003,file=masks/broken.toml,line=3,col=19::")
+    assert lines[1].startswith("::error title=masks/broken.toml%3A SD003,file=masks/broken.toml,line=3,col=19::")
+    assert [line.split(" ")[0] for line in lines[:-1]] == ["::error"] * 3 + ["::warning"] * 2 + ["::notice"]
     assert lines[-1] == "4 masks: 1 passed, 1 failed, 1 undecided, 1 invalid"
     assert "\n::warning" not in "\n" + render("github", samples.ALL, allow_undecided=True)
+
+
+def test_github_joins_annotations_where_it_would_show_ten_of_many():
+    """Of twelve errors in three masks one for each mask; of many masks one for each code, the most frequent first."""
+    (result,) = [r for r in samples.ALL if r.status == "failed"]
+    more = replace(result, expectations=result.expectations[:1] * 4)
+    three = render("github", [replace(more, file=f"{n}.toml", name=None) for n in range(3)]).splitlines()
+    assert [line.partition("::expected")[0] for line in three[:-1]] == [
+        f"::error title={n}.toml%3A 4 reasons,file={n}.toml,line=1" for n in range(3)
+    ]
+    assert three[0].count("%0A") == 3
+    broken = [replace(samples.INVALID, file=f"bad{n}.toml") for n in range(2)]
+    many = render("github", broken + [replace(result, file=f"{n}.toml") for n in range(300)]).splitlines()
+    titles = [line.split("title=")[1].split(",")[0] for line in many if "title=" in line]
+    assert titles == [
+        "300 masks%3A expect-convergent",
+        "2 masks%3A SD003",
+        "2 masks%3A SD005",
+        "300 masks%3A expect-holder",
+    ]
+    assert many[0].endswith("%0Aand 280 more")
+    assert many[1] == "::group::and 280 more"
+    assert many[282] == "::endgroup::"
+    assert many[281] == "- 299.toml: expected convergent = true: refuted, found not convergent [expect-convergent]"
+    nasty = [replace(result, file=f"::error::##[error]{n}") for n in range(40)]
+    inner = render("github", nasty).partition("::group::")[2].partition("::endgroup::")[0].splitlines()[1:]
+    assert len(inner) == 20
+    assert all(line.startswith("- ::error::## [error]") for line in inner)
+    assert "%0A5.toml: expected convergent = true: refuted, found not convergent [expect-convergent]%0A" in many[0]
 
 
 def test_github_has_one_command_a_line_whatever_the_names():
@@ -142,6 +173,18 @@ def test_markdown_is_harmless_and_fits_a_comment():
     long = render("markdown", [replace(samples.DIVERGENT, file=f"m{i}.toml") for i in range(2000)])
     assert len(long) < 65_536
     assert "more\n" in long
+
+
+def test_junit_has_times_where_they_are_known_and_they_add_up():
+    timed = [replace(samples.FOUR_POINT, seconds=2.5), replace(samples.INVALID, seconds=0.0001), samples.DIVERGENT]
+    text = render("junit", timed)
+    JUNIT.assertValid(etree.fromstring(text.encode("utf-8")))
+    suites = list(JUnitXml.fromstring(text.encode("utf-8")))
+    assert [suite.time for suite in suites[:2]] == [2.5, 0.0]
+    assert [[case.time for case in suite] for suite in suites] == [[1.25, 1.25], [0.0, 0.0], [None, None]]
+    assert text.count(" time=") == 2 + 4
+    assert timed[0] == samples.FOUR_POINT, "results do not differ by their times"
+    assert render("json", timed) == render("json", [samples.FOUR_POINT, samples.INVALID, samples.DIVERGENT])
 
 
 def test_jsonl_is_the_report_line_by_line():
@@ -188,13 +231,18 @@ def test_select_and_ignore_filter_what_is_shown_and_nothing_else():
     assert codes(ignore=("SD1", "SD402")) == [c for c in every if not c.startswith(("SD1", "SD402"))]
     assert codes(select=("SD1", "SD201"), ignore=("SD101",)) == ["SD102", "SD201"]
     for form in ("text", "concise", "html"):
-        assert "every residue class" in render(form, [samples.FOUR_POINT])
+        assert "every residue class" in render(form, [samples.FOUR_POINT], verbosity=1)
         assert "every residue class" not in render(form, [samples.FOUR_POINT], ignore=("SD101",))
 
 
 def test_a_baseline_is_said_in_words():
-    assert "failed: worse than in the baseline: C^1 was proved; α no longer" in render("text", [WORSE])
+    lines = render("text", [WORSE]).splitlines()
+    assert lines[-1] == "✗ failed: C^1, not C^2; Hölder 1.899 .. 2; worse than in the baseline"
+    assert lines[-4:-2] == [
+        "  worse than the baseline: C^1 was proved",
+        "  worse than the baseline: α no longer meets 2",
+    ]
     calm = replace(samples.DIVERGENT, status="passed", regressions=())
-    assert "passed: nothing is worse than in the baseline" in render("text", [calm])
+    assert "✓ passed: does not converge; nothing is worse than in the baseline" in render("text", [calm])
     assert Verdict.REFUTED in {judged.verdict for judged in calm.expectations}
     assert render("github", [calm]) == "1 mask: 1 passed\n"

@@ -5,8 +5,10 @@ from dataclasses import replace
 import report_samples as samples
 
 from subdiv_cli.model import Result, Verdict
-from subdiv_cli.report.concise import render
+from subdiv_cli.report import renderer
 from subdiv_cli.report.look import Look
+
+render = renderer("concise")
 
 
 def test_lines():
@@ -44,7 +46,7 @@ def test_quiet_shows_what_did_not_pass_and_nothing_else():
     assert render(results, Look(verbosity=-1)).splitlines() == [
         "masks/scalar/four-point.toml: expected smoothness = 3: refuted, found C^1, not C^2",
         "masks/scalar/four-point.toml: hint: w = 1/20?",
-        "bare.toml: failed: convergence refuted; the mask states no expectation",
+        "bare.toml: failed: does not converge; φ is C^1, not C^2; Hölder 1.899 .. 2; no expectation stated",
         "masks/scalar/six-point.toml: expected smoothness >= 3: undecided, found C^2 at least",
         "masks/scalar/six-point.toml: stopped by the budget",
         "masks/broken.toml:3:19: error[SD003] fraction not quoted: TOML has no fractions "

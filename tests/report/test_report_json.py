@@ -11,8 +11,11 @@ import report_samples as samples
 
 import subdiv_cli
 from subdiv_cli.model import Exponent, Interval, Log, Result
-from subdiv_cli.report.json import plain, render
+from subdiv_cli.report import renderer
+from subdiv_cli.report.json import plain
 from subdiv_cli.report.look import Look
+
+render = renderer("json")
 
 KEYS = {
     "": ["format", "version", "tool", "summary", "results"],
@@ -21,8 +24,8 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "dimension", "spectral", "expectations", "findings", "certificate"),
-        *("reference", "refinable_function", "hints", "derivatives", "regressions"),
+        *("generation", "reproduction", "dimension", "well_defined", "polynomials", "spectral", "expectations"),
+        *("findings", "certificate", "reference", "refinable_function", "hints", "derivatives", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],
     "convergent": ["verdict"],
@@ -31,10 +34,11 @@ KEYS = {
     "holder": ["lower", "upper", "exact", "attained", "estimate", "digits"],
     "sobolev": ["lower", "upper", "exact", "digits"],
     "stable": ["verdict"],
+    "well_defined": ["verdict"],
     "linearly_independent": ["verdict"],
     "spectral": ["verdict"],
     "expectations": ["key", "expected", "verdict", "found", "line"],
-    "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "witness", "claims"],
+    "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "why", "witness", "claims"],
     "value": ["exact", "lower", "upper"],
 }
 FREE = {"parameters", "facts", "witness"}

@@ -60,3 +60,12 @@ def test_a_table_that_fits_is_aligned():
 def test_a_table_that_does_not_fit_becomes_a_list():
     row = [Cell("name"), Cell("yes"), Cell("a long value"), Cell("")]
     assert paint(table(("", "", "", ""), [row], 12, rule="-")) == "name  yes\n  a long\n    value\n"
+
+
+def test_such_a_list_names_its_columns_but_the_first_two_where_they_fit():
+    row = [Cell("mask"), Cell("converges"), Cell("refuted"), Cell("")]
+    header = ("a", "convergence", "stability", "file")
+    assert paint(table(header, [row], 22, rule="-")) == "mask  converges\n  stability: refuted\n"
+    assert (
+        paint(table(header, [row], 14, rule="-")) == "mask\n  convergence:\n    converges\n  stability:\n    refuted\n"
+    )

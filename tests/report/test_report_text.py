@@ -14,14 +14,15 @@ import pytest
 import report_samples as samples
 from hypothesis import given
 from hypothesis import strategies as st
+from report_samples import finding
 
 from subdiv_cli.kinds.scalar.rules import rules
 from subdiv_cli.model import UNKNOWN, Exponent, Finding, Log, Problem, Result, Verdict
 from subdiv_cli.report import FOR_PEOPLE, FORMATS, renderer
-from subdiv_cli.report.json import render as render_json
 from subdiv_cli.report.letters import width
 from subdiv_cli.report.look import Look
-from subdiv_cli.report.text import render
+
+render, render_json = renderer("text"), renderer("json")
 
 GOLDEN = Path(__file__).with_name("golden")
 PAGES = {
@@ -71,7 +72,7 @@ def test_a_long_number_is_wrapped_and_never_cut(columns):
         code="SD301", name="contractivity", verdict=Verdict.PROVED, statement=f"the norm is {number} < 1", source="Dyn"
     )
     facts = {"norm": number, "word": tuple(range(40))}
-    text = render([replace(samples.FOUR_POINT, findings=(finding,), facts=facts)], Look(width=columns))
+    text = render([replace(samples.FOUR_POINT, findings=(finding,), facts=facts)], Look(width=columns, verbosity=1))
     flat = re.sub(r"\s+", "", text)
     assert flat.count(str(number)) == 2
     assert ",".join(map(str, range(40))) in flat
@@ -150,13 +151,14 @@ def test_the_bound_of_an_exponent_is_below_two_where_it_is():
     below = replace(samples.FOUR_POINT, holder=Exponent(lower=1.654, upper=1.999871))
     lines = render([below], Look(width=200)).splitlines()
     assert lines[0].endswith("Hölder exponent 1.653 .. 1.9999")
-    assert next(line for line in lines if "Hölder, upper" in line).split()[-2:] == ["1.9999", "SD312"]
+    assert next(line for line in lines if "Hölder, upper" in line).split()[4:6] == ["≤", "1.9999:"]
 
 
 def test_smoothness_of_phi_where_the_scheme_diverges():
     phi = replace(samples.FOUR_POINT, convergent=Verdict.REFUTED, smoothness=UNKNOWN)
     row = next(line for line in render([phi], Look()).splitlines() if line.startswith("  smoothness"))
-    assert "φ: C^1, not C^2" in row
+    assert "φ: C^1: ‖((1/2)S_2)^2‖∞ = 3/4 < 1" in row
+    assert "; φ is C^1, not C^2; Hölder " in render([phi], Look()).splitlines()[-1]
 
 
 def test_a_scheme_without_limits_has_no_smoothness_to_find():
@@ -172,11 +174,91 @@ def test_undecided_is_not_found_undecided():
     assert "found" not in render([unknown], Look())
 
 
-def test_the_table_has_codes_and_the_findings_their_sources():
-    table, findings = render([samples.FOUR_POINT], Look()).split("\n  expected")
-    assert "SD302, SD303\n" in table
+def test_the_table_has_reasons_and_codes_and_the_findings_their_sources():
+    table, findings = render([samples.FOUR_POINT], Look(verbosity=1)).split("\n  expected")
+    assert re.search(r"^  smoothness +✓ proved +C\^1: ‖\(\(1/2\)S_2\)\^2‖∞ = 3/4 < 1 +SD302$", table, re.MULTILINE)
+    assert re.search(
+        r"^  C\^2 +○ refuted +C\^2 would need an eigenvalue below 1/4 where .* +SD303$", table, re.MULTILINE
+    )
     assert "Theorem" not in table
     assert "Dyn 1992, Theorem 3.4" in findings
+    assert render([samples.FOUR_POINT], Look()).split("\n  expected")[0] == table
+    assert "Theorem" not in render([samples.FOUR_POINT], Look())
+
+
+def test_the_last_line_repeats_the_answer():
+    def last(**changes):
+        return render([replace(samples.FOUR_POINT, **changes)], Look()).splitlines()[-1]
+
+    exact = Exponent(lower=2.0, upper=2.0, exact=Fraction(2), attained=False)
+    assert last(holder=exact) == "✓ passed: C^1, not C^2; Hölder 2 (not attained); 2 of 2 expectations proved"
+    assert last(holder=None, expectations=()) == "✓ passed: C^1, not C^2; no expectation stated"
+    divergent = render([samples.DIVERGENT], Look()).splitlines()[-1]
+    assert divergent == "✗ failed: does not converge; 0 of 2 expectations proved, 1 refuted, 1 undecided"
+    *_, help, last_line = render([replace(samples.UNDECIDED, holder=None)], Look()).splitlines()
+    assert last_line == "? undecided: C^2 at least; 0 of 1 expectation proved, 1 undecided"
+    assert help == "  a higher --effort may decide what is undecided"
+
+
+SHARP = finding(code="SD313", name="attained", verdict=Verdict.REFUTED, statement="not", why="no", source="Rioul 1992")
+SERIES = finding(code="SD301", name="contractivity", verdict=Verdict.REFUTED, statement="½S_3 grows", source="Dyn 1992")
+UNSTABLE = finding(code="SD402", name="stability", verdict=Verdict.REFUTED, statement="not", why="no", source="Jia")
+
+
+@pytest.mark.parametrize(
+    ("key", "crossed"),
+    [(None, []), ("smoothness", ["SD303", "SD301"]), ("holder", ["SD313"]), ("generation", [])],
+    ids=str,
+)
+def test_what_only_makes_a_property_sharp_has_a_neutral_mark(key, crossed):
+    """Unless it refutes what is expected; an unstable φ is a cross always."""
+    wrong = () if key is None else (samples.judged(key, "3", 3, Verdict.REFUTED, 3),)
+    kept = samples.FOUR_POINT.findings[:-1]
+    result = replace(samples.FOUR_POINT, findings=(*kept, SHARP, SERIES, UNSTABLE), expectations=wrong)
+    text = render([result], Look(verbosity=1))
+    signs = {code: sign for sign, code in re.findall(r"^  ([✓✗○]) (?:proved|refuted) +(SD\d+) ", text, re.MULTILINE)}
+    assert {code for code, sign in signs.items() if sign == "✗"} == {*crossed, "SD402"}
+    assert {code for code, sign in signs.items() if sign == "○"} == {"SD303", "SD301", "SD313"} - {*crossed}
+
+
+def test_the_marks_of_a_scheme_that_diverges_are_crosses():
+    result = replace(samples.FOUR_POINT, convergent=Verdict.REFUTED)
+    assert "○" not in render([result], Look(verbosity=1))
+    plain = render([samples.FOUR_POINT], Look(unicode=False))
+    assert re.search(r"^  C\^2 +o refuted ", plain, re.MULTILINE)
+
+
+def test_symbols_are_explained_where_they_are_used():
+    (phi,) = (line for line in render([samples.FOUR_POINT], Look(width=300)).splitlines() if line.startswith("  (φ"))
+    assert phi == (
+        "  (φ: the refinable function; S_ν: the scheme of divided differences of order ν; "
+        "T_ε: the transition matrices; ρ: the joint spectral radius)"
+    )
+    why = "T_0 keeps ρ_1 ≥ 1"
+    said = replace(samples.DIVERGENT.findings[0], code="SD201", statement=f"S diverges: {why}", why=why)
+    for look in (Look(width=300), Look(width=300, verbosity=-1)):
+        text = render([replace(samples.DIVERGENT, findings=(said,))], look)
+        assert "ρ_k: the joint spectral radius of S on differences of order k)" in text
+    assert "joint spectral radius" not in render([samples.DIVERGENT], Look())
+
+
+def test_of_several_the_failing_ones_say_why_in_a_few_lines():
+    wrong = samples.judged("smoothness", "2", 2, Verdict.REFUTED, 2)._replace(line=14)
+    low = samples.judged("smoothness", "0", 0, Verdict.REFUTED, 0)
+    missed = replace(samples.FOUR_POINT, status="failed", expectations=(*samples.FOUR_POINT.expectations, wrong))
+    passed = [samples.FOUR_POINT] * 328
+    text = render([*passed, *[missed] * 72], Look())
+    assert text.splitlines()[403:408] == [
+        "✗ four-point scheme: C^1, not C^2 — convergence proved; Hölder exponent 1.899 .. 2",
+        "  masks/scalar/four-point.toml · w = 1/16",
+        "  expected smoothness = 2: ✗ refuted, found C^1, not C^2 (line 14)",
+        "    C^2 refuted: C^2 would need an eigenvalue below 1/4 where T_0 has 1/4 (SD303)",
+        "",
+    ]
+    assert len(text.splitlines()) == 2 + 400 + 72 * 5 + 4
+    smoother = render([samples.FOUR_POINT, replace(missed, expectations=(low,))], Look())
+    assert "\n    smoothness: ‖((1/2)S_2)^2‖∞ = 3/4 < 1 (SD302)\n" in smoother
+    assert "SD303" not in smoother
 
 
 def skipped(code, reason):
@@ -189,13 +271,14 @@ def test_what_is_skipped_for_one_reason_is_one_block():
     first, *_ = samples.DIVERGENT.findings
     findings = (first, skipped("SD102", no_sums), skipped("SD202", "of that"), skipped("SD302", no_sums))
     result = replace(samples.DIVERGENT, findings=findings, stable=Verdict.SKIPPED)
-    text = render([result], Look())
+    every = ("SD",)
+    text = render([result], Look(select=every))
     assert f"\n  – skipped    SD102, SD302: {no_sums}\n\n  – skipped    SD202 contractivity\n" in text
     assert text.count(no_sums) == 2, "in the table and below it"
     in_full = render([result], Look(verbosity=1))
     assert in_full.count(f"because {no_sums}") == 2
     for columns in (30, 59, 60):
-        lines = render([result], Look(width=columns)).splitlines()
+        lines = render([result], Look(width=columns, select=every)).splitlines()
         assert max(map(width, lines)) <= columns
 
 
@@ -225,7 +308,7 @@ def series(*verdicts):
 def test_a_long_series_shows_its_ends(verdicts, shown, hidden):
     first, *_, last = samples.FOUR_POINT.findings
     result = replace(samples.FOUR_POINT, findings=(first, *series(*verdicts), last))
-    text = render([result], Look())
+    text = render([result], Look(select=("SD",)))
     assert [int(i) for i in re.findall(r"statement (\d+)\.", text)] == list(shown)
     assert [int(n) for n in re.findall(r"… (\d+) more; -v shows them", text)] == hidden
     assert first.statement in text
@@ -248,12 +331,6 @@ def test_the_proof_is_named_in_one_piece():
     assert lines[-1] == f"proof: {path}"
 
 
-def test_refuted_beside_proved_smoothness_is_not_said_to_be_proved_alone():
-    row = next(line for line in render([samples.FOUR_POINT], Look()).splitlines() if line.startswith("  smoothness"))
-    assert "SD302" in row
-    assert "SD303" in row
-
-
 def test_quiet_is_silent_when_all_passed():
     assert render([samples.FOUR_POINT] * 3, Look(verbosity=-1)) == ""
 
@@ -266,10 +343,11 @@ def test_quiet_leaves_out_what_passed():
     assert "Deslauriers" not in render(samples.ALL, Look(verbosity=-1, allow_undecided=True))
 
 
-def test_several_show_in_full_what_did_not_pass_and_verbose_shows_all():
+def test_several_say_why_some_did_not_pass_and_verbose_shows_all():
     short, full = render(samples.ALL, Look()), render(samples.ALL, Look(verbosity=1))
     assert "no higher power" not in short
     assert "multiply by 2" in short
+    assert "Theorem" not in short
     assert "no higher power" in full
     assert "cofactor" not in full
     assert "cofactor" in render(samples.ALL, Look(verbosity=2))

@@ -208,6 +208,33 @@ def test_a_nilpotent_family_has_the_space_0():
     assert (space.dimension, space.origins) == (0, ())
 
 
+def beside(hat, block, arity):
+    """A scheme on a line beside one that dies out: its matrices A_0, …, A_(arity-1) are all the block."""
+    n = block.nrows()
+    zero, entries = [0] * n, [[Fraction(int(x.p), int(x.q)) for x in row] for row in block.tolist()]
+    mask = {i: [[x[0][0], *zero]] + [[0, *zero] for _ in range(n)] for i, x in hat.items()}
+    for i in range(arity):
+        top = mask.get(i, [[0, *zero]])[0]
+        mask[i] = [top, *([0, *row] for row in entries)]
+    return mask
+
+
+def test_a_tree_of_many_images_gives_way_to_the_vectors_themselves():
+    """A dying block with 9 steps to 0 has 7^9 images in arity 7: the space keeps its transients."""
+    steps = fmpq_mat(9, 9, [int(j == i + 1) for i in range(9) for j in range(9)])
+    hat = scalar([Fraction(x, 7) for x in (1, 2, 3, 4, 5, 6, 7, 6, 5, 4, 3, 2, 1)])
+    space = spaces(beside(hat, steps, 7), ((7,),)).decay.space
+    assert all(space.tree)
+    assert radius(space).is_below(Fraction(1))
+
+
+def test_a_denominator_may_be_a_modulus_of_the_search():
+    block = fmpq_mat([[1]]) / (2**61 - 1)
+    found = spaces(beside(scalar(HAT), block, 2))
+    assert radius(found.decay.space).is_below(Fraction(1))
+    assert exponent(found, 2)[0] == pytest.approx(1, abs=1e-9)
+
+
 def integers(rows, columns, most):
     """A strategy for matrices of small integers."""
     return st.lists(

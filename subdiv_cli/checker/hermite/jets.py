@@ -22,9 +22,9 @@ _MAX_DEGREE = 100
 
 def subject(parts: dict[str, Any]) -> Subject:
     """The mask of a document, from its parts. Raises Rejected where it is none, or has one component alone."""
-    found = mask_subject(parts)
-    require(found.about.size >= 2, "jets have two components at least")
-    return found
+    mask = mask_subject(parts)
+    require(mask.about.size >= 2, "jets have two components at least")
+    return mask
 
 
 def spectral(c: Claim) -> None:
@@ -54,13 +54,13 @@ def spectral(c: Claim) -> None:
 def _residuals(a: MatrixMask, shifts: Sequence[Fraction], j: int) -> list[list[Fraction]]:
     """E_j(0) for each ε, φ_j = 0 where it is not among the shifts."""
     p, d = a.arity, a.size
-    found = [[-Fraction(1, p**j) * x for x in _jet(shifts, j, epsilon, d)] for epsilon in range(p)]
+    residuals = [[-Fraction(1, p**j) * x for x in _jet(shifts, j, epsilon, d)] for epsilon in range(p)]
     for i, rows in enumerate(a.matrices, a.start):
         beta, epsilon = divmod(i, p)
         y = _jet(shifts, j, -beta, d)
         image = [sum(map(mul, row, y), Fraction(0)) / a.denominator for row in rows]
-        found[epsilon] = [x + z for x, z in zip(found[epsilon], image, strict=True)]
-    return found
+        residuals[epsilon] = [x + z for x, z in zip(residuals[epsilon], image, strict=True)]
+    return residuals
 
 
 def _jet(shifts: Sequence[Fraction], j: int, x: int, d: int) -> list[Fraction]:

@@ -12,7 +12,7 @@ from math import comb, lcm, prod
 from operator import mul
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import RationalFamily
+from subdiv_cli.checker.matrices import RationalFamily, dependent_rows
 from subdiv_cli.checker.multivariate.lattice import DilationMatrix, Index, Sparse, add, monomials, power
 from subdiv_cli.checker.multivariate.masks import SparseMask, mask_of
 from subdiv_cli.checker.multivariate.sum_rules import INDEX_BITS
@@ -20,7 +20,6 @@ from subdiv_cli.checker.reading import MAX_ENTRY, MAX_ORDER, require, require_fe
 from subdiv_cli.checker.roots import fraction_bits
 
 Rows = Sequence[Sequence[int]]
-_PRIME = (1 << 61) - 1
 _MAX_PAIRS = 1_000_000
 """The most pairs of a term of the mask and an index of the window."""
 
@@ -50,7 +49,8 @@ def differences(c: Claim) -> None:
     c.count(n * len(window) * each, bits)
     positions = _positions(window, s)
     _annihilate(basis, window, k)
-    _independent(basis)
+    dependent = next(iter(dependent_rows(basis)), None)
+    require(dependent is None, f"row {dependent} of the basis depends on those before it, modulo 2^61 - 1")
     _generate(basis, positions, found["generators"], k)
     _invariant(a, found["cosets"], basis, positions, family)
     c.introduce(c.statement["family"], family)
@@ -71,20 +71,6 @@ def _annihilate(basis: Rows, window: Sequence[Index], k: int) -> None:
             values = [power(index, mu) for index in window]
             for i, row in enumerate(basis):
                 require(not sum(map(mul, row, values)), f"row {i} of the basis does not annihilate the monomial {mu}")
-
-
-def _independent(basis: Rows) -> None:
-    """Check that the basis has full rank modulo a prime: then over Q as well."""
-    reduced: list[tuple[int, list[int]]] = []
-    for i, row in enumerate(basis):
-        rest = [x % _PRIME for x in row]
-        for pivot, other in reduced:
-            if f := rest[pivot]:
-                rest = [(x - f * y) % _PRIME for x, y in zip(rest, other, strict=True)]
-        pivot = next((j for j, x in enumerate(rest) if x), -1)
-        require(pivot >= 0, f"row {i} of the basis depends on those before it, modulo 2^61 - 1")
-        inverse = pow(rest[pivot], -1, _PRIME)
-        reduced.append((pivot, [inverse * x % _PRIME for x in rest]))
 
 
 def _generate(basis: Rows, positions: dict[Index, int], generators: Sequence[Sequence[Fraction]], k: int) -> None:

@@ -1,6 +1,6 @@
-"""Convergence and C^1 by directional factors or by signs of a mask on Z^s, dilation cI. See FORMAT.md.
+"""Convergence and C^1 by directional factors or by signs of a mask on Z^s, dilation cI; divergence by its places.
 
-Dyn 1992: 6.50 to 6.53 for one factor, Corollary 7.9 for pairs, Theorem 6.4 for positive masks.
+See FORMAT.md. Dyn 1992: 6.50 to 6.53 for one factor, Corollary 7.9 for pairs, Theorem 6.4 for positive masks.
 """
 
 from __future__ import annotations
@@ -8,12 +8,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations, zip_longest
 from math import prod
+from operator import mul
 
-from subdiv_cli.checker.core import Claim
+from subdiv_cli.checker.core import Claim, Statement
 from subdiv_cli.checker.multivariate.lattice import Index, Sparse, determinant, geometric, multiply, over_one
 from subdiv_cli.checker.multivariate.masks import mask_of
 from subdiv_cli.checker.polynomials import iterated_magnitudes, polynomial, slot_bits
 from subdiv_cli.checker.reading import require, require_few
+from subdiv_cli.checker.roots import fraction_bits
 from subdiv_cli.checker.scalar.symbols import MAX_LEVEL, MAX_PACKED, MAX_PRODUCT
 
 
@@ -94,15 +96,7 @@ def _residues(number: int, widths: list[int], modulus: int) -> tuple[int, ...]:
 
 def directional_converges(c: Claim) -> None:
     """S converges: all ∇_θ S^k f decay for s directions that are a basis of Z^s, and the coset sums are 1."""
-    s = mask_of(c).dilation.dimension
-    c.count(1)
-    c.use("coset-sums", holds=True)
-    directions = []
-    for _ in range(s):
-        used = c.use("directional-norm").statement
-        require(used["norm"] < 1, "a norm is not below 1")
-        directions.append(used["direction"])
-    require(abs(determinant(directions)) == 1, "the directions are not a basis of Z^s")
+    require(all(used["norm"] < 1 for used in _single(c)), "a norm is not below 1")
 
 
 def pair_norm(c: Claim) -> None:
@@ -114,20 +108,48 @@ def pair_norm(c: Claim) -> None:
 
 def directional_smooth(c: Claim) -> None:
     """φ is C^1: all pairs of s+1 directions, any s of determinant ±1, all factors of the mask; norms below 1."""
-    a = mask_of(c)
-    s = a.dilation.dimension
     require(c.statement["order"] <= 1, "nothing is said of second derivatives")
+    require(all(used["norm"] < 1 for used in _pairs(c)), "a norm is not below 1")
+
+
+def directional_decay(c: Claim) -> None:
+    """ρ_k^L <= x, k = 1 by ‖S_d^l‖∞ for s directions that are a basis of Z^s: ρ_1^l is at most the largest of them.
+
+    For k = 2 by the pairs of `directional_smooth`: ρ_2^l is at most the largest ‖S_(cd)^l‖∞ / c^l.
+    """
+    order, level, x = (c.statement[key] for key in ("order", "level", "norm"))
+    factor = mask_of(c).dilation.factor
+    require(order in (1, 2), "the order is not 1 or 2")
+    require(1 <= level <= MAX_LEVEL, f"the level is not one of 1, …, {MAX_LEVEL}")
+    require(x > 0, "the bound is not positive")
+    for used in _single(c) if order == 1 else _pairs(c):
+        own, norm = used["level"], used["norm"] / factor ** ((order - 1) * used["level"])
+        c.spend(1, own * fraction_bits(x) + level * fraction_bits(norm))
+        require(norm**level <= x**own, "a norm is not small enough")
+
+
+def _single(c: Claim) -> list[Statement]:
+    """The norms in s directions that are a basis of Z^s; the coset sums are 1."""
+    c.count(1)
+    s = mask_of(c).dilation.dimension
     c.use("coset-sums", holds=True)
-    pairs = []
-    for _ in range(s * (s + 1) // 2):
-        used = c.use("pair-norm").statement
-        require(used["norm"] < 1, "a norm is not below 1")
-        pairs.append(used["directions"])
+    found = [c.use("directional-norm").statement for _ in range(s)]
+    require(abs(determinant([used["direction"] for used in found])) == 1, "the directions are not a basis of Z^s")
+    return found
+
+
+def _pairs(c: Claim) -> list[Statement]:
+    """The norms of all pairs of s+1 directions, any s of them a basis of Z^s; the coset sums are 1."""
+    s = mask_of(c).dilation.dimension
+    c.use("coset-sums", holds=True)
+    found = [c.use("pair-norm").statement for _ in range(s * (s + 1) // 2)]
+    pairs = [used["directions"] for used in found]
     directions = sorted({x for pair in pairs for x in pair})
     require(sorted(map(sorted, pairs)) == [list(x) for x in combinations(directions, 2)], "they are not all pairs")
     require(len(directions) == s + 1, f"there are not {s + 1} directions")
     c.count((s + 1) * 24)
     require(all(abs(determinant(some)) == 1 for some in combinations(directions, s)), "some are not a basis of Z^s")
+    return found
 
 
 def positive_converges(c: Claim) -> None:
@@ -141,3 +163,20 @@ def positive_converges(c: Claim) -> None:
     require(min(sides) >= factor, f"a side of the box is shorter than {factor}")
     require(len(a.terms) == prod(side + 1 for side in sides), "the support is not a whole box")
     require(min(a.terms.values()) > 0, "a coefficient is negative")
+
+
+def sublattice_diverges(c: Claim) -> None:
+    """S diverges: for all α, β with a_α and a_β ≠ 0, u·M^j(α-β) = 0 modulo n for j < s, and u ≠ 0 modulo n.
+
+    So the smallest lattice Γ with MΓ ⊂ Γ that holds the α - β is not Z^s (Cayley & Hamilton: j < s is enough), and
+    S^L δ is zero outside of one coset of Γ. See FORMAT.md.
+    """
+    a = mask_of(c)
+    s, u, n = a.dilation.dimension, c.witness["functional"], c.witness["modulus"]
+    c.count(len(a.terms) * s**2)
+    require(len(u) == s, f"the functional is not one on Z^{s}")
+    require(n > 1 and any(x % n for x in u), "the functional is zero modulo n")
+    for _ in range(s):
+        values = {sum(map(mul, u, alpha)) % n for alpha in a.terms}
+        require(len(values) == 1, "the functional does not vanish on the differences")
+        u = [sum(x * row[i] for x, row in zip(u, a.dilation.rows, strict=True)) % n for i in range(s)]

@@ -77,7 +77,10 @@ def plain(dilation: Iterable[Iterable[int]], terms: Iterable[tuple[Iterable[int]
 
 
 def of_file(document: Mapping[str, Any]) -> PlainMask | None:
-    """The mask of a file: `terms = {"0,1" = 1}`, or `start` and `coefficients` nested by the number of variables."""
+    """The mask of a file: `terms = {"0,1" = 1}`, or `coefficients` nested by the number of variables.
+
+    These begin at `start`, at zero if it is left out.
+    """
     table = document.get("mask")
     if type(table) is not dict:
         return None
@@ -86,8 +89,11 @@ def of_file(document: Mapping[str, Any]) -> PlainMask | None:
         if not all(_INDEX.fullmatch(key) for key in table["terms"]):
             return None
         terms = {tuple(map(int, key.split(","))): literal(x) for key, x in table["terms"].items()}
-    elif keys == {"start", "coefficients"} and _is_index(table["start"]):
-        terms = dict(_entries(table["coefficients"], tuple(table["start"])))
+    elif {"coefficients"} <= keys <= {"start", "coefficients"}:
+        start = table.get("start", [0] * _depth(table["coefficients"]))
+        if not _is_index(start):
+            return None
+        terms = dict(_entries(table["coefficients"], tuple(start)))
     else:
         return None
     s = len(next(iter(terms), ()))
@@ -102,6 +108,14 @@ def of_file(document: Mapping[str, Any]) -> PlainMask | None:
 
 def _is_index(value: object) -> bool:
     return type(value) is list and 2 <= len(value) <= _MAX_DEPTH and all(type(i) is int for i in value)
+
+
+def _depth(nested: object) -> int:
+    """The number of lists in lists at the first entry, counted up to one more than there can be variables."""
+    depth = 0
+    while type(nested) is list and nested and depth <= _MAX_DEPTH:
+        nested, depth = nested[0], depth + 1
+    return depth
 
 
 def _entries(nested: object, start: Index) -> Iterator[tuple[Index, Fraction]]:

@@ -25,14 +25,15 @@ MAX_SIZE = 100_000
 
 
 def interpolatory_stable(c: Claim) -> None:
-    """a_0 = 1 and a_(Mα) = 0 otherwise, and S converges: φ(α) = δ_α, so |c_α| <= ‖Σ c_β φ(· - β)‖∞."""
+    """S converges, and some coset has one coefficient a_t only, and a_t = 1.
+
+    φ_t = φ(· + (M-I)^-1 t) is the function of the mask a(· + t): φ_t(α) = δ_α, so |c_α| <= ‖Σ c_β φ(· - β)‖∞.
+    """
     a = mask_of(c)
     c.count(len(a.terms), a.bits)
     c.use("convergent", holds=True)
-    zero = (0,) * a.dilation.dimension
-    require(a.terms.get(zero) == a.denominator, "a_0 is not 1")
-    others = (index for index in a.terms if index != zero and not any(a.dilation.residue(index)))
-    require(next(others, None) is None, "another coefficient at an index in M Z^s is not zero")
+    alone = (coset[0][1] for coset in a.by_coset() if len(coset) == 1)
+    require(a.denominator in alone, "no coset has one coefficient only that is 1")
 
 
 def gram_stable(c: Claim) -> None:

@@ -35,16 +35,25 @@ def total_sum_rules(c: Claim) -> None:
     a, k = mask_of(c), c.statement["order"]
     s = a.dilation.dimension
     c.count((len(a.terms) + a.dilation.cosets) * comb(k + s, s), a.bits + INDEX_BITS * k)
-    groups = a.by_coset()
+    known: list[dict[Index, dict[Index, int]]] = [{(): dict(group)} for group in a.by_coset()]
 
     def holds(mu: Index) -> bool:
-        sums = {sum(value * power(index, mu) for index, value in group) for group in groups}
+        sums = {_folded(sums, mu).get((), 0) for sums in known}
         return len(sums) == 1 and (any(mu) or sums == {a.denominator})
 
     for degree in range(k):
         for mu in monomials(s, degree):
             require(holds(mu), f"the sum rules fail for the monomial {mu}")
     require(not all(holds(mu) for mu in monomials(s, k)), "the sum rules hold of a higher order")
+
+
+def _folded(known: dict[Index, dict[Index, int]], mu: Index) -> dict[Index, int]:
+    """The sums Σ x_α α^μ over the last variables, as many as μ has, by the indices in the others; known ones once."""
+    if mu not in known:
+        known[mu] = folded = dict[Index, int]()
+        for (*others, last), value in _folded(known, mu[1:]).items():
+            folded[tuple(others)] = folded.get(tuple(others), 0) + value * last ** mu[0]
+    return known[mu]
 
 
 def generation(c: Claim) -> None:

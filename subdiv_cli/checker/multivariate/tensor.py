@@ -172,9 +172,9 @@ def of_factor(c: Claim) -> None:
 
 
 def at_most_factor(c: Claim) -> None:
-    """α is at most the number that is claimed of φ_j, as the exponent of φ is never larger than that of φ_j."""
+    """The exponent of φ is at most the number that is claimed of φ_j: it is never larger than that of φ_j."""
     _speaker(c, _factors(c))
-    require(c.statement["statement"]["property"] in _ABOVE, "the statement does not bound a Hölder exponent from above")
+    require(c.statement["statement"]["property"] in _ABOVE, "the statement does not bound an exponent from above")
 
 
 def _speaker(c: Claim, factors: Sequence[_Factor]) -> _Factor:
@@ -187,8 +187,10 @@ def _speaker(c: Claim, factors: Sequence[_Factor]) -> _Factor:
 
 
 _HOLDER = ("holder-lower", "holder", "holder-root", "holder-value")
-_ABOVE = ("holder-upper", "holder", "holder-root", "holder-value")
-_SOBOLEV = ("sobolev", "sobolev-lower", "sobolev-value")
+_SOBOLEV = ("sobolev", "sobolev-lower", "sobolev-value", "sobolev-at-least")
+_ABOVE = (
+    "holder-upper", "holder", "holder-root", "holder-value", "sobolev", "sobolev-value", "sobolev-at-most",
+)  # fmt: skip
 
 
 def _require_least(c: Claim, said: Statement, factor: _Factor, others: Sequence[_Factor]) -> None:

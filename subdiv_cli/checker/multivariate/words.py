@@ -27,14 +27,17 @@ _PHRASES = {
     "sobolev": "s = {sobolev}",
     "sobolev-lower": "s >= {sobolev}",
     "sobolev-value": "s = {value}",
+    "sobolev-at-least": "s >= {exponent}",
+    "sobolev-at-most": "s <= {exponent}",
     "stable": "φ is {holds}stable",
     "tensor-product": "φ is a tensor product in the variables {variables}",
     "of-factor": "{said}, as for the factor in {variables}",
-    "at-most-factor": "α is at most that of the factor in {variables}, {said}",
+    "at-most-factor": "{exponent_of} is at most that of the factor in {variables}, {said}",
     "box-spline": "φ is the box spline of {directions}",
     "directional-norm": "‖S_d^{level}‖ = {norm} for the factor in direction {direction}",
     "pair-norm": "‖S_cd^{level}‖ = {norm} for the factors in directions {directions}",
     "matrix-norm": "‖S_Q^{level}‖ = {norm} for differences of order {order}",
+    "directional-decay": "ρ_{order}^{level} <= {norm} for differences of order {order}",
     "generation": "generation degree {degree}",
     "reproduction": "reproduction degree {degree}",
     "quasi-interpolation": "S^∞ Q = 1 on polynomials of total degree {degree}",
@@ -53,6 +56,7 @@ def in_words(statement: Mapping[str, Any], dilation: DilationMatrix) -> str:
     words["variables"] = _variables(statement)
     if "statement" in statement:
         words["said"] = _said(statement["statement"], statement["variables"], dilation)
+        words["exponent_of"] = "s" if statement["statement"]["property"].startswith("sobolev") else "α"
     words["directions"] = _directions(statement.get("directions", ()))
     words["direction"] = f"({words.get('direction', '')})"
     return _PHRASES[statement["property"]].format(**words)

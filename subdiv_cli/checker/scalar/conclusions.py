@@ -14,23 +14,35 @@ from subdiv_cli.checker.scalar.masks import use_reductions
 
 
 def converges(c: Claim) -> None:
-    """S converges: some ‖S_(Δ^ν)^L‖∞ < 1 (Dyn 1992, Theorem 3.2, for ν = 1; FORMAT.md for larger ν), or JSR < 1."""
+    """S converges: some ‖S_(Δ^ν)^L‖∞ < 1 (Dyn 1992, Theorem 3.2, for ν = 1; FORMAT.md for larger ν), or JSR < 1.
+
+    Or s > 1/2 and φ is stable: it is continuous then.
+    """
     c.count(1)
-    used = c.use("norm", *UPPER).statement
+    used = c.use("norm", "sobolev", *UPPER).statement
     if used["property"] == "norm":
         require(used["mask"] == 0, "it uses norm with another mask")
         contracts(c, used, 1)
+    elif used["property"] == "sobolev":
+        c.use("stable", mask=0, holds=True)
+        require(c.p * used["high"] < 1, "the Sobolev exponent is not large enough")
     else:
         c.use("family", family=used["family"], mask=0)
         require(bound_of(used) < 1, "the radius is not small enough")
 
 
 def diverges(c: Claim) -> None:
-    """S diverges: a residue sum is not 1, a product has an eigenvalue |λ| >= 1, or an A_ε has one besides simple 1."""
+    """S diverges: a residue sum is not 1, a product has an eigenvalue |λ| >= 1, or an A_ε has one besides simple 1.
+
+    Or φ is not continuous.
+    """
     c.count(1)
-    used = c.use("residue-sums", "product", "eigen-condition").statement
+    used = c.use("residue-sums", "product", "eigen-condition", "not-smooth").statement
     if used["property"] == "eigen-condition":
         require(used["nu"] == 0 and not used["holds"], "the eigen-condition for ν = 0 is not refuted")
+        return
+    if used["property"] == "not-smooth":
+        require(used["order"] == 0, "φ may be continuous")
         return
     require(used["mask"] == 0, "it uses a claim on another mask")
     if used["property"] == "product":
@@ -40,14 +52,25 @@ def diverges(c: Claim) -> None:
 
 
 def smooth(c: Claim) -> None:
-    """φ is C^n: some ‖S_(Δ^ν)^L‖∞ < p^(-nL) or JSR(S_(Δ^ν)) < p^-n, ν > n, for the mask or one that it reduces to."""
+    """φ is C^n: some ‖S_(Δ^ν)^L‖∞ < p^(-nL) or JSR(S_(Δ^ν)) < p^-n, ν > n, for the mask or one that it reduces to.
+
+    Or s > n + 1/2.
+    """
+    n = c.statement["order"]
     c.count(1)
-    use_reductions(c, contraction(c, c.statement["order"]))
+    used = c.use("norm", "sobolev", *UPPER).statement
+    if used["property"] == "sobolev":
+        require(c.p * used["high"] * power(c, Fraction(c.p), 2 * n) < 1, "the Sobolev exponent is not large enough")
+    else:
+        use_reductions(c, _contracting(c, used, n))
 
 
 def contraction(c: Claim, n: int) -> int:
     """The mask whose (1/p)S_(n+1) contracts, by the norm or by the radius that is used next: its S_n converges."""
-    used = c.use("norm", *UPPER).statement
+    return _contracting(c, c.use("norm", *UPPER).statement, n)
+
+
+def _contracting(c: Claim, used: Statement, n: int) -> int:
     if used["property"] == "norm":
         contracts(c, used, n + 1)
         return int(used["mask"])
@@ -59,53 +82,92 @@ def contraction(c: Claim, n: int) -> int:
 
 
 def not_smooth(c: Claim) -> None:
-    """φ is not C^j: stable, possibly reduced, with k <= j or an eigenvalue |λ| >= p^(-jℓ) of a product of length ℓ."""
+    """φ is not C^j: stable, possibly reduced, with k <= j or an eigenvalue |λ| >= p^(-jℓ) of a product of length ℓ.
+
+    Or s <= j, by a claim on s that needs a stable φ.
+    """
     j = c.statement["order"]
     c.count(1)
-    mask = c.use("stable", holds=True).statement["mask"]
-    used = c.use("sum-rules", "product", mask=mask).statement
+    first = c.use("stable", "sobolev").statement
+    if first["property"] == "sobolev":
+        require(first["low"] * power(c, Fraction(c.p), 2 * j) >= 1, "the Sobolev exponent is too large")
+        return
+    require(first["holds"], "it uses stable with another holds")
+    used = c.use("sum-rules", "product", mask=first["mask"]).statement
     if used["property"] == "sum-rules":
         require(used["order"] <= j, f"the sum rules are of order {used['order']}")
     else:
         require(used["radius"] * power(c, Fraction(c.p), j * len(used["word"])) >= 1, "the radius is too small")
-    use_reductions(c, mask)
+    use_reductions(c, first["mask"])
 
 
 def holder_lower(c: Claim) -> None:
-    """α >= -log_p(x)/L with x = ‖D^L‖∞ = ‖((1/p)S_k)^L‖∞ / p^((k-1)L), or JSR(D)^L <= x."""
-    level = c.statement["level"]
+    """α >= -log_p(x)/L: x = ‖S_(Δ^ν)^L‖∞ = ‖((1/p)S_ν)^L‖∞ / p^((ν-1)L), or JSR(S_(Δ^ν))^L <= x, 1 <= ν <= k.
+
+    Or α >= s - 1/2: L = 2 and x = p λ.
+    """
     c.count(1)
-    used = c.use("norm", *UPPER).statement
-    if used["property"] != "norm":
-        _holder_lower_by_radius(c, used)
+    used = c.use("norm", "sobolev", *UPPER).statement
+    if used["property"] == "sobolev":
+        _require_bound(c, "level", "norm", (2, c.p * used["high"]))
         return
-    require(used["level"] == level, "it uses norm with another level")
-    k = c.use("sum-rules", mask=used["mask"], order=used["nu"]).statement["order"]
-    scaled = used["norm"] / power(c, Fraction(c.p), (k - 1) * level)
-    require(c.statement["norm"] == scaled, "the norm of D^L is another")
-    use_reductions(c, used["mask"])
+    if used["property"] == "norm":
+        scaled = used["norm"] / power(c, Fraction(c.p), (used["nu"] - 1) * used["level"])
+        bound, of = (used["level"], scaled), used
+    else:
+        bound, of = (used["length"], bound_of(used)), c.use("family", family=used["family"]).statement
+    require(of["nu"] >= 1, "it is not on differences")
+    c.use("sum-rules", mask=of["mask"])
+    _require_bound(c, "level", "norm", bound)
+    use_reductions(c, of["mask"])
 
 
-def _holder_lower_by_radius(c: Claim, used: Statement) -> None:
-    level, x = c.statement["level"], c.statement["norm"]
-    require((used["length"], bound_of(used)) == (level, x), "the radius has another length or bound")
-    require(x > 0, "the bound is not positive")
-    family = c.use("family", family=used["family"]).statement
-    c.use("sum-rules", mask=family["mask"], order=family["nu"])
-    use_reductions(c, family["mask"])
+def _require_bound(c: Claim, length: str, bound: str, known: tuple[int, Fraction]) -> None:
+    require(known == (c.statement[length], c.statement[bound]), f"{length} or {bound} is another")
+    require(known[1] > 0, "the bound is not positive")
 
 
 def holder_upper(c: Claim) -> None:
-    """α <= -log_p(x)/ℓ: φ is stable, possibly reduced; x is the radius of a product of length ℓ, or p^-k and ℓ = 1."""
+    """α <= -log_p(x)/ℓ: φ is stable, possibly reduced; x is the radius of a product of length ℓ, or p^-k and ℓ = 1.
+
+    Or α <= s: ℓ = 2 and x = λ, of a claim on s that needs a stable φ.
+    """
     c.count(1)
-    mask = c.use("stable", holds=True).statement["mask"]
-    used = c.use("product", "sum-rules", mask=mask).statement
+    first = c.use("stable", "sobolev").statement
+    if first["property"] == "sobolev":
+        _require_bound(c, "length", "radius", (2, first["low"]))
+        return
+    require(first["holds"], "it uses stable with another holds")
+    used = c.use("product", "sum-rules", mask=first["mask"]).statement
     if used["property"] == "product":
         bound = (len(used["word"]), used["radius"])
     else:
         bound = (1, 1 / power(c, Fraction(c.p), used["order"]))
-    require(bound == (c.statement["length"], c.statement["radius"]), "length or radius is another")
-    use_reductions(c, mask)
+    _require_bound(c, "length", "radius", bound)
+    use_reductions(c, first["mask"])
+
+
+def sobolev_at_least(c: Claim) -> None:
+    """s >= -log_p(x)/L, as α is not below it: s >= α."""
+    c.count(1)
+    used = c.use("holder-lower", "holder-root", "holder").statement
+    known = (used["length"], used["high"]) if used["property"] == "holder-root" else (used["level"], used["norm"])
+    _require_bound(c, "length", "bound", known)
+
+
+def sobolev_at_most(c: Claim) -> None:
+    """s <= -log_p(x)/L, for stable φ: α + 1/2 is not above it, or k is not, L = 1 and x = p^-k."""
+    c.count(1)
+    used = c.use("holder-upper", "holder-root", "holder", "stable").statement
+    if used["property"] == "stable":
+        require(used["holds"], "φ is not stable")
+        order = c.use("sum-rules", mask=used["mask"]).statement["order"]
+        _require_bound(c, "length", "bound", (1, 1 / power(c, Fraction(c.p), order)))
+        use_reductions(c, used["mask"])
+        return
+    names = {"holder-upper": ("length", "radius"), "holder-root": ("length", "low"), "holder": ("level", "norm")}
+    length, radius = (used[name] for name in names[used["property"]])
+    _require_bound(c, "length", "bound", (2 * length, radius**2 / power(c, Fraction(c.p), length)))
 
 
 def holder_exact(c: Claim) -> None:

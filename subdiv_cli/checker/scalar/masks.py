@@ -53,11 +53,11 @@ def plain(arity: int, start: int, coefficients: list[Fraction]) -> PlainMask:
 
 
 def of_file(document: Mapping[str, Any]) -> PlainMask | None:
-    """The mask of a file: `arity`, which may be left out, `start` and `coefficients`."""
+    """The mask of a file: `coefficients`; `arity` and `start`, 2 and 0 if they are left out."""
     table = document.get("mask")
-    if type(table) is not dict or not {"start", "coefficients"} <= table.keys() <= {"arity", "start", "coefficients"}:
+    if type(table) is not dict or not {"coefficients"} <= table.keys() <= {"arity", "start", "coefficients"}:
         return None
-    arity, start, entries = table.get("arity", 2), table["start"], table["coefficients"]
+    arity, start, entries = table.get("arity", 2), table.get("start", 0), table["coefficients"]
     if type(arity) is not int or type(start) is not int or type(entries) is not list or not entries:
         return None
     return plain(arity, start, [literal(x) for x in entries])

@@ -32,6 +32,8 @@ def in_words(statement: Mapping[str, Any], p: int) -> str:
         "holder-upper": "α <= {exponent}",
         "holder": "α = {exponent}",
         "sobolev": "s = {sobolev}",
+        "sobolev-at-least": "s >= {exponent}",
+        "sobolev-at-most": "s <= {exponent}",
         "values": "values of φ^({order}) at the integers",
         "quasi-interpolation": "S^∞ Q = 1 on polynomials of degree {degree}",
         "error-bound": "‖S_{nu}^∞ g - S_{nu}^k g‖ <= {constant} · ({norm})^⌊k/{level}⌋ ‖Δg‖",

@@ -12,14 +12,13 @@ from operator import mul
 from typing import Any, NamedTuple
 
 from subdiv_cli.checker.core import Claim, Subject
-from subdiv_cli.checker.matrices import Matrix, RationalFamily
+from subdiv_cli.checker.matrices import Matrix, RationalFamily, dependent_rows
 from subdiv_cli.checker.plain import PlainMask, literal
 from subdiv_cli.checker.reading import require, require_few, several
 
 MAX_ARITY = 64
 MAX_SIZE = 16
 MAX_MATRICES = 1000
-PRIME = (1 << 61) - 1
 MATRICES = several("matrix", MAX_MATRICES)
 """The reader of a list of square matrices, each over a denominator of its own."""
 
@@ -125,21 +124,12 @@ def nonzero(v: VectorSequence) -> VectorSequence:
 
 def are_independent(rows: Sequence[Sequence[int]]) -> bool:
     """Whether rows of integers are independent modulo a prime: then over Q as well."""
-    return rank(rows) == len(rows)
+    return not dependent_rows(rows)
 
 
 def rank(rows: Sequence[Sequence[int]]) -> int:
     """The rank of rows of integers modulo a prime: at most that over Q."""
-    kept: list[tuple[int, list[int]]] = []
-    for row in rows:
-        rest = [x % PRIME for x in row]
-        for pivot, other in kept:
-            if f := rest[pivot]:
-                rest = [(x - f * y) % PRIME for x, y in zip(rest, other, strict=True)]
-        if (pivot := next((j for j, x in enumerate(rest) if x), -1)) >= 0:
-            inverse = pow(rest[pivot], -1, PRIME)
-            kept.append((pivot, [inverse * x % PRIME for x in rest]))
-    return len(kept)
+    return len(rows) - len(dependent_rows(rows))
 
 
 def plain(kind: str, arity: int, start: int, matrices: Sequence[Sequence[Sequence[Fraction]]]) -> PlainMask:

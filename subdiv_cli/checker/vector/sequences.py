@@ -180,7 +180,10 @@ def fixed_diverges(c: Claim) -> None:
 def _fixed(c: Claim, a: MatrixMask, start: int, rows: Sequence[Sequence[Fraction]]) -> tuple[list[VectorSequence], int]:
     """The sequences, over one denominator. Raises Rejected where T_0 moves one of them."""
     m, length = a.size, len(rows[0])
-    require(all(len(row) == length for row in rows) and length % m == 0, "the rows are not m entries for each index")
+    require(
+        length > 0 and all(len(row) == length for row in rows) and length % m == 0,
+        "the rows are not m entries for each index",
+    )
     c.count(len(rows) * (length // m + 1) * a.entries + (len(rows) + a.size) ** 2 * length, a.bits + most_bits(rows))
     numerators, denominator = scaled([x for row in rows for x in row])
     sequences = [sequence(start, numerators[i : i + length], m) for i in range(0, len(numerators), length)]

@@ -12,11 +12,10 @@ from math import comb
 from operator import mul
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import RationalFamily
+from subdiv_cli.checker.matrices import PRIME, RationalFamily
 from subdiv_cli.checker.reading import MAX_ORDER, require, require_few
 from subdiv_cli.checker.roots import fraction_bits
 from subdiv_cli.checker.vector.masks import (
-    PRIME,
     MatrixMask,
     VectorSequence,
     are_independent,

@@ -15,7 +15,6 @@ _FUNCTIONS = Drawings(
 )
 KIND = Kind(
     name="hermite",
-    expects=("convergent", "smoothness", "holder", "generation", "spectral"),
     read=late("subdiv_cli.kinds.hermite.text:read"),
     body_of=late("subdiv_cli.kinds.vector.text:body_of"),
     spell=late("subdiv_cli.kinds.vector.text:spell"),

@@ -50,11 +50,11 @@ class HermiteNumbers(VectorNumbers):
     def _residuals(self, shifts: list[fmpq], j: int) -> list[list[fmpq]]:
         """The E_j(0) for each ε, φ_j = 0 where it is not among the shifts."""
         p = self.p
-        found = [self._jet(shifts, j, epsilon) * fmpq(-1, p**j) for epsilon in range(p)]
+        residuals = [self._jet(shifts, j, epsilon) * fmpq(-1, p**j) for epsilon in range(p)]
         for i, a in enumerate(self.matrices, self.scheme.start):
             beta, epsilon = divmod(i, p)
-            found[epsilon] += a * self._jet(shifts, j, -beta)
-        return [column.entries() for column in found]
+            residuals[epsilon] += a * self._jet(shifts, j, -beta)
+        return [column.entries() for column in residuals]
 
     def _jet(self, shifts: list[fmpq], j: int, x: int) -> fmpq_mat:
         """The column (f_j(x), f_j'(x), …, f_j^(d-1)(x)) at an integer."""

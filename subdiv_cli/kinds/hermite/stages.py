@@ -9,13 +9,14 @@ from fractions import Fraction
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.hermite.numbers import HermiteNumbers
 from subdiv_cli.kinds.hermite.rules import HERMITE_CONVERGENCE, JET_RADIUS, SPECTRAL_CONDITION
-from subdiv_cli.kinds.kind import Analysis, Facts, Stage, run_stages
+from subdiv_cli.kinds.hermite.witnesses import HermiteConvergenceWitness, SpectralConditionWitness
+from subdiv_cli.kinds.kind import Analysis, Facts, Stage, asking, run_stages
 from subdiv_cli.kinds.scalar.stages.joint_radius import threshold
 from subdiv_cli.kinds.scalar.stages.wording import product_name
 from subdiv_cli.kinds.vector.rules import CONSTANTS, CONVERGENCE
 from subdiv_cli.kinds.vector.scheme import VectorScheme
 from subdiv_cli.kinds.vector.stages import convergence, smoothness
-from subdiv_cli.kinds.vector.stages.convergence import TOO_LARGE, radius_finding
+from subdiv_cli.kinds.vector.stages.convergence import TOO_LARGE, radius_finding, space_data
 from subdiv_cli.model import Data, Effort, Finding, Verdict
 from subdiv_cli.model import findings as questions
 
@@ -30,19 +31,14 @@ def spectral_condition(numbers: HermiteNumbers, _: Facts) -> tuple[Finding, ...]
 
     Witness: `order`, the number of degrees; `shifts`, 1, φ_1, …
     """
-    found, d = numbers.jets, numbers.size
-    k = found.order
-    witness: dict[str, Data] = {"order": k, "shifts": found.shifts}
-    phi = ", ".join(map(number, found.shifts[1:]))
+    (k, shifts), d = numbers.jets, numbers.size
+    witness: SpectralConditionWitness = {"order": k, "shifts": shifts}
     if k >= d:
-        statement = f"the spectral condition holds up to degree {k - 1}, and no further: φ = {phi}"
-        return (SPECTRAL_CONDITION.proved(statement, witness),)
-    what = (
-        f"{_first(d)} is not reproduced as a constant"
-        if not k
-        else f"no φ_{k} makes a jet of degree {k} an eigen-sequence"
-    )
-    return (SPECTRAL_CONDITION.refuted("the spectral condition does not hold", witness, why=what),)
+        why = f"φ = {', '.join(map(number, shifts[1:]))}"
+        statement = f"the spectral condition holds up to degree {k - 1}, and no further: {why}"
+        return (SPECTRAL_CONDITION.proved(statement, witness, why=why),)
+    why = f"no φ_{k} makes a jet of degree {k} an eigen-sequence" if k else f"{_first(d)} is not reproduced as constant"
+    return (SPECTRAL_CONDITION.refuted(f"the spectral condition does not hold: {why}", witness, why=why),)
 
 
 def _first(d: int) -> str:
@@ -52,15 +48,17 @@ def _first(d: int) -> str:
 
 def vector_convergence(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD705, whether S converges as a scheme of vectors: a step to SD716, which answers for a Hermite scheme."""
-    (found,) = convergence.convergence(numbers, facts)
-    if found.verdict is Verdict.PROVED and numbers.is_function:
-        found = replace(found, statement=f"D^n c^n converges uniformly, to functions f {_first(numbers.size)}: ρ_1 < 1")
-    return (replace(found, answers=()),)
+    (finding,) = convergence.convergence(numbers, facts)
+    if finding.verdict is Verdict.PROVED and numbers.is_function:
+        statement = f"D^n c^n converges uniformly, to functions f {_first(numbers.size)}: {finding.why}"
+        finding = replace(finding, statement=statement)
+    return (replace(finding, answers=()),)
 
 
 _RADIUS_QUESTION = "how fast do data approach the derivatives of the limit?"
 
 
+@asking((JET_RADIUS, _RADIUS_QUESTION))
 def jet_radius(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD715: σ_j, the joint spectral radius of the T_ε on U_j, for the derivatives j = 1, …, d-1.
 
@@ -76,18 +74,21 @@ def jet_radius(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (JET_RADIUS.skipped(_RADIUS_QUESTION, "it is not proved that S converges"),)
     if not numbers.is_function:
         return (JET_RADIUS.skipped(_RADIUS_QUESTION, f"E_A is not spanned by {_first(numbers.size)}"),)
-    found = []
+    findings = []
     for j in range(1, numbers.size):
         if (growth := numbers.jet_growth(j)) is None:
-            reason = "the time budget ended before a bound" if numbers.effort.struck else TOO_LARGE
-            found.append(JET_RADIUS.undecided(_RADIUS_QUESTION, reason, {"order": j}))
+            findings.append(JET_RADIUS.undecided(f"how fast do components {j} approach derivatives?", TOO_LARGE))
             continue
-        found.append(radius_finding(JET_RADIUS, growth, f"σ_{j}"))
+        findings.append(radius_finding(JET_RADIUS, growth, f"σ_{j}", space_data(growth.on)))
         if growth.product is not None and growth.product.compare(Fraction(1, numbers.p**j)) >= 0:
             break
-    return tuple(found)
+    return tuple(findings)
 
 
+_CONVERGENCE_QUESTION = "do data tend to a function and its derivatives?"
+
+
+@asking((HERMITE_CONVERGENCE, _CONVERGENCE_QUESTION))
 def hermite_convergence(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD716: whether S is HC^(d-1), d the number of components: D^-n S^n c tends to f, f', …, f^(d-1), not all f = 0.
 
@@ -97,34 +98,33 @@ def hermite_convergence(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding,
     Witness: `order`, d - 1; `by`, refuted: SD701, SD705, or SD715 with the `derivative` j and the `word` of a product.
     """
     d, p = numbers.size, numbers.p
-    statement, witness = f"S is not HC^{d - 1}", {"order": d - 1}
     if not numbers.is_function:
-        why = f"E_A is not spanned by {_first(d)}"
-        return (HERMITE_CONVERGENCE.refuted(statement, {**witness, "by": CONSTANTS.code}, why=why),)
+        return (_diverges({"order": d - 1, "by": CONSTANTS.code}, f"E_A is not spanned by {_first(d)}"),)
     if facts.verdict(CONVERGENCE) is Verdict.REFUTED:
-        why = "D^n c^n does not converge"
-        return (HERMITE_CONVERGENCE.refuted(statement, {**witness, "by": CONVERGENCE.code}, why=why),)
-    asked = f"is S HC^{d - 1}?"
-    radii = {finding.witness.get("order"): finding for finding in facts.all(JET_RADIUS)}
-    below = 0
-    for j in range(1, d):
-        finding = radii.get(j)
-        if finding is None or finding.verdict is not Verdict.PROVED or (growth := numbers.jet_growth(j)) is None:
-            continue
+        return (_diverges({"order": d - 1, "by": CONVERGENCE.code}, "D^n c^n does not converge"),)
+    radii = facts.all(JET_RADIUS)
+    growths = {
+        j: growth
+        for j in (JET_RADIUS.witness_of(finding)["order"] for finding in radii if finding.verdict is Verdict.PROVED)
+        if (growth := numbers.jet_growth(j)) is not None
+    }
+    for j, growth in growths.items():
         if growth.product is not None and growth.product.compare(Fraction(1, p**j)) >= 0:
-            why = f"{product_name(growth.product.word)} keeps σ_{j} ≥ {threshold(p, j)}"
-            more: dict[str, Data] = {"by": JET_RADIUS.code, "derivative": j, "word": growth.product.word}
-            return (HERMITE_CONVERGENCE.refuted(statement, {**witness, **more}, why=why),)
-        below += growth.radius.is_below(Fraction(1, p**j))
-    if below < d - 1:
-        reasons = [finding.reason for finding in facts.all(JET_RADIUS) if finding.reason is not None]
+            why, word = f"{product_name(growth.product.word)} keeps σ_{j} ≥ {threshold(p, j)}", growth.product.word
+            return (_diverges({"order": d - 1, "by": JET_RADIUS.code, "derivative": j, "word": word}, why),)
+    if len(growths) < d - 1 or not all(growth.radius.is_below(Fraction(1, p**j)) for j, growth in growths.items()):
+        reasons = [finding.reason for finding in radii if finding.reason is not None]
         unknown = "a bound of a σ_j is missing, and no product is known that keeps it above"
-        return (HERMITE_CONVERGENCE.undecided(asked, reasons[0] if reasons else unknown),)
-    several = " and ".join(f"σ_{j} < {threshold(p, j)}" for j in range(1, d))
-    answers = {questions.DERIVATIVES: d - 1}
+        return (HERMITE_CONVERGENCE.undecided(_CONVERGENCE_QUESTION, reasons[0] if reasons else unknown),)
+    why = " and ".join(f"σ_{j} < {threshold(p, j)}" for j in range(1, d))
     data = "f and f'" if d == 2 else f"f, …, f^({d - 1})"
-    proved = f"S is HC^{d - 1}, data tend to {data}: {several}"
-    return (HERMITE_CONVERGENCE.proved(proved, {**witness, "by": JET_RADIUS.code}, answers=answers),)
+    statement = f"S is HC^{d - 1}, data tend to {data}: {why}"
+    witness: HermiteConvergenceWitness = {"order": d - 1, "by": JET_RADIUS.code}
+    return (HERMITE_CONVERGENCE.proved(statement, witness, answers={questions.DERIVATIVES: d - 1}, why=why),)
+
+
+def _diverges(witness: HermiteConvergenceWitness, why: str) -> Finding:
+    return HERMITE_CONVERGENCE.refuted(f"S is not HC^{witness['order']}: {why}", witness, why=why)
 
 
 def _of_function(stage: Stage) -> Stage:
@@ -180,10 +180,10 @@ def hints(numbers: HermiteNumbers, facts: Facts) -> Iterator[str]:
     An eigen-sequence S y = p^-j y with y_0 = x^j/j! + … has y_j for the j-th component of all D^-n S^n y, where a
     Hermite scheme has the derivative 1.
     """
-    found = facts[HERMITE_CONVERGENCE]
-    j = found.witness.get("derivative")
-    sequences = numbers.sequences
-    if not isinstance(j, int) or sequences is None or not numbers.jets.order <= j < sequences.order:
+    if facts.verdict(HERMITE_CONVERGENCE) is not Verdict.REFUTED:
+        return
+    j, sequences = facts.witness(HERMITE_CONVERGENCE).get("derivative"), numbers.sequences
+    if j is None or sequences is None or not numbers.jets.order <= j < sequences.order:
         return
     (y,) = sequences.each[j]
     leading = y[j][0]

@@ -41,6 +41,7 @@ class Coefficients(NamedTuple):
     entries: tuple[Expression, ...]
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return self.entries
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
@@ -48,8 +49,8 @@ class Coefficients(NamedTuple):
         numbers = [number_of(entry, values, problems, work) for entry in self.entries]
         if None in numbers:
             return None
-        found = {k: value for k, value in enumerate(numbers, self.start) if value}
-        return _scheme(self.arity, found, self.entries[0].path[:-1], values, problems)
+        coefficients = {k: value for k, value in enumerate(numbers, self.start) if value}
+        return _scheme(self.arity, coefficients, self.entries[0].path[:-1], values, problems)
 
 
 class Symbol(NamedTuple):
@@ -59,6 +60,7 @@ class Symbol(NamedTuple):
     expression: Expression
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (self.expression,)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> ScalarScheme | None:
@@ -72,7 +74,24 @@ class Symbol(NamedTuple):
 def read(top: Table, parameters: Collection[str], problems: Collector) -> Coefficients | Symbol | None:
     """The mask of a file; None where something is wrong, which is recorded."""
     table = mask_table(top)
-    return None if table is None else read_scalar(table, parameters, problems)
+    if table is None or ("kind" not in top.data and _is_multivariate(table)):
+        return None
+    return read_scalar(table, parameters, problems)
+
+
+def _is_multivariate(table: Table) -> bool:
+    """Whether the keys of a file without kind are those of a mask in several variables, which is recorded."""
+    nested = table.data.get("coefficients")
+    mark = next((key for key in ("dilation", "terms", "box_spline", "tensor") if key in table.data), None)
+    if mark is None and not (isinstance(nested, list) and nested and all(isinstance(row, list) for row in nested)):
+        return False
+    said = "coefficients in lists in lists are" if mark is None else f"{mark} is"
+    help = 'write kind = "multivariate" at the top, above [mask]'
+    if mark == "dilation" and "arity" not in table.data:
+        help += "; a mask in one variable has an arity: arity = 2"
+    fault = Fault(faults.MISSING_KEY, f'kind = "multivariate" is missing: {said} for masks in several variables', help)
+    table.problems.add(fault, (*table.path, mark or "coefficients"), of_key=True)
+    return True
 
 
 def read_scalar(table: Table, parameters: Collection[str], problems: Collector) -> Coefficients | Symbol | None:
@@ -82,8 +101,8 @@ def read_scalar(table: Table, parameters: Collection[str], problems: Collector) 
     arity = table.integer("arity", 2, 2, MAX_ARITY, help)
     if "symbol" in table.data:
         return _symbol(table, arity, parameters)
-    help = "write the index of the first coefficient: start = -3"
-    start = table.integer("start", None, -MAX_EXPONENT, MAX_EXPONENT, help)
+    help = "write the index of the first coefficient, start = -3, or leave it out: it only shifts the limit"
+    start = table.integer("start", 0, -MAX_EXPONENT, MAX_EXPONENT, help)
     if "coefficients" not in table.data:
         help = 'write coefficients = ["1/2", 1, "1/2"], or symbol = "z^-1 (1+z)^2 / 2"'
         table.missing("coefficients", "coefficients are missing, and there is no symbol", help)
@@ -126,8 +145,8 @@ def _coefficients(table: Table, parameters: Collection[str]) -> tuple[Expression
         return None
     assert isinstance(values, list), "anything else is a fault"
     work = Work()
-    found = [read_number(value, (*path, i), parameters, table.problems, work) for i, value in enumerate(values)]
-    entries = tuple(entry for entry in found if entry is not None)
+    read = [read_number(value, (*path, i), parameters, table.problems, work) for i, value in enumerate(values)]
+    entries = tuple(entry for entry in read if entry is not None)
     return entries if len(entries) == len(values) else None
 
 

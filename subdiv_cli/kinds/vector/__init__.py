@@ -16,7 +16,6 @@ _FUNCTIONS = Drawings(
 )
 KIND = Kind(
     name="vector",
-    expects=("convergent", "smoothness", "holder", "generation", "dimension"),
     read=late("subdiv_cli.kinds.vector.text:read"),
     body_of=late("subdiv_cli.kinds.vector.text:body_of"),
     spell=late("subdiv_cli.kinds.vector.text:spell"),

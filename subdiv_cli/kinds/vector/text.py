@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from subdiv_cli.kinds.matrices.text import Expressions, MatrixReader, Shape, literals, numbers_of, rationals
+from subdiv_cli.kinds.matrices.text import Expressions, MatrixReader, Shape, literals, numbers_of
 from subdiv_cli.kinds.vector.scheme import VectorScheme
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_ARITY, MAX_COMPONENTS, MAX_EXPONENT, MAX_GRID, MAX_VECTOR_LENGTH
@@ -16,6 +16,7 @@ from subdiv_cli.maskfile.laurent import Work
 from subdiv_cli.maskfile.mask import too_precise, zero_mask
 from subdiv_cli.maskfile.problems import Collector, Fault
 from subdiv_cli.maskfile.spelling import listed, nested
+from subdiv_cli.model.closed import rationals
 
 _KEYS = ("arity", "start", "coefficients")
 _HELP = 'write coefficients = [[["1/2", 0], [0, 1]], [[1, 0], [0, "1/2"]]]: a list of matrices, each a list of rows'
@@ -41,6 +42,7 @@ class MatrixCoefficients(NamedTuple):
     kind: str = "vector"
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (entry for matrix in self.matrices for row in matrix for entry in row)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> VectorScheme | None:

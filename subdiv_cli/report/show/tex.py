@@ -9,8 +9,8 @@ from subdiv_cli.report.letters import clean, transliterate
 _COMMANDS = {
     "α": "\\alpha", "β": "\\beta", "γ": "\\gamma", "δ": "\\delta", "ε": "\\varepsilon", "θ": "\\theta",
     "λ": "\\lambda", "μ": "\\mu", "ν": "\\nu", "π": "\\pi", "ρ": "\\rho", "σ": "\\sigma", "τ": "\\tau",
-    "φ": "\\varphi", "ω": "\\omega", "Δ": "\\Delta", "Λ": "\\Lambda", "Π": "\\prod", "Σ": "\\sum", "Φ": "\\Phi",
-    "∞": "\\infty",
+    "φ": "\\varphi", "ψ": "\\psi", "ω": "\\omega", "Δ": "\\Delta", "Λ": "\\Lambda",
+    "Π": "\\prod", "Σ": "\\sum", "Φ": "\\Phi", "∞": "\\infty",
     "‖": "\\|", "≤": "\\le", "≥": "\\ge", "≠": "\\ne", "±": "\\pm", "·": "\\cdot", "…": "\\dots", "⌊": "\\lfloor",
     "⌋": "\\rfloor", "∈": "\\in", "½": "\\tfrac12", "⅓": "\\tfrac13", "¼": "\\tfrac14", "⅕": "\\tfrac15",
     "−": "-", "√": "\\surd", "ℓ": "\\ell",

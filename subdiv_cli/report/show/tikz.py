@@ -30,7 +30,9 @@ def _curve(values: Curve) -> Iterator[str]:
     step = 1.0 / values.arity**values.level
     every = max(1, len(values.values) // _POINTS)
     inner = ((values.start + i) * step for i in range(0, len(values.values), every))
-    points = [(first, 0.0), *zip(inner, map(float, values.values[::every]), strict=True), (last, 0.0)]
+    points = [*zip(inner, map(float, values.values[::every]), strict=True)]
+    points = [*([(first, 0.0)] if first < points[0][0] else []), *points]
+    points += [(last, 0.0)] if points[-1][0] < last else []
     low, high = min(y for _, y in points), max(y for _, y in points)
     x_unit, y_unit = _WIDTH / (last - first), _HEIGHT / (high - low)
     yield f"\\begin{{center}}\\begin{{tikzpicture}}[x={x_unit:.5f}cm,y={y_unit:.5f}cm]"

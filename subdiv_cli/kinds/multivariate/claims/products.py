@@ -6,43 +6,44 @@ import json
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import comb, prod
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 from subdiv_cli.certificate.claims import Claims, Json, UnwrittenError
 from subdiv_cli.certificate.radius import spelled
-from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple
-from subdiv_cli.model import Data, Finding, Question
+from subdiv_cli.kinds.multivariate import rules
+from subdiv_cli.kinds.multivariate.witnesses import (
+    BoxSplineWitness,
+    MultivariateHolderLowerWitness,
+    MultivariateSobolevWitness,
+)
+from subdiv_cli.model import Finding, Question
 from subdiv_cli.model.closed import rational
 from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV
 
 
 class BoxSplineClaims:
-    """The claims of one certificate on box splines, by its finding SD603. Each method returns the number of a claim."""
+    """The claims of one certificate on box splines, by the witness of SD603. Each method returns the number of one."""
 
-    def __init__(self, claims: Claims, finding: Finding | None, terms: int) -> None:
-        self._claims, self._finding, self._terms = claims, finding, terms
-
-    def _found(self, key: str) -> Data:
-        assert self._finding is not None
-        return self._finding.witness[key]
+    def __init__(self, claims: Claims, witness: BoxSplineWitness, terms: int) -> None:
+        self._claims, self._witness, self._terms = claims, witness, terms
 
     @property
     def _directions(self) -> list[list[int]]:
         """The different directions, without their multiplicities."""
-        return [list(cast("tuple[int, ...]", xi)) for xi in as_tuple(self._found("directions"))]
+        return [list(xi) for xi in self._witness["directions"]]
 
     def spline(self) -> int:
         """The claim that φ is the box spline of these directions."""
-        counts = [as_integer(n) for n in as_tuple(self._found("multiplicities"))]
+        counts = self._witness["multiplicities"]
         directions = sorted(xi for xi, n in zip(self._directions, counts, strict=True) for _ in range(n))
-        c, r, n = as_integer(self._found("scale")), as_integer(self._found("power")), len(directions)
+        c, r, n = self._witness["scale"], self._witness["power"], len(directions)
         longest = prod((c - 1) * sum(map(abs, column)) + 1 for column in zip(*directions, strict=True))
         work = n * c * longest + r * self._terms * longest + self._breadth()
-        witness = {"power": r, "shift": spelled(self._found("shift"))}
+        witness = {"power": r, "shift": spelled(self._witness["shift"])}
         return self._claims.prove("box-spline", {"directions": directions, "scale": c}, witness, work=work)
 
     def _breadth(self) -> int:
-        different, total = self._directions, sum(as_integer(n) for n in as_tuple(self._found("multiplicities")))
+        different, total = self._directions, sum(self._witness["multiplicities"])
         s = len(different[0])
         return comb(len(different), s - 1) * s * (24 + total)
 
@@ -103,45 +104,51 @@ class Factors:
         """What all of them or one of them is enough for; nothing where their certificates do not say it."""
         if not self._complete:
             return []
-        found = [any(_is_enough(said, statement) for said in part.document["goal"]) for part in self._parts]
-        if not (all(found) if statement.get("holds", statement["property"] == "smooth") else any(found)):
+        enough = [any(_is_enough(stated, statement) for stated in part.document["goal"]) for part in self._parts]
+        if not (all(enough) if statement.get("holds", statement["property"] == "smooth") else any(enough)):
             return []
         return [self._claims.prove(f"tensor-{rule}", statement, None, [self.product(), *more], len(self._parts))]
 
-    def holder_lower(self, finding: Finding) -> list[int]:
-        """The claims on the exponent, or on its bound from below, by the factor that the finding names."""
-        return self._of_one("of-factor", finding, HOLDER_LOWER)
+    def holder_lower(self, witness: MultivariateHolderLowerWitness) -> list[int]:
+        """The claims on the exponent, or on its bound from below, by the factor that the witness names."""
+        return self._of_one("of-factor", HOLDER_LOWER, witness["variables"], witness.get("between"))
 
     def holder_upper(self, finding: Finding, below: Finding) -> list[int]:
         """The claims on the exponent from above: by the exponent itself, where the finding from below states it."""
-        if below.closed is not None and below.witness["variables"] == finding.witness["variables"]:
-            claims = self.holder_lower(below)
-            said = [self._claims.statement(number)["statement"]["property"] for number in claims]
-            if said and said[0] != "holder-lower":
+        variables = rules.HOLDER_UPPER.witness_of(finding)["variables"]
+        if below.closed is not None and (witness := rules.HOLDER_LOWER.witness_of(below))["variables"] == variables:
+            claims = self.holder_lower(witness)
+            properties = [self._claims.statement(number)["statement"]["property"] for number in claims]
+            if properties and properties[0] != "holder-lower":
                 return claims
-        return self._of_one("at-most-factor", finding, HOLDER_UPPER)
+        return self._of_one("at-most-factor", HOLDER_UPPER, variables)
 
-    def sobolev(self, finding: Finding) -> list[int]:
-        """The claims on the Sobolev exponent, or on its bound from below, by the factor that the finding names."""
-        return self._of_one("of-factor", finding, SOBOLEV)
+    def sobolev(self, witness: MultivariateSobolevWitness) -> list[int]:
+        """The claims on the Sobolev exponent, or on its bounds, by the factors that the witness names."""
+        claims = []
+        if "variables" in witness:
+            claims.append(self._of_one("of-factor", SOBOLEV, witness["variables"], witness.get("between")))
+        if "variables_above" in witness:
+            claims.append(self._of_one("at-most-factor", SOBOLEV, witness["variables_above"]))
+        return [number for each in claims for number in each] if all(claims) else []
 
-    def _of_one(self, rule: str, finding: Finding, question: Question) -> list[int]:
+    def _of_one(
+        self, rule: str, question: Question, variables: tuple[int, ...], between: Fraction | None = None
+    ) -> list[int]:
         """The claims by one factor's answer to a question; none where a certificate it needs does not state it."""
-        between = finding.witness.get("between")
-        said = {part.variables: part.stated.get(question, ()) for part in self._parts}
-        variables = cast("tuple[int, ...]", finding.witness["variables"])
-        if not self._complete or not said[variables] or (between is not None and not all(said.values())):
+        stated = {part.variables: part.stated.get(question, ()) for part in self._parts}
+        if not self._complete or not stated[variables] or (between is not None and not all(stated.values())):
             return []
-        witness = {} if between is None else {"between": rational(as_rational(between))}
-        statement = {"variables": list(variables), "statement": said[variables][0]}
+        witness = {} if between is None else {"between": rational(between)}
+        statement = {"variables": list(variables), "statement": stated[variables][0 if rule == "of-factor" else -1]}
         return [self._claims.prove(rule, statement, witness, [self.product()], len(self._parts))]
 
 
-def _is_enough(said: Json, statement: Json) -> bool:
+def _is_enough(stated: Json, statement: Json) -> bool:
     """Whether a factor's statement implies the other: the same, or more smoothness, or that there is not even less."""
     name = statement["property"]
-    if said["property"] != name:
+    if stated["property"] != name:
         return False
     if "holds" in statement:
-        return bool(said["holds"] == statement["holds"] and not said.get("mask", 0))
-    return bool(said["order"] >= statement["order"] if name == "smooth" else said["order"] <= statement["order"])
+        return bool(stated["holds"] == statement["holds"] and not stated.get("mask", 0))
+    return bool(stated["order"] >= statement["order"] if name == "smooth" else stated["order"] <= statement["order"])

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import comb
-from typing import Any, cast
+from typing import Any
 
-from subdiv_cli.certificate.claims import Claims, Json, Proofs, UnwrittenError, proofs
+from subdiv_cli.certificate.claims import Claims, Json, Proofs, UnwrittenError, polynomial, proofs
 from subdiv_cli.certificate.radius import Radii, root_fields, spelled
-from subdiv_cli.certificate.witness import as_integer, as_polynomial, as_rational, as_tuple, as_word
 from subdiv_cli.kinds.kind import Analysis, Facts, Part
 from subdiv_cli.kinds.multivariate import rules
-from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pairs
+from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pair_norms
 from subdiv_cli.kinds.multivariate.claims.products import BoxSplineClaims, Factors, PartCertificate
+from subdiv_cli.kinds.multivariate.stages.wording import largest_norm
 from subdiv_cli.kinds.multivariate.text.writing import canonical
+from subdiv_cli.kinds.multivariate.witnesses import (
+    DifferenceRadiusProof,
+    GrowthProof,
+    MultivariateSmoothnessWitness,
+    MultivariateSobolevWitness,
+    PlacedNumbers,
+)
 from subdiv_cli.kinds.scalar.claims import claims_of as univariate_claims
-from subdiv_cli.model import Data, Finding, Verdict, exact_root
-from subdiv_cli.model.closed import rational
-
-Map = Mapping[str, Data]
+from subdiv_cli.model import DECIDED, Finding, Verdict, exact_root
+from subdiv_cli.model.closed import rational, rationals
+from subdiv_cli.model.findings import proof_of
+from subdiv_cli.model.proofs import RootData, upper_bound
 
 
 def claims_of(analysis: Analysis) -> Proofs:
@@ -36,12 +43,12 @@ def _of_part(part: Part) -> PartCertificate | None:
     written = make(part.analysis).certificate()
     if written is None:
         return None
-    claims = written.document["claims"]
+    claims, findings = written.document["claims"], part.analysis.findings
     stated = {
         question: [claims[number]["statement"] for number in numbers]
-        for finding, numbers in zip(part.analysis.findings, written.claims, strict=True)
+        for finding, chosen, numbers in zip(findings, written.findings, written.claims, strict=True)
         for question, _ in finding.answers
-        if numbers
+        if numbers and chosen is finding
     }
     return PartCertificate(part.variables, written.document, stated)
 
@@ -51,84 +58,95 @@ class _Proof:
 
     def __init__(self, mask: Json, findings: Sequence[Finding], parts: Sequence[PartCertificate | None]) -> None:
         self.claims = Claims()
-        self.found = Facts(findings)
+        self.facts = Facts(findings)
         self.s = len(mask["dilation"])
         self.terms = len(mask["terms"])
-        self.m = len(as_tuple(self.found[rules.COSET_SUMS].witness["cosets"]))
+        self.m = len(self.facts.witness(rules.COSET_SUMS)["cosets"])
         self.factors = Factors(self.claims, parts, self.terms * (self.s + 1))
-        self.box = BoxSplineClaims(self.claims, self.found.find(rules.BOX_SPLINE), self.terms)
         self._families: list[None] = []
         self._family: int | None = None
         self._radius_claim: int | None = None
 
     def claims_of(self, finding: Finding) -> list[int]:
         """The claims that state a decided finding; none where the certificate of a factor leaves it out."""
-        if finding.witness.get("by") == rules.TENSOR_PRODUCT.code:
-            return self._of_factors(finding)
         makers: dict[str, Callable[[Finding], list[int]]] = {
             rules.COSET_SUMS.code: lambda _: [self._coset_sums()],
             rules.SUM_RULES.code: self._sum_rules_and_generation,
             rules.BOX_SPLINE.code: lambda _: [self.box.spline()],
+            rules.SUBLATTICE.code: lambda _: [self._sublattice()],
             rules.DIRECTIONAL_NORMS.code: self._norms,
             rules.DIFFERENCE_RADIUS.code: lambda _: [self._radius(), self._differences()],
             rules.MATRIX_NORMS.code: lambda _: [self._matrix_norm()],
             rules.DIRECTIONAL_SMOOTHNESS.code: lambda _: [self._pairs()],
             rules.POSITIVE_MASK.code: lambda _: [self._positive()],
             rules.TENSOR_PRODUCT.code: lambda _: [self.factors.product()],
-            rules.CONVERGENCE.code: lambda _: [self._convergent()],
-            rules.SMOOTHNESS.code: lambda found: [self._smooth(found)],
-            rules.NEXT_SMOOTHNESS.code: lambda found: [self._not_smooth(found)],
+            rules.CONVERGENCE.code: lambda each: [self._convergent(each)],
+            rules.SMOOTHNESS.code: self._smooth,
+            rules.NEXT_SMOOTHNESS.code: self._next_smooth,
             rules.HOLDER_LOWER.code: self._lower,
             rules.HOLDER_UPPER.code: self._upper,
-            rules.STABILITY.code: lambda _: [self._stable()],
-            rules.SOBOLEV.code: lambda found: [self._sobolev(found)],
-            rules.REPRODUCTION.code: lambda found: [self._reproduction(found)],
-            rules.QUASI_INTERPOLATION.code: lambda found: [self._quasi_interpolation(found)],
+            rules.STABILITY.code: self._stability,
+            rules.SOBOLEV.code: self._sobolev,
+            rules.REPRODUCTION.code: self._reproduction,
+            rules.QUASI_INTERPOLATION.code: self._quasi_interpolation,
         }
         return makers[finding.code](finding)
 
-    def _of_factors(self, finding: Finding) -> list[int]:
-        """The claims of a finding on a tensor product that follow from its factors."""
-        code, holds = finding.code, finding.verdict is Verdict.PROVED
-        if code in (rules.SMOOTHNESS.code, rules.NEXT_SMOOTHNESS.code):
-            smooth = code == rules.SMOOTHNESS.code and holds
-            statement = {"property": "smooth" if smooth else "not-smooth", "order": finding.witness["order"]}
-            return self.factors.say("smooth" if smooth else "not-smooth", statement)
-        if code == rules.HOLDER_LOWER.code:
-            return self.factors.holder_lower(finding)
-        if code == rules.HOLDER_UPPER.code:
-            return self.factors.holder_upper(finding, self.found[rules.HOLDER_LOWER])
-        if code == rules.SOBOLEV.code:
-            return self.factors.sobolev(finding)
-        statement = {"property": "stable", "holds": holds}
-        return (
-            [self._convergent()]
-            if code == rules.CONVERGENCE.code
-            else self.factors.say("stable", statement, self._convergent())
-        )
+    @property
+    def box(self) -> BoxSplineClaims:
+        """The claims on the box spline that φ is."""
+        return BoxSplineClaims(self.claims, self.facts.witness(rules.BOX_SPLINE), self.terms)
 
     def _coset_sums(self) -> int:
-        holds = self.found[rules.COSET_SUMS].verdict is Verdict.PROVED
+        holds = self.facts[rules.COSET_SUMS].verdict is Verdict.PROVED
         return self.claims.prove("coset-sums", {"holds": holds}, work=self.terms + self.m)
 
+    @property
+    def _order(self) -> int:
+        """The order k of the sum rules."""
+        return self.facts.witness(rules.SUM_RULES)["order"]
+
     def _sum_rules(self) -> int:
-        k = as_integer(self.found[rules.SUM_RULES].witness["order"])
+        k = self._order
         return self.claims.prove("total-sum-rules", {"order": k}, work=(self.terms + self.m) * comb(k + self.s, self.s))
 
     def _sum_rules_and_generation(self, finding: Finding) -> list[int]:
-        k, rules = as_integer(finding.witness["order"]), self._sum_rules()
-        return [rules, self.claims.prove("generation", {"degree": k - 1}, uses=[rules])] if k else [rules]
+        k, order = rules.SUM_RULES.witness_of(finding)["order"], self._sum_rules()
+        return [order, self.claims.prove("generation", {"degree": k - 1}, uses=[order])] if k else [order]
 
     def _norms(self, finding: Finding) -> list[int]:
         return directional_norms(self.claims, finding, self._factor())
 
     def _matrix_norm(self) -> int:
-        return matrix_norm(self.claims, self.found[rules.MATRIX_NORMS], self._sum_rules())
+        return matrix_norm(self.claims, self.facts[rules.MATRIX_NORMS], self._sum_rules())
 
     def _pairs(self, order: int = 1) -> int:
-        return pairs(
-            self.claims, self.found[rules.DIRECTIONAL_SMOOTHNESS], order, self._coset_sums(), self.s, self._factor()
-        )
+        norms = pair_norms(self.claims, self.facts[rules.DIRECTIONAL_SMOOTHNESS], self._factor())
+        statement = {"property": "smooth", "order": order}
+        return self.claims.prove("directional-smooth", statement, {}, [self._coset_sums(), *norms], self._basis)
+
+    @property
+    def _basis(self) -> int:
+        """The work to see that directions are bases of Z^s."""
+        return 24 * (self.s + 1)
+
+    def _directional_decay(self, by: str) -> int:
+        """The claim on the decay of differences by directional factors, one at a time or in pairs."""
+        c = self._factor()
+        if by == rules.DIRECTIONAL_SMOOTHNESS.code:
+            order, (level, bound) = 2, largest_norm(self.facts.witness(rules.DIRECTIONAL_SMOOTHNESS), c)
+            norms = pair_norms(self.claims, self.facts[rules.DIRECTIONAL_SMOOTHNESS], c)
+        else:
+            order, (level, bound) = 1, largest_norm(self.facts.witness(rules.DIRECTIONAL_NORMS), 1)
+            norms = directional_norms(self.claims, self.facts[rules.DIRECTIONAL_NORMS], c)
+        statement = {"order": order, "level": level, "norm": rational(bound)}
+        return self.claims.prove("directional-decay", statement, {}, [self._coset_sums(), *norms], self._basis)
+
+    def _sublattice(self) -> int:
+        witness = self.facts.witness(rules.SUBLATTICE)
+        hints = {"functional": spelled(witness["functional"]), "modulus": witness["modulus"]}
+        statement = {"property": "convergent", "holds": False}
+        return self.claims.prove("sublattice-diverges", statement, hints, work=self.terms * self.s**2)
 
     def _positive(self) -> int:
         uses, work = [self._coset_sums()], self.terms * self.s
@@ -140,16 +158,25 @@ class _Proof:
         assert c is not None
         return c
 
+    @property
+    def _decay_proof(self) -> DifferenceRadiusProof:
+        return proof_of(self.facts[rules.DIFFERENCE_RADIUS], DifferenceRadiusProof)
+
     def _differences(self) -> int:
         """The claim that introduces the transition operators on V_k."""
-        space = cast(Map, self.found[rules.DIFFERENCE_RADIUS].proof["space"])
         if self._family is None:
-            k, n, w = as_integer(space["order"]), len(as_tuple(space["basis"])), len(as_tuple(space["window"]))
+            space = self._decay_proof["space"]
+            k, n, w = space["order"], len(space["basis"]), len(space["window"])
             s, m = self.s, self.m
             work = n * w * ((m + 1) * n + self.terms + comb(k + s, s) + comb(k + s - 1, s - 1))
             self._families.append(None)
-            witness = {key: spelled(space[key]) for key in ("cosets", "window", "basis")}
-            witness |= {key: _rationals(space[key]) for key in ("matrices", "generators")}
+            witness = {
+                "cosets": spelled(space["cosets"]),
+                "window": spelled(space["window"]),
+                "basis": spelled(space["basis"]),
+                "matrices": rationals(space["matrices"]),
+                "generators": rationals(space["generators"]),
+            }
             statement = {"property": "family", "family": 0, "order": k}
             self._family = self.claims.prove("differences", statement, witness, [self._sum_rules()], work)
         return self._family
@@ -157,168 +184,219 @@ class _Proof:
     def _radius(self) -> int:
         """The claim on ρ_k, the joint spectral radius on V_k: from above, or the number itself."""
         if self._radius_claim is None:
-            proof = self.found[rules.DIFFERENCE_RADIUS].proof
             self._differences()
-            order = len(as_tuple(cast(Map, proof["space"])["basis"]))
-            self._radius_claim = Radii(self.claims, self._families, self.m, []).claim(
-                cast(Map, proof["radius"]), 0, order
-            )
+            radii = Radii(self.claims, self._families, self.m, [])
+            proof = self._decay_proof
+            self._radius_claim = radii.claim(proof["radius"], 0, len(proof["space"]["basis"]))
         return self._radius_claim
 
     def _word(self, word: Sequence[int], bound: Fraction) -> int:
         self._differences()
-        order = len(as_tuple(cast(Map, self.found[rules.DIFFERENCE_RADIUS].proof["space"])["basis"]))
+        order = len(self._decay_proof["space"]["basis"])
         statement = {"property": "radius-lower", "family": 0, "length": len(word), "bound": rational(bound)}
         return self.claims.prove("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
 
-    def _convergent(self) -> int:
-        found = self.found[rules.CONVERGENCE]
-        holds, by = found.verdict is Verdict.PROVED, found.witness["by"]
+    def _convergent(self, finding: Finding | None = None) -> int:
+        """The claim on convergence, by the first finding unless another one is given."""
+        finding = finding or self.facts[rules.CONVERGENCE]
+        witness = rules.CONVERGENCE.witness_of(finding)
+        holds, by = finding.verdict is Verdict.PROVED, witness["by"]
         if by == rules.POSITIVE_MASK.code:
             return self._positive()
+        if by == rules.SUBLATTICE.code:
+            return self._sublattice()
         rule, uses = "converges" if holds else "diverges", [self._coset_sums()]
         if by == rules.DIRECTIONAL_NORMS.code:
             rule, uses = (
                 "directional-converges",
-                [self._coset_sums(), *self._norms(self.found[rules.DIRECTIONAL_NORMS])],
+                [self._coset_sums(), *self._norms(self.facts[rules.DIRECTIONAL_NORMS])],
             )
         elif by == rules.TENSOR_PRODUCT.code:
-            said = self.factors.say("converges", {"property": "convergent", "holds": holds})
-            if not said:
+            claims = self.factors.say("converges", {"property": "convergent", "holds": holds})
+            if not claims:
                 raise UnwrittenError
-            return said[0]
-        elif by == rules.MATRIX_NORMS.code:
-            uses = [self._matrix_norm()]
-        elif by == rules.SOBOLEV.code:
-            uses = [self._mean_squares(found, lower=True)]
+            return claims[0]
+        elif by == rules.BOX_SPLINE.code:
+            uses = [self.box.not_smooth(0)]
+        elif by in (rules.MATRIX_NORMS.code, rules.SOBOLEV.code, rules.DIRECTIONAL_SMOOTHNESS.code):
+            uses = self._decay(finding, by)
         elif by == rules.DIFFERENCE_RADIUS.code:
-            word = () if holds else as_word(found.witness)
-            uses = [self._radius() if holds else self._word(word, Fraction(1)), self._differences()]
+            uses = [self._radius() if holds else self._word(witness["word"], Fraction(1)), self._differences()]
         return self.claims.prove(rule, {"property": "convergent", "holds": holds}, uses=uses)
 
+    def _stability(self, finding: Finding) -> list[int]:
+        if rules.STABILITY.witness_of(finding)["by"] != rules.TENSOR_PRODUCT.code:
+            return [self._stable()]
+        statement = {"property": "stable", "holds": finding.verdict is Verdict.PROVED}
+        return self.factors.say("stable", statement, self._convergent())
+
     def _stable(self) -> int:
-        found = self.found[rules.STABILITY]
-        statement = {"property": "stable", "holds": found.verdict is Verdict.PROVED}
-        if found.witness["by"] == rules.BOX_SPLINE.code:
+        """The claim on the stability of a φ that is no tensor product."""
+        finding = self.facts[rules.STABILITY]
+        statement = {"property": "stable", "holds": finding.verdict is Verdict.PROVED}
+        if rules.STABILITY.witness_of(finding)["by"] == rules.BOX_SPLINE.code:
             return self.box.stable(statement)
-        if found.proof:
-            return gram_sequence(self.claims, found, statement, self._convergent(), self.terms)
+        if finding.proof:
+            return gram_sequence(self.claims, finding, statement, self._convergent(), self.terms)
         return self.claims.prove("interpolatory-stable", statement, uses=[self._convergent()], work=self.terms)
 
-    def _smooth(self, finding: Finding) -> int:
+    def _smooth(self, finding: Finding) -> list[int]:
+        witness = rules.SMOOTHNESS.witness_of(finding)
+        n, by = witness["order"], witness["by"]
         if finding.verdict is Verdict.REFUTED:
-            return self._not_smooth(finding)
-        n = as_integer(finding.witness["order"])
-        if finding.witness["by"] == rules.BOX_SPLINE.code:
-            return self.box.smooth(n)
-        if finding.witness["by"] == rules.DIRECTIONAL_SMOOTHNESS.code:
-            return self._pairs(n)
-        return self.claims.prove("smooth", {"order": n}, uses=self._decay(finding))
+            return self._not_smooth(finding, witness)
+        if by == rules.TENSOR_PRODUCT.code:
+            return self.factors.say("smooth", {"property": "smooth", "order": n})
+        if by == rules.BOX_SPLINE.code:
+            return [self.box.smooth(n)]
+        if by == rules.DIRECTIONAL_SMOOTHNESS.code:
+            return [self._pairs(n)]
+        return [self.claims.prove("smooth", {"order": n}, uses=self._decay(finding, by))]
 
-    def _decay(self, finding: Finding) -> list[int]:
-        """The claims that bound ρ_k from above: by the radius of a family, or by mean squares."""
-        if finding.witness["by"] == rules.SOBOLEV.code:
+    def _decay(self, finding: Finding, by: str) -> list[int]:
+        """The claims that bound ρ_k from above: by the radius of a family, by norms, or by mean squares."""
+        if by == rules.CONVERGENCE.code:
+            return [self._convergent()]
+        if by == rules.SOBOLEV.code:
             return [self._mean_squares(finding, lower=True)]
-        if finding.witness["by"] == rules.MATRIX_NORMS.code:
+        if by == rules.MATRIX_NORMS.code:
             return [self._matrix_norm()]
+        if by in (rules.DIRECTIONAL_NORMS.code, rules.DIRECTIONAL_SMOOTHNESS.code):
+            return [self._directional_decay(by)]
         return [self._radius(), self._differences()]
 
-    def _not_smooth(self, finding: Finding) -> int:
-        n, by = as_integer(finding.witness["order"]), finding.witness["by"]
+    def _next_smooth(self, finding: Finding) -> list[int]:
+        return self._not_smooth(finding, rules.NEXT_SMOOTHNESS.witness_of(finding))
+
+    def _not_smooth(self, finding: Finding, witness: MultivariateSmoothnessWitness) -> list[int]:
+        n, by = witness["order"], witness["by"]
         statement: Json = {"property": "not-smooth", "order": n}
+        if by == rules.TENSOR_PRODUCT.code:
+            return self.factors.say("not-smooth", statement)
         if by == rules.BOX_SPLINE.code:
-            return self.box.not_smooth(n)
+            return [self.box.not_smooth(n)]
         if by == rules.SUM_RULES.code:
-            return self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])
+            return [self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])]
+        if by == rules.SOBOLEV.code:
+            return [self.claims.prove("not-smooth", statement, uses=[self._mean_squares(finding, lower=False)])]
         below = self._reaching(n)
-        return self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])
+        return [self.claims.prove("not-smooth", statement, uses=[self._stable(), below, self._differences()])]
 
     def _reaching(self, n: int) -> int:
         """The claim ρ_k >= λ^-n: by the number itself where that is known and large enough, else by a product."""
-        found = self.found[rules.DIFFERENCE_RADIUS].witness
-        root = cast("Map | None", found.get("root"))
-        if root is not None and as_rational(root["low"]) ** self.s * self.m ** (n * as_integer(found["length"])) >= 1:
+        witness = self.facts.witness(rules.DIFFERENCE_RADIUS)
+        root = witness.get("root")
+        if root is not None and root["low"] ** self.s * self.m ** (n * witness["length"]) >= 1:
             return self._radius()
-        word = as_word(found)
+        word = witness["word"]
         return self._word(word * self.s, Fraction(1, self.m ** (n * len(word))))
 
     def _lower(self, finding: Finding) -> list[int]:
-        if finding.witness["by"] == rules.BOX_SPLINE.code:
-            return [self.box.holder(as_rational(finding.witness["value"]))]
-        root = cast("Map | None", finding.witness.get("root"))
-        if root is not None and self.found[rules.STABILITY].verdict is Verdict.PROVED:
-            return [self._exponent(finding, root)]
-        bound = rational(as_rational(root["high"] if root is not None else finding.witness["bound"]))
-        statement = {"length": finding.witness["length"], "bound": bound}
-        uses = self._decay(finding)
+        witness = rules.HOLDER_LOWER.witness_of(finding)
+        if witness["by"] == rules.TENSOR_PRODUCT.code:
+            return self.factors.holder_lower(witness)
+        if witness["by"] == rules.BOX_SPLINE.code:
+            return [self.box.holder(witness["value"])]
+        if "root" in witness and self.facts.verdict(rules.STABILITY) is Verdict.PROVED:
+            return [self._exponent(witness["length"], witness["root"])]
+        statement = {"length": witness["length"], "bound": rational(upper_bound(witness))}
+        uses = self._decay(finding, witness["by"])
         return [self.claims.prove("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
 
     def _upper(self, finding: Finding) -> list[int]:
-        if finding.witness["by"] == rules.BOX_SPLINE.code:
-            return [self.box.holder(as_rational(finding.witness["value"]))]
-        root = cast("Map | None", self.found[rules.HOLDER_LOWER].witness.get("root"))
-        if root is not None:
-            return [self._exponent(self.found[rules.HOLDER_LOWER], root)]
-        bound = as_rational(finding.witness["radius"])
-        statement = {"length": finding.witness["length"], "bound": rational(bound)}
-        below = self._word(as_word(finding.witness), bound)
-        return [
-            self.claims.prove(
-                "holder-upper", statement, uses=[below, self._differences(), self._sum_rules(), self._stable()]
-            )
-        ]
+        witness, below = rules.HOLDER_UPPER.witness_of(finding), self.facts[rules.HOLDER_LOWER]
+        by = witness["by"]
+        if by == rules.TENSOR_PRODUCT.code:
+            return self.factors.holder_upper(finding, below)
+        if by == rules.BOX_SPLINE.code:
+            return [self.box.holder(witness["value"])]
+        if by == rules.DIFFERENCE_RADIUS.code and below.verdict in DECIDED:
+            lower = rules.HOLDER_LOWER.witness_of(below)
+            if "root" in lower:
+                return [self._exponent(lower["length"], lower["root"])]
+        return [self._above(finding)]
 
-    def _exponent(self, finding: Finding, root: Map) -> int:
-        statement = {"length": finding.witness["length"], **root_fields(root)}
+    def _above(self, finding: Finding) -> int:
+        """The claim of a bound from above, by the order of the sum rules, by mean squares, or by a product."""
+        witness = rules.HOLDER_UPPER.witness_of(finding)
+        statement = {"length": witness["length"], "bound": rational(witness["radius"])}
+        if witness["by"] == rules.SUM_RULES.code:
+            uses = [self._sum_rules(), self._stable()]
+        elif witness["by"] == rules.SOBOLEV.code:
+            uses = [self._mean_squares(finding, lower=False)]
+        else:
+            word = self._word(witness["word"], witness["radius"])
+            uses = [word, self._differences(), self._sum_rules(), self._stable()]
+        return self.claims.prove("holder-upper", statement, uses=uses)
+
+    def _exponent(self, length: int, root: RootData) -> int:
         uses = [self._radius(), self._differences(), self._sum_rules(), self._stable()]
-        return self.claims.prove("holder-root", statement, uses=uses)
+        return self.claims.prove("holder-root", {"length": length, **root_fields(root)}, uses=uses)
 
-    def _sobolev(self, finding: Finding) -> int:
-        found = finding.witness
-        if found["by"] == rules.BOX_SPLINE.code:
-            return self.box.sobolev(as_rational(found["value"]))
-        return self._mean_squares(finding, lower=not found["holds"])
+    def _sobolev(self, finding: Finding) -> list[int]:
+        witness = rules.SOBOLEV.witness_of(finding)
+        if witness["by"] == rules.TENSOR_PRODUCT.code:
+            return self.factors.sobolev(witness)
+        if witness["by"] == rules.BOX_SPLINE.code:
+            return [self.box.sobolev(witness["value"])]
+        if witness["by"] == rules.HOLDER_LOWER.code:
+            return self._between(witness)
+        return [self._mean_squares(finding, lower=not witness["holds"])]
+
+    def _between(self, witness: MultivariateSobolevWitness) -> list[int]:
+        """The claims that bound the Sobolev exponent by the Hölder exponent."""
+        first = self.facts[rules.HOLDER_LOWER]
+        below = (first, *first.otherwise)[witness["below"]]
+        lower = rules.HOLDER_LOWER.witness_of(below)
+        statement = {"length": lower["length"], "bound": rational(upper_bound(lower))}
+        claims = [self.claims.prove("sobolev-at-least", statement, uses=self._lower(below)[:1])]
+        if "above" not in witness:
+            return claims
+        first = self.facts[rules.HOLDER_UPPER]
+        above = (first, *first.otherwise)[witness["above"]]
+        upper = rules.HOLDER_UPPER.witness_of(above)
+        length, bound = upper["length"], upper["radius"]
+        if upper["by"] == rules.SUM_RULES.code:
+            uses = [self._sum_rules(), self._stable()]
+        else:
+            length, bound, uses = 2 * length, bound**2 / self.m**length, [self._above(above)]
+        statement = {"length": length, "bound": rational(bound)}
+        return [*claims, self.claims.prove("sobolev-at-most", statement, uses=uses)]
 
     def _mean_squares(self, finding: Finding, *, lower: bool) -> int:
         """The claim on s by the growth of mean squares, or on its bound from below."""
-        found = finding.proof
-        f, cofactor = as_tuple(found["polynomial"]), as_tuple(found["cofactor"])
-        degree, k = len(f) + len(cofactor) - 2, as_integer(self.found[rules.SUM_RULES].witness["order"])
-        size = as_integer(found["pairs"]) + 4 * as_integer(found["window"])
+        growth = proof_of(finding, GrowthProof)
+        degree, k = len(growth["polynomial"]) + len(growth["cofactor"]) - 2, self._order
+        size = growth["pairs"] + 4 * growth["window"]
         of_root: Json = {
             "property": "sobolev-lower" if lower else "sobolev",
-            "polynomial": as_polynomial(0, f),
-            "low": rational(as_rational(found["low"])),
-            "high": rational(as_rational(found["high"])),
+            "polynomial": polynomial(0, growth["polynomial"]),
+            "low": rational(growth["low"]),
+            "high": rational(growth["high"]),
         }
         return self.claims.prove(
             "surface-sobolev",
             of_root,
-            {"cofactor": as_polynomial(0, cofactor)},
+            {"cofactor": polynomial(0, growth["cofactor"])},
             [self._sum_rules(), *([] if lower else [self._stable()])],
             self.terms**2 + k * (2 * self.s + 1) * (2 * k + 1) ** self.s + (degree + 1) * size,
         )
 
-    def _reproduction(self, finding: Finding) -> int:
-        r, k = as_integer(finding.witness["degree"]), as_integer(self.found[rules.SUM_RULES].witness["order"])
+    def _reproduction(self, finding: Finding) -> list[int]:
+        r, k = rules.REPRODUCTION.witness_of(finding)["degree"], self._order
         work = self.terms * comb(min(r + 1, k - 1) + self.s, self.s)
-        return self.claims.prove("reproduction", {"degree": r}, uses=[self._sum_rules()], work=work)
+        return [self.claims.prove("reproduction", {"degree": r}, uses=[self._sum_rules()], work=work)]
 
-    def _quasi_interpolation(self, finding: Finding) -> int:
-        found, d = finding.witness, as_integer(finding.witness["degree"])
+    def _quasi_interpolation(self, finding: Finding) -> list[int]:
+        witness = rules.QUASI_INTERPOLATION.witness_of(finding)
+        d, operator, stencil = witness["degree"], _terms(witness["operator"]), _terms(witness["stencil"])
         n = comb(d + self.s, self.s)
-        statement: Json = {"property": "quasi-interpolation", "degree": d}
-        statement |= {key: _terms(found[key]) for key in ("operator", "stencil")}
-        work = (self.terms + 2 * len(as_tuple(found["stencil"]))) * n + n * n
+        statement = {"property": "quasi-interpolation", "degree": d, "operator": operator, "stencil": stencil}
+        work = (self.terms + 2 * len(stencil)) * n + n * n
         uses = [self._convergent(), self._sum_rules()]
-        return self.claims.prove("surface-quasi-interpolation", statement, uses=uses, work=work)
+        return [self.claims.prove("surface-quasi-interpolation", statement, uses=uses, work=work)]
 
 
-def _terms(data: Data) -> list[Any]:
+def _terms(numbers: PlacedNumbers) -> list[Any]:
     """The terms of a mask as plain data: pairs of an index and a number."""
-    return [[spelled(as_tuple(pair)[0]), rational(as_rational(as_tuple(pair)[1]))] for pair in as_tuple(data)]
-
-
-def _rationals(data: Data) -> Any:
-    """Nested tuples of numbers, each as `p/q`, integers too."""
-    return [_rationals(x) for x in data] if isinstance(data, tuple) else rational(as_rational(data))
+    return [[list(index), rational(x)] for index, x in numbers]

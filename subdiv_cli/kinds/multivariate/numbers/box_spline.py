@@ -14,18 +14,20 @@ from collections.abc import Mapping
 from fractions import Fraction
 from heapq import heappop, heappush
 from itertools import combinations
-from typing import NamedTuple
+from math import lcm
+from typing import NamedTuple, TypeVar
 
 from flint import fmpq_mat
 
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.model import Effort
 from subdiv_cli.spaces.lattice import Index, Lattice
 
 _MOST_TERMS = 20_000
 """The most terms of the mask of S^r."""
-_MOST_DIRECTIONS = 40
 
 Terms = Mapping[Index, Fraction]
+Number = TypeVar("Number", int, Fraction)
 
 
 class BoxSpline(NamedTuple):
@@ -41,40 +43,47 @@ class BoxSpline(NamedTuple):
 
     @property
     def multiplicities(self) -> dict[Index, int]:
+        """The different directions, sorted, with the number of times that each stands there."""
         return {xi: self.directions.count(xi) for xi in dict.fromkeys(self.directions)}
 
     @property
     def depth(self) -> int:
         """The number d of directions that must go until the others do not span; those in one hyperplane may stay."""
-        s = len(self.shift)
-        planes = combinations(sorted({*self.directions}), s - 1)
+        count = self.multiplicities
+        planes = combinations(sorted(count), len(self.shift) - 1)
         return len(self.directions) - max(
-            sum(_rank((*some, xi)) <= _rank(some) for xi in self.directions) for some in planes
+            sum(times for xi, times in count.items() if _rank((*some, xi)) <= _rank(some)) for some in planes
         )
 
     @property
     def is_unimodular(self) -> bool:
+        """Whether the determinants of any s of the directions are -1, 0 or 1."""
         return all(abs(_determinant(some)) <= 1 for some in combinations(sorted({*self.directions}), len(self.shift)))
 
 
-def box_spline(scheme: MultivariateScheme, lattice: Lattice) -> BoxSpline | None:
+def box_spline(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> BoxSpline | None:
     """The box spline that φ is; None where it is none, or where no power of M is a multiple of I.
 
     The lexicographically first two indices of the mask of S^r differ by the first direction: there nothing cancels.
+    Raises ClockStruckError.
     """
     if lattice.scalar_power is None or lattice.scalar_power[1] < 2:
         return None
     power, c = lattice.scalar_power
-    rest = iterated(scheme, lattice, power)
+    if (mask := iterated(scheme, lattice, power)) is None:
+        return None
+    common = lcm(*(x.denominator for x in mask.values()))
+    rest: Mapping[Index, int] | None = {alpha: int(x * common) for alpha, x in mask.items()}
     directions: list[Index] = []
-    while rest is not None and len(rest) > 1 and len(directions) < _MOST_DIRECTIONS:
+    while rest is not None and len(rest) > 1:
+        effort.look()
         first, second = sorted(rest)[:2]
         directions.append(tuple(b - a for a, b in zip(first, second, strict=True)))
         rest = divided(rest, directions[-1], c)
     if rest is None or len(rest) > 1 or _rank(tuple(directions)) < lattice.dimension:
         return None
     ((shift, value),) = rest.items()
-    if value != Fraction(c) ** (lattice.dimension - len(directions)):
+    if Fraction(value, common) != Fraction(c) ** (lattice.dimension - len(directions)):
         return None
     return BoxSpline(tuple(sorted(directions)), power, c, shift)
 
@@ -101,18 +110,18 @@ def multiplied(a: Terms, b: Terms) -> dict[Index, Fraction]:
     return {index: x for index, x in total.items() if x}
 
 
-def divided(a: Terms, xi: Index, c: int) -> dict[Index, Fraction] | None:
+def divided(a: Mapping[Index, Number], xi: Index, c: int) -> dict[Index, Number] | None:
     """The quotient a(z) / (1 + z^ξ + … + z^((c-1)ξ)), ξ > 0 lexicographically; None where it is no Laurent polynomial.
 
     Long division, the smallest index first. The quotient's indices, (c-1)ξ added, stay in the smallest box around a's.
     """
     columns = list(zip(*a, strict=True))
     lowest, highest = [min(column) for column in columns], [max(column) for column in columns]
-    rest, quotient = dict(a), {}
+    rest, quotient = dict(a), dict[Index, Number]()
     pending = sorted(rest)
     while pending:
         alpha = heappop(pending)
-        value = rest.pop(alpha, Fraction(0))
+        value = rest.pop(alpha, None)
         if not value:
             continue
         quotient[alpha] = value
@@ -123,7 +132,7 @@ def divided(a: Terms, xi: Index, c: int) -> dict[Index, Fraction] | None:
             index = tuple(x + i * t for x, t in zip(alpha, xi, strict=True))
             if index not in rest:
                 heappush(pending, index)
-            rest[index] = rest.get(index, Fraction(0)) - value
+            rest[index] = rest.get(index, 0) - value
     return quotient
 
 

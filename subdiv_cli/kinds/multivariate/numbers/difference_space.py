@@ -12,25 +12,24 @@ Written for what the joint spectral radius ρ_k of the T_ε on V_k decides:
   U_j / U_(j+1), j < k, they all act as one matrix, dual to p -> p(M^-1 ·) on homogeneous polynomials of degree j. So
   ρ_1 = max(ρ_k, ρ(M^-1)) for k > 1, and as M is expanding, ρ_1 < 1 iff ρ_k < 1.
 * The ε may be any representatives of the cosets: with ε + Mη for ε the image is a shift. With ε + t for all ε the
-  operators are those of the mask a(· + t): where the mask stands far off, V_k is about as small as near the origin.
+  operators are those of the mask a(· + t). So t is the lowest corner of the mask's box, and the matrices are the same
+  wherever the mask stands. V_k is most often smaller so than with the mask's middle at the origin.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import lcm
 
-from flint import fmpq_mat, fmpz_mat
+from flint import fmpq_mat
 
-from subdiv_cli.exact.linalg import reduced
+from subdiv_cli.exact.linalg import matrix, reduced
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.model import Effort
+from subdiv_cli.spaces.closure import LARGEST_DIMENSION, LONGEST, longest
 from subdiv_cli.spaces.lattice import Index, Lattice, indices_of_degree
-
-LARGEST_WINDOW = 1000
-LARGEST_DIMENSION = 120
-_LONGEST = 1000
-"""The most bits of the numbers of a space; those of the masks of papers have 20."""
+from subdiv_cli.spaces.stencils import difference
+from subdiv_cli.spaces.transition import TransitionOperators
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,18 +50,20 @@ class DifferenceSpace:
     """The differences ∇^μ δ, |μ| = k in lexicographic order, as rows of N coordinates."""
 
 
-def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> DifferenceSpace | None:
-    """The space V_k; None where it, or its window, is larger than is looked at, or has no short basis."""
+def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int, effort: Effort) -> DifferenceSpace | None:
+    """The space V_k; None where it, or its window, is larger than is looked at, or has no short basis.
+
+    Raises ClockStruckError.
+    """
     starts = [difference(mu) for mu in indices_of_degree(lattice.dimension, k)]
-    at = [min(max(0, low), high) for low, high in zip(*scheme.bounds(), strict=True)]
-    cosets = tuple(tuple(map(sum, zip(epsilon, at, strict=True))) for epsilon in lattice.representatives)
-    window = _invariant_window(scheme, lattice, cosets, {alpha for v in starts for alpha in v})
+    transition = TransitionOperators(lattice, {index: matrix([[x]]) for index, x in scheme.terms.items()})
+    window = transition.closed_window({alpha for v in starts for alpha in v}, effort.look)
     if window is None:
         return None
-    operators = [transition_matrix(scheme, lattice, epsilon, window) for epsilon in cosets]
+    operators = transition.on(window, effort.look)
     places = {alpha: j for j, alpha in enumerate(window)}
     first = fmpq_mat([_row(v, places) for v in starts])
-    span = _closure(first, operators)
+    span = _closure(first, operators, effort)
     if span is None:
         return None
     basis = reduced(span)
@@ -70,53 +71,12 @@ def difference_space(scheme: MultivariateScheme, lattice: Lattice, k: int) -> Di
     coordinates = basis.transpose() * (basis * basis.transpose()).inv()
     return DifferenceSpace(
         order=k,
-        cosets=cosets,
+        cosets=transition.cosets,
         window=tuple(window[j] for j in used),
         basis=fmpq_mat([[row[j] for j in used] for row in basis.table()]),
         matrices=tuple((basis * t.transpose() * coordinates).transpose() for t in operators),
         generators=first * coordinates,
     )
-
-
-def difference(mu: Index) -> dict[Index, int]:
-    """The difference ∇^μ δ with ∇_j v = v - v(· - e_j)."""
-    v = {(0,) * len(mu): 1}
-    for j, times in enumerate(mu):
-        for _ in range(times):
-            shifted = {(*alpha[:j], alpha[j] + 1, *alpha[j + 1 :]): x for alpha, x in v.items()}
-            v = {alpha: v.get(alpha, 0) - shifted.get(alpha, 0) for alpha in {**v, **shifted}}
-    return v
-
-
-def _invariant_window(
-    scheme: MultivariateScheme, lattice: Lattice, cosets: Sequence[Index], start: Iterable[Index]
-) -> list[Index] | None:
-    """The smallest set that holds the start and the supports of all images of sequences on it."""
-    shifts = [tuple(g - e for g, e in zip(gamma, epsilon, strict=True)) for gamma in scheme.terms for epsilon in cosets]
-    found, queue = set(start), list(start)
-    while queue:
-        beta = queue.pop()
-        for shift in set(shifts):
-            alpha = lattice.preimage(tuple(b + g for b, g in zip(beta, shift, strict=True)))
-            if alpha is not None and alpha not in found:
-                found.add(alpha)
-                queue.append(alpha)
-        if len(found) > LARGEST_WINDOW:
-            return None
-    return sorted(found)
-
-
-def transition_matrix(
-    scheme: MultivariateScheme, lattice: Lattice, epsilon: Index, window: Sequence[Index]
-) -> fmpq_mat:
-    """The square matrix of T_ε on sequences over the window: entry (α, β) is a(ε+Mα-β)."""
-    common = lcm(*(x.denominator for x in scheme.terms.values()))
-    numerators = {gamma: int(x * common) for gamma, x in scheme.terms.items()}
-    rows = []
-    for alpha in window:
-        at = tuple(e + x for e, x in zip(epsilon, lattice.image(alpha), strict=True))
-        rows.append([numerators.get(tuple(x - b for x, b in zip(at, beta, strict=True)), 0) for beta in window])
-    return fmpq_mat(fmpz_mat(rows)) / common
 
 
 def _row(v: Mapping[Index, int], places: Mapping[Index, int]) -> list[int]:
@@ -126,22 +86,18 @@ def _row(v: Mapping[Index, int], places: Mapping[Index, int]) -> list[int]:
     return row
 
 
-def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat]) -> fmpq_mat | None:
+def _closure(rows: fmpq_mat, operators: Sequence[fmpq_mat], effort: Effort) -> fmpq_mat | None:
     """A basis of the smallest space that holds the given rows and is mapped into itself, as rows; None as above."""
     transposed = [t.transpose() for t in operators]
     span, rank = _echelon(rows), 0
     while rank < span.nrows():
+        effort.look()
         rank = span.nrows()
-        if rank > LARGEST_DIMENSION or _longest(span) > _LONGEST:
+        if rank > LARGEST_DIMENSION or longest(span) > LONGEST:
             return None
         images = [row for t in transposed for row in (span * t).tolist()]
         span = _echelon(fmpq_mat([*span.tolist(), *images]))
     return span
-
-
-def _longest(rows: fmpq_mat) -> int:
-    """The bits of the longest numerator or denominator."""
-    return max(max(abs(int(x.p)).bit_length(), int(x.q).bit_length()) for x in rows.entries())
 
 
 def _echelon(rows: fmpq_mat) -> fmpq_mat:

@@ -45,15 +45,15 @@ def directional_factors(scheme: MultivariateScheme, c: int) -> dict[Index, dict[
     """
     lowest, highest = scheme.bounds()
     reach = [min(_LARGEST, (b - a) // (c - 1)) for a, b in zip(lowest, highest, strict=True)]
-    found: dict[Index, dict[Index, Fraction]] = {}
+    quotients: dict[Index, dict[Index, Fraction]] = {}
     tried = 0
     for theta in box(tuple(-r for r in reach), tuple(reach)):
         if theta <= (0,) * len(theta) or tried >= _MOST_DIRECTIONS:
             continue
         tried += 1
         if (quotient := divided(scheme.terms, theta, c)) is not None:
-            found[theta] = quotient
-    return found
+            quotients[theta] = quotient
+    return quotients
 
 
 def factored(scheme: MultivariateScheme, lattice: Lattice) -> tuple[dict[Index, int], Mapping[Index, Fraction]]:
@@ -62,13 +62,13 @@ def factored(scheme: MultivariateScheme, lattice: Lattice) -> tuple[dict[Index, 
     Short directions come first. No factors where M is not c I, c >= 2.
     """
     power, c = lattice.scalar_power or (0, 0)
-    rest, found = scheme.terms, dict[Index, int]()
+    rest, counted = scheme.terms, dict[Index, int]()
     if power != 1 or c < 2:
-        return found, rest
+        return counted, rest
     for theta in sorted(directional_factors(scheme, c), key=lambda theta: (sum(map(abs, theta)), theta)):
         while len(rest) > 1 and (quotient := divided(rest, theta, c)) is not None:
-            found[theta], rest = found.get(theta, 0) + 1, quotient
-    return found, rest
+            counted[theta], rest = counted.get(theta, 0) + 1, quotient
+    return counted, rest
 
 
 def norms(quotient: Mapping[Index, Fraction], c: int, effort: Effort) -> Iterator[Fraction]:
@@ -98,8 +98,8 @@ def contractions(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -
     factors = directional_factors(scheme, c)
     for some in combinations(sorted(factors, key=lambda theta: (sum(map(abs, theta)), theta)), lattice.dimension):
         if abs(int(fmpq_mat([list(theta) for theta in some]).det().p)) == 1:
-            found = [contraction(theta, factors[theta], c, effort) for theta in some]
-            known = tuple(contraction for contraction in found if contraction is not None)
+            each = [contraction(theta, factors[theta], c, effort) for theta in some]
+            known = tuple(contracts for contracts in each if contracts is not None)
             return known if len(known) == len(some) else None
     return None
 
@@ -139,12 +139,12 @@ def pair_contractions(
     for some in combinations(list(counted)[:_MOST_PAIRED_DIRECTIONS], s + 1):
         if all(abs(int(fmpq_mat([list(x) for x in part]).det().p)) == 1 for part in combinations(some, s)):
             c = (lattice.scalar_power or (0, 0))[1]
-            found = []
+            contractions = []
             for pair in combinations(some, 2):
                 if (contracts := _contraction(scheme, pair, c, effort)) is None:
                     return None
-                found.append(contracts)
-            return tuple(found)
+                contractions.append(contracts)
+            return tuple(contractions)
     return None
 
 
@@ -154,5 +154,5 @@ def _contraction(scheme: MultivariateScheme, pair: tuple[Index, ...], c: int, ef
     quotient = None if once is None else divided(once, second, c)
     if quotient is None:
         return None
-    found = contraction(first, {alpha: c * x for alpha, x in quotient.items()}, c, effort)
-    return None if found is None else PairContraction((first, second), quotient, found.level, found.norm)
+    contracts = contraction(first, {alpha: c * x for alpha, x in quotient.items()}, c, effort)
+    return None if contracts is None else PairContraction((first, second), quotient, contracts.level, contracts.norm)

@@ -46,21 +46,27 @@ class Gram(NamedTuple):
 
 
 def gram(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> Gram | None:
-    """The Gram sequence of a scheme that converges, and its sign; None where the system is too large."""
-    sequence = gram_sequence(scheme, lattice)
+    """The Gram sequence of a scheme that converges, and its sign; None where the system is too large.
+
+    Raises ClockStruckError.
+    """
+    sequence = gram_sequence(scheme, lattice, effort)
     if sequence is None:
         return None
     terms = len(autocorrelation(scheme))
     if (tree := positive_tree(sequence, effort, SMALL_TREE)) is not None:
         return Gram(sequence, terms, tree)
-    if (zero := torsion_zero(sequence)) is not None:
+    if (zero := torsion_zero(sequence, effort)) is not None:
         return Gram(sequence, terms, zero=zero)
     return Gram(sequence, terms, positive_tree(sequence, effort))
 
 
-def gram_sequence(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fraction] | None:
-    """The sequence g with G g = g and Σ g_α = 1; None where it is too long. Raises ZeroDivisionError for several."""
-    operator = correlation_operator(scheme, lattice, [(0,) * lattice.dimension])
+def gram_sequence(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> dict[Index, Fraction] | None:
+    """The sequence g with G g = g and Σ g_α = 1; None where it is too long.
+
+    Raises ZeroDivisionError for several, and ClockStruckError.
+    """
+    operator = correlation_operator(scheme, lattice, [(0,) * lattice.dimension], effort)
     if operator is None or len(operator.window) > 2 * LARGEST_SYSTEM - 1:
         return None
     unknown: dict[Index, int] = {}
@@ -76,6 +82,7 @@ def gram_sequence(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, F
     for i, row in enumerate(rows):
         row[i] -= operator.denominator * lattice.index
     rows[0] = [place.count(i) for i in range(len(rows))]  # Σ g = 1 for an equation that follows from the others
+    effort.look()
     solution = fmpz_mat(rows).solve(fmpz_mat([[int(i == 0)] for i in range(len(rows))]))
     values = [Fraction(int(solution[i, 0].p), int(solution[i, 0].q)) for i in range(len(rows))]
     return {alpha: values[i] for alpha, i in sorted(zip(operator.window, place, strict=True)) if values[i]}
@@ -85,12 +92,16 @@ def _minus(alpha: Index) -> Index:
     return tuple(-x for x in alpha)
 
 
-def torsion_zero(g: Mapping[Index, Fraction]) -> tuple[Index, int] | None:
-    """A zero 2πk/n of the symbol, (k, n) with a small n, which floats suggest and which is then decided; else None."""
+def torsion_zero(g: Mapping[Index, Fraction], effort: Effort) -> tuple[Index, int] | None:
+    """A zero 2πk/n of the symbol, (k, n) with a small n, which floats suggest and which is then decided; else None.
+
+    Raises ClockStruckError.
+    """
     s, values = len(next(iter(g))), [(alpha, float(x)) for alpha, x in g.items()]
     for n in (n for n in range(1, MOST_POINTS) if n**s <= MOST_POINTS):
         turns = [cos(2 * pi * i / n) for i in range(n)]
         for k in product(range(n), repeat=s):
+            effort.look()
             total = sum(x * turns[_dot(k, alpha) % n] for alpha, x in values)
             if abs(total) < 1e-9 and _vanishes(g, k, n):
                 return k, n

@@ -34,10 +34,10 @@ from typing import NamedTuple
 
 from subdiv_cli.exact.linalg import Combination, combinations
 from subdiv_cli.kinds.multivariate.numbers.box_spline import iterated, multiplied
-from subdiv_cli.kinds.multivariate.numbers.difference_space import difference
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import Effort
 from subdiv_cli.spaces.lattice import Index, Lattice, box, indices_of_degree, times
+from subdiv_cli.spaces.stencils import difference
 
 Terms = dict[Index, Fraction]
 Shifted = tuple[Index, Index]
@@ -82,13 +82,13 @@ class Reduction(NamedTuple):
     @property
     def norm(self) -> Fraction:
         """The norm of the matrix scheme (Dyn 1992, 6.47)."""
-        return max(sum(map(abs, found.values()), Fraction(0)) for found in self.coefficients)
+        return max(sum(map(abs, terms.values()), Fraction(0)) for terms in self.coefficients)
 
     def entries(self) -> dict[tuple[int, int], Terms]:
         """The Laurent polynomials q_μν that are not zero, by the numbers of μ and ν."""
         components, total = self.problem.components, dict[tuple[int, int], Terms]()
-        for part, found in zip(self.problem.parts, self.coefficients, strict=True):
-            for (beta, nu), x in found.items():
+        for part, terms in zip(self.problem.parts, self.coefficients, strict=True):
+            for (beta, nu), x in terms.items():
                 at = _sum(part.origin, self.problem.lattice.image(beta))
                 total.setdefault((part.row, components.index(nu)), {})[at] = x
         return total
@@ -115,39 +115,39 @@ def problem(scheme: MultivariateScheme, lattice: Lattice, k: int, power: int) ->
     return ReductionProblem(k, whole, tuple(parts), spans)
 
 
-def by_lemma(asked: ReductionProblem) -> Reduction:
+def by_lemma(problem: ReductionProblem) -> Reduction:
     """The reduction of one variable after the other, as in the proof of Lemma 6.6."""
-    columns, names, basis, targets = _programme(asked)
-    found = combinations(columns, targets, basis)
-    assert found is not None
-    return _named(asked, names, found)
+    columns, names, basis, targets = _programme(problem)
+    weights = combinations(columns, targets, basis)
+    assert weights is not None
+    return _named(problem, names, weights)
 
 
-def least(asked: ReductionProblem) -> Reduction:
+def least(problem: ReductionProblem) -> Reduction:
     """The reduction of least norm within the box, as far as floats tell; exact, whether or not it is the least."""
     from subdiv_cli.jsr.least import least_combinations  # numpy comes with it
 
-    columns, names, basis, targets = _programme(asked)
-    return _named(asked, names, least_combinations(columns, targets, basis))
+    columns, names, basis, targets = _programme(problem)
+    return _named(problem, names, least_combinations(columns, targets, basis))
 
 
-def _programme(asked: ReductionProblem) -> tuple[list[list[int]], list[Shifted], list[int], list[list[Fraction]]]:
+def _programme(problem: ReductionProblem) -> tuple[list[list[int]], list[Shifted], list[int], list[list[Fraction]]]:
     """The linear programme: columns y^β (1-y)^ν in the box, their names, those of the lemma, and the parts.
 
     All are taken at indices |β| >= k. A sequence that annihilates π_(k-1) and vanishes there vanishes: values at
     |β| < k, β >= 0, determine π_(k-1).
     """
-    k, spans = asked.order, asked.spans
+    k, spans = problem.order, problem.spans
     places = [beta for beta in box((0,) * len(spans), spans) if sum(beta) >= k]
     columns, names = [], []
-    for nu in asked.components:
+    for nu in problem.components:
         for beta in box((0,) * len(spans), tuple(n - x for n, x in zip(spans, nu, strict=True))):
             shifted = {_sum(alpha, beta): x for alpha, x in difference(nu).items()}
             columns.append([shifted.get(place, 0) for place in places])
             names.append((beta, nu))
     numbers = {name: i for i, name in enumerate(names)}
     basis = [numbers[name] for name in _basis(k, spans)]
-    targets = [[part.terms.get(place, Fraction(0)) for place in places] for part in asked.parts]
+    targets = [[part.terms.get(place, Fraction(0)) for place in places] for part in problem.parts]
     return columns, names, basis, targets
 
 
@@ -156,13 +156,13 @@ def _basis(k: int, spans: Index) -> list[Shifted]:
     if not spans:
         return []
     first, rest = spans[0], spans[1:]
-    found: list[Shifted] = [((0, *beta), (i, *nu)) for i in range(k) for beta, nu in _basis(k - i, rest)]
+    basis: list[Shifted] = [((0, *beta), (i, *nu)) for i in range(k) for beta, nu in _basis(k - i, rest)]
     whole = product(range(first - k + 1), *(range(n + 1) for n in rest))
-    return [*found, *((beta, (k, *((0,) * len(rest)))) for beta in whole)]
+    return [*basis, *((beta, (k, *((0,) * len(rest)))) for beta in whole)]
 
 
-def _named(asked: ReductionProblem, names: Sequence[Shifted], found: Sequence[Combination]) -> Reduction:
-    return Reduction(asked, tuple({names[i]: x for i, x in each.items()} for each in found))
+def _named(problem: ReductionProblem, names: Sequence[Shifted], weights: Sequence[Combination]) -> Reduction:
+    return Reduction(problem, tuple({names[i]: x for i, x in each.items()} for each in weights))
 
 
 def _part(lattice: Lattice, row: int, terms: Terms) -> CosetPart:
@@ -226,9 +226,9 @@ class Iterate(NamedTuple):
     """The products of two coefficients so far, and the coefficients now."""
 
 
-def iterates(found: Reduction, effort: Effort) -> Iterator[Iterate]:
+def iterates(reduction: Reduction, effort: Effort) -> Iterator[Iterate]:
     """The norms ‖S_Q^t‖∞ for t = 1, 2, … as far as the effort goes."""
-    entries, lattice = found.entries(), found.problem.lattice
+    entries, lattice = reduction.entries(), reduction.problem.lattice
     common = lcm(*(x.denominator for terms in entries.values() for x in terms.values()))
     factor = {at: {alpha: int(x * common) for alpha, x in terms.items()} for at, terms in entries.items()}
     done, denominator, spent, modulus = factor, common, 0, lattice
@@ -252,20 +252,20 @@ def matrix_norm(
     The reductions of S: that of the lemma, the one of least norm, iterates of the better one; then those of S^r.
     """
     for power in range(1, HIGHEST_POWER + 1):
-        asked = problem(scheme, lattice, order, power)
-        cells = 0 if asked is None else len(asked.parts) * _cells(asked)
-        if asked is None or not effort.allows(cells // _UNIT):
+        reducible = problem(scheme, lattice, order, power)
+        cells = 0 if reducible is None else len(reducible.parts) * _cells(reducible)
+        if reducible is None or not effort.allows(cells // _UNIT):
             return None
-        first = by_lemma(asked)
+        first = by_lemma(reducible)
         best, by, second = first, "lemma", None
         if not _is_small(first.norm, lattice, power * smooth):
-            second = least(asked)
+            second = least(reducible)
             if second.norm < first.norm:
                 best, by = second, "least"
         part = effort if smooth else effort.limited(_FOR_CONVERGENCE)
         for steps, iterate in enumerate(iterates(best, part), 1):
             if _is_small(iterate.norm, lattice, power * steps * smooth):
-                entries, count = best.entries(), len(asked.components)
+                entries, count = best.entries(), len(reducible.components)
                 lowest = None if second is None else second.norm
                 work = iterate.work + _identity_work(scheme, lattice, best, power)
                 return MatrixNorm(order, power, steps, iterate.norm, by, first.norm, lowest, entries, count, work)
@@ -274,18 +274,18 @@ def matrix_norm(
     return None
 
 
-def _identity_work(scheme: MultivariateScheme, lattice: Lattice, found: Reduction, power: int) -> int:
+def _identity_work(scheme: MultivariateScheme, lattice: Lattice, reduction: Reduction, power: int) -> int:
     """The products of two coefficients in a^[r], (1-z)^μ a^[r] and Σ_ν q_μν (1-z^M^r)^ν, r the power."""
-    asked = found.problem
+    problem = reduction.problem
     sizes = [len(iterated(scheme, lattice, i) or {}) for i in range(1, power + 1)]
-    corners = [prod(x + 1 for x in nu) for nu in asked.components]
-    right = sum(len(terms) * corners[j] for (_, j), terms in found.entries().items())
+    corners = [prod(x + 1 for x in nu) for nu in problem.components]
+    right = sum(len(terms) * corners[j] for (_, j), terms in reduction.entries().items())
     return sum(size * len(scheme.terms) for size in sizes[:-1]) + sizes[-1] * sum(corners) + right
 
 
-def _cells(asked: ReductionProblem) -> int:
+def _cells(problem: ReductionProblem) -> int:
     size = 1
-    for span in asked.spans:
+    for span in problem.spans:
         size *= span + 1
     return size**2
 

@@ -47,9 +47,12 @@ class MeanSquares(NamedTuple):
 
 
 def mean_squares(scheme: MultivariateScheme, lattice: Lattice, k: int, effort: Effort) -> MeanSquares | None:
-    """The growth of mean squares for differences of order k; None where window, dimension or effort do not suffice."""
-    start = laplacian_power(lattice.dimension, k)
-    t = correlation_operator(scheme, lattice, start)
+    """The growth of mean squares for differences of order k; None where window, dimension or effort do not suffice.
+
+    Raises ClockStruckError.
+    """
+    start = laplacian_power(lattice.dimension, k, effort)
+    t = correlation_operator(scheme, lattice, start, effort)
     if t is None:
         return None
     annihilator = minimal_polynomial(t, [int(start.get(alpha, 0)) for alpha in t.window], effort)
@@ -66,14 +69,15 @@ def autocorrelation(scheme: MultivariateScheme) -> dict[Index, Fraction]:
     return multiplied(scheme.terms, {tuple(-x for x in alpha): value for alpha, value in scheme.terms.items()})
 
 
-def laplacian_power(s: int, k: int) -> dict[Index, Fraction]:
-    """The coefficients of w(z) = (Σ_j (2 - z_j - 1/z_j))^k."""
+def laplacian_power(s: int, k: int, effort: Effort) -> dict[Index, Fraction]:
+    """The coefficients of w(z) = (Σ_j (2 - z_j - 1/z_j))^k. Raises ClockStruckError."""
     once = {(0,) * s: Fraction(2 * s)}
     for j in range(s):
         for sign in (1, -1):
             once[tuple(sign * (i == j) for i in range(s))] = Fraction(-1)
     power = {(0,) * s: Fraction(1)}
     for _ in range(k):
+        effort.look()
         power = multiplied(power, once)
     return power
 
@@ -96,8 +100,13 @@ class SparseOperator(NamedTuple):
         return image
 
 
-def correlation_operator(scheme: MultivariateScheme, lattice: Lattice, start: Iterable[Index]) -> SparseOperator | None:
-    """The operator T on the smallest window that it maps to itself and that holds the start; None if too large."""
+def correlation_operator(
+    scheme: MultivariateScheme, lattice: Lattice, start: Iterable[Index], effort: Effort
+) -> SparseOperator | None:
+    """The operator T on the smallest window that it maps to itself and that holds the start; None if too large.
+
+    Raises ClockStruckError.
+    """
     b = autocorrelation(scheme)
     common = lcm(*(x.denominator for x in b.values()))
     by_coset: dict[Index, list[tuple[Index, int]]] = {}
@@ -106,6 +115,7 @@ def correlation_operator(scheme: MultivariateScheme, lattice: Lattice, start: It
     places = {beta: j for j, beta in enumerate(start)}
     queue, columns = list(places), []
     for beta in queue:  # grows
+        effort.look()
         column = []
         for gamma, numerator in by_coset.get(lattice.coset(tuple(-x for x in beta)), ()):
             alpha = lattice.preimage(tuple(x + y for x, y in zip(beta, gamma, strict=True)))
@@ -123,13 +133,14 @@ def correlation_operator(scheme: MultivariateScheme, lattice: Lattice, start: It
 def minimal_polynomial(t: SparseOperator, w: list[int], effort: Effort) -> fmpq_poly | None:
     """The monic f of the smallest degree with f(t) w = 0, w ≠ 0; None beyond the largest degree or the effort.
 
-    The degree is computed modulo a prime, f over Q. Raises ArithmeticError for a prime that misleads.
+    The degree is computed modulo a prime, f over Q. Raises ArithmeticError for a prime that misleads, ClockStruckError.
     """
     vectors, rows = [w], _IndependentRows()
     while rows.take(vectors[-1]):
         if len(vectors) > LARGEST_DEGREE or not effort.allows(len(vectors) * len(w) // 4):
             return None
         vectors.append(t.image(vectors[-1]))
+    effort.look()
     known, last = vectors[:-1], vectors[-1]
     matrix = fmpq_mat([[v[i] for v in known] for i in rows.pivots])
     solved = [x for (x,) in matrix.solve(fmpq_mat([[last[i]] for i in rows.pivots])).table()]

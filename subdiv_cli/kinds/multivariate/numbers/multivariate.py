@@ -29,18 +29,19 @@ from subdiv_cli.kinds.multivariate.numbers.polynomials import (
     reproduction,
     sum_rule_order,
 )
+from subdiv_cli.kinds.multivariate.numbers.sublattice import Sublattice, sublattice
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.model import Effort
-from subdiv_cli.spaces.lattice import IntMatrix, Lattice
+from subdiv_cli.model import HALF, Effort
+from subdiv_cli.spaces.lattice import Index, IntMatrix, Lattice
 
 
 class MultivariateNumbers:
     """The numbers of one scheme, under one effort; what no theorem needs is not computed."""
 
-    def __init__(self, scheme: MultivariateScheme, effort: Effort, parts: tuple[Part, ...] = ()) -> None:
+    def __init__(self, scheme: MultivariateScheme, effort: Effort) -> None:
         self.scheme, self.effort = scheme, effort
-        self.parts = parts
+        self.parts: tuple[Part, ...] = ()
         """The factors of a tensor product that is no box spline, with their findings."""
         self.lattice = Lattice(scheme.dilation)
 
@@ -52,7 +53,7 @@ class MultivariateNumbers:
     @cached_property
     def sums(self) -> tuple[Fraction, ...]:
         """The coset sums Σ_β a_(γ+Mβ) for the representatives γ."""
-        return coset_sums(self.scheme, self.lattice, (0,) * self.dimension)
+        return coset_sums(self.scheme, self.lattice)
 
     @cached_property
     def is_normalised(self) -> bool:
@@ -62,18 +63,31 @@ class MultivariateNumbers:
     @cached_property
     def order(self) -> int:
         """The order k of the sum rules of total degree."""
-        return sum_rule_order(self.scheme, self.lattice)
+        return sum_rule_order(self.scheme, self.lattice, self.effort)
 
     @cached_property
     def is_interpolatory(self) -> bool:
         """Whether a_0 = 1 and a_(Mα) = 0 for α ≠ 0."""
-        on_lattice = {alpha: x for alpha, x in self.scheme.terms.items() if self.lattice.preimage(alpha) is not None}
-        return on_lattice == {(0,) * self.dimension: 1}
+        zero = (0,) * self.dimension
+        return self._by_coset.get(self.lattice.coset(zero)) == {zero: Fraction(1)}
+
+    @cached_property
+    def is_shifted_interpolatory(self) -> bool:
+        """Whether a(· + t) is interpolatory for some t: the coset of t has this coefficient alone, and it is 1."""
+        return any([*some.values()] == [1] for some in self._by_coset.values())
+
+    @cached_property
+    def _by_coset(self) -> dict[Index, dict[Index, Fraction]]:
+        """The terms of each coset that has any, by its key."""
+        found: dict[Index, dict[Index, Fraction]] = {}
+        for alpha, x in self.scheme.terms.items():
+            found.setdefault(self.lattice.coset(alpha), {})[alpha] = x
+        return found
 
     @cached_property
     def box(self) -> BoxSpline | None:
         """The box spline that φ is, if it is one."""
-        return box_spline(self.scheme, self.lattice) if self.is_normalised else None
+        return box_spline(self.scheme, self.lattice, self.effort) if self.is_normalised else None
 
     @cached_property
     def contractions(self) -> tuple[Contraction, ...] | None:
@@ -103,9 +117,16 @@ class MultivariateNumbers:
         return power == 1 and c >= 2 and full and min(sides) >= c
 
     @cached_property
+    def sublattice(self) -> Sublattice | None:
+        """The lattice that the mask stays in, where that is not Z^s."""
+        return sublattice(self.scheme, self.lattice)
+
+    @cached_property
     def space(self) -> DifferenceSpace | None:
         """The space V_k for the order k >= 1 of the sum rules; None without any, or where it is too large."""
-        return difference_space(self.scheme, self.lattice, self.order) if self.order else None
+        if not (k := self.order):
+            return None
+        return self.effort.in_time(lambda: difference_space(self.scheme, self.lattice, k, self.effort))
 
     @cached_property
     def radius(self) -> Radius | None:
@@ -114,17 +135,19 @@ class MultivariateNumbers:
 
         if self.space is None:
             return None
-        return joint_spectral_radius(Family(self.space.matrices), self.effort)
+        return joint_spectral_radius(Family(self.space.matrices), self.effort.limited(self.effort.work, HALF))
 
     @cached_property
     def mean_squares(self) -> MeanSquares | None:
         """The growth of the mean squares of differences of order k >= 1; None where the operator is too large."""
-        return mean_squares(self.scheme, self.lattice, self.order, self.effort) if self.order else None
+        if not (k := self.order):
+            return None
+        return self.effort.in_time(lambda: mean_squares(self.scheme, self.lattice, k, self.effort))
 
     @cached_property
     def gram(self) -> Gram | None:
         """The Gram sequence of the translates of φ, where S converges; None where it is too long."""
-        return gram(self.scheme, self.lattice, self.effort)
+        return self.effort.in_time(lambda: gram(self.scheme, self.lattice, self.effort))
 
     @property
     def mean_decay(self) -> Fraction | None:
@@ -132,8 +155,8 @@ class MultivariateNumbers:
 
         For isotropic M.
         """
-        found = self.mean_squares if self.lattice.is_isotropic else None
-        return None if found is None or found.growth is None else self.lattice.index * found.growth.high
+        means = self.mean_squares if self.lattice.is_isotropic else None
+        return None if means is None or means.growth is None else self.lattice.index * means.growth.high
 
     @cached_property
     def reproduction(self) -> Reproduction:

@@ -72,5 +72,5 @@ def diagonal(scheme: MultivariateScheme, lattice: Lattice) -> tuple[int, int] | 
     if lattice.scalar_power is None or lattice.scalar_power[0] > 1 or lattice.scalar_power[1] < 2:
         return None
     factors = directional_factors(scheme, lattice.scalar_power[1])
-    found = [direction for direction in _TURNS if direction in factors]
-    return found[0] if len(found) == 1 else None
+    diagonals = [direction for direction in _TURNS if direction in factors]
+    return diagonals[0] if len(diagonals) == 1 else None

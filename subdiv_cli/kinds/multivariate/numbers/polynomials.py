@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import product
+from itertools import count, product
 from math import ceil, factorial, floor, lcm, prod
 from operator import mul
 from typing import NamedTuple
@@ -21,35 +21,60 @@ from typing import NamedTuple
 from subdiv_cli.exact.linalg import matrix, solution
 from subdiv_cli.kinds.multivariate.numbers.symmetries import generated
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.model import Effort
 from subdiv_cli.spaces.lattice import Index, IntMatrix, Lattice, indices_of_degree, multiple_of_identity, times
 
-HIGHEST_ORDER = 40
-"""The highest order of sum rules that is tried."""
 
-
-def coset_sums(scheme: MultivariateScheme, lattice: Lattice, mu: Index) -> tuple[Fraction, ...]:
-    """The sums Σ_β a_(γ+Mβ) (γ+Mβ)^μ for each representative γ."""
+def coset_sums(scheme: MultivariateScheme, lattice: Lattice) -> tuple[Fraction, ...]:
+    """The sums Σ_β a_(γ+Mβ) for each representative γ."""
     sums = {lattice.coset(gamma): Fraction(0) for gamma in lattice.representatives}
     for alpha, value in scheme.terms.items():
-        power = 1
-        for x, e in zip(alpha, mu, strict=True):
-            power *= x**e
-        sums[lattice.coset(alpha)] += value * power
+        sums[lattice.coset(alpha)] += value
     return tuple(sums[lattice.coset(gamma)] for gamma in lattice.representatives)
 
 
-def sum_rule_order(scheme: MultivariateScheme, lattice: Lattice) -> int:
-    """The largest k <= HIGHEST_ORDER with sum rules of order k; 0 where the coset sums of the mask are not 1.
+def sum_rule_order(scheme: MultivariateScheme, lattice: Lattice, effort: Effort) -> int:
+    """The largest k with sum rules of order k; 0 where the coset sums of the mask are not 1.
 
-    For |μ| < k the coset sums with (γ+Mβ)^μ are the same for all cosets, those of the mask itself 1.
+    For |μ| < k the coset sums with (γ+Mβ)^μ are the same for all cosets, those of the mask itself 1. Polynomials of
+    degree < k are so wherever their origin is: the corner of the support, which keeps numbers short. Raises
+    ClockStruckError.
     """
-    s = lattice.dimension
-    if set(coset_sums(scheme, lattice, (0,) * s)) != {Fraction(1)}:
+    if set(coset_sums(scheme, lattice)) != {Fraction(1)}:
         return 0
-    for k in range(1, HIGHEST_ORDER):
-        if any(len(set(coset_sums(scheme, lattice, mu))) > 1 for mu in indices_of_degree(s, k)):
-            return k
-    return HIGHEST_ORDER
+    lowest, _ = scheme.bounds()
+    common = lcm(*(x.denominator for x in scheme.terms.values()))
+    cosets: dict[Index, dict[Index, int]] = {}
+    for alpha, x in scheme.terms.items():
+        place = tuple(i - low for i, low in zip(alpha, lowest, strict=True))
+        cosets.setdefault(lattice.coset(alpha), {})[place] = x.numerator * (common // x.denominator)
+    sums = [_PowerSums(terms) for terms in cosets.values()]
+    for k in count(1):
+        for mu in indices_of_degree(lattice.dimension, k):
+            effort.look()
+            if len({coset.of(mu) for coset in sums}) > 1:
+                return k
+    raise AssertionError("no finite mask has sum rules of all orders")
+
+
+class _PowerSums:
+    """The sums Σ a_α α^μ of the terms of one coset, variable by variable: what several μ share is summed once."""
+
+    def __init__(self, terms: Mapping[Index, int]) -> None:
+        self._known: dict[Index, Mapping[Index, int]] = {(): terms}
+
+    def of(self, mu: Index) -> int:
+        """The sum with α^μ."""
+        return self._folded(mu)[()]
+
+    def _folded(self, mu: Index) -> Mapping[Index, int]:
+        """The sums over the last variables, as many as μ has, by the indices in the others."""
+        if mu not in self._known:
+            folded: dict[Index, int] = {}
+            for (*others, last), x in self._folded(mu[1:]).items():
+                folded[tuple(others)] = folded.get(tuple(others), 0) + x * last ** mu[0]
+            self._known[mu] = folded
+        return self._known[mu]
 
 
 class Reproduction(NamedTuple):
@@ -136,9 +161,9 @@ def expansion(scheme: MultivariateScheme, lattice: Lattice, degree: int) -> dict
         right = [sum((h[nu] * symbol[x] for nu, x in _splits(mu, h) if x in symbol), Fraction(0)) for mu in powers]
         images = {mu: _turned(mu, images, lattice.dilation) for mu in powers}
         rows = [[images[nu].get(mu, 0) - (mu == nu) for nu in powers] for mu in powers]
-        found = solution(matrix(rows), right)
-        assert found is not None, "M is expanding"
-        h |= {mu: x for mu, x in zip(powers, found, strict=True) if x}
+        values = solution(matrix(rows), right)
+        assert values is not None, "M is expanding"
+        h |= {mu: x for mu, x in zip(powers, values, strict=True) if x}
     return h
 
 
@@ -146,24 +171,24 @@ def _symbol(scheme: MultivariateScheme, lattice: Lattice, degree: int) -> dict[I
     """The coefficients of H, those that are not zero."""
     denominator = lcm(*(x.denominator for x in scheme.terms.values()))
     terms = [(alpha, x.numerator * (denominator // x.denominator)) for alpha, x in scheme.terms.items()]
-    found = {}
+    series = {}
     for j in range(degree + 1):
         for mu in indices_of_degree(lattice.dimension, j):
             if total := sum(x * prod(map(pow, alpha, mu)) for alpha, x in terms):
-                found[mu] = Fraction((-1) ** j * total, lattice.index * denominator * prod(map(factorial, mu)))
-    return found
+                series[mu] = Fraction((-1) ** j * total, lattice.index * denominator * prod(map(factorial, mu)))
+    return series
 
 
 def _turned(mu: Index, images: Mapping[Index, Mapping[Index, int]], rows: IntMatrix) -> dict[Index, int]:
     """The polynomial (M^T ω)^μ, by that of μ less one: a further factor Σ_l M_li ω_l."""
     i = next(i for i, x in enumerate(mu) if x)
-    found: dict[Index, int] = {}
+    product: dict[Index, int] = {}
     for nu, x in images[_raised(mu, i, -1)].items():
         for l, row in enumerate(rows):
             if row[i]:
                 at = _raised(nu, l, 1)
-                found[at] = found.get(at, 0) + x * row[i]
-    return found
+                product[at] = product.get(at, 0) + x * row[i]
+    return product
 
 
 def _raised(mu: Index, i: int, by: int) -> Index:
@@ -192,15 +217,15 @@ def moved(q: Series, c: Point, degree: int) -> dict[Index, Fraction]:
     """The series exp(-c·θ) q(θ) up to this degree."""
     if not any(c):
         return dict(q)
-    found: dict[Index, Fraction] = {}
+    product: dict[Index, Fraction] = {}
     for j in range(degree + 1):
         for nu in indices_of_degree(len(c), j):
             x = prod(((-a) ** n / factorial(n) for a, n in zip(c, nu, strict=True)), start=Fraction(1))
             for mu, y in q.items() if x else ():
                 if j + sum(mu) <= degree:
                     at = tuple(a + b for a, b in zip(mu, nu, strict=True))
-                    found[at] = found.get(at, Fraction(0)) + x * y
-    return {mu: x for mu, x in found.items() if x}
+                    product[at] = product.get(at, Fraction(0)) + x * y
+    return {mu: x for mu, x in product.items() if x}
 
 
 def symmetries_of_limits(dilation: IntMatrix, symmetries: Sequence[IntMatrix]) -> tuple[IntMatrix, ...]:
@@ -256,7 +281,7 @@ def _orbits(centre: Point, group: Sequence[IntMatrix], reach: Fraction) -> list[
     own = [g for g in group if not any((x - y) % scale for x, y in zip(c, _image(g, c), strict=True))]
     sides = [range(ceil(x - reach), floor(x + reach) + 1) for x in centre]
     seen: set[Index] = set()
-    found = []
+    orbits = []
     for j in product(*sides):
         if j in seen:
             continue
@@ -267,8 +292,8 @@ def _orbits(centre: Point, group: Sequence[IntMatrix], reach: Fraction) -> list[
         furthest = max(abs(x) for image in images for x in image)
         if furthest <= scale * reach:
             squares = Fraction(sum(x * x for image in images for x in image), len(images))
-            found.append((furthest, squares, orbit))
-    return [orbit for *_, orbit in sorted(found)]
+            orbits.append((furthest, squares, orbit))
+    return [orbit for *_, orbit in sorted(orbits)]
 
 
 def _image(g: IntMatrix, x: Sequence[int]) -> Index:

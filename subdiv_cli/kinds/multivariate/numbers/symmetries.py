@@ -43,26 +43,26 @@ def symmetries(scheme: MultivariateScheme) -> tuple[IntMatrix, ...]:
     In the plane those of entries -1, 0, 1; in more variables signed permutations.
     """
     candidates = tuple(_candidates(scheme.dimension))
-    known, found = set(candidates), {multiple_of_identity(1, scheme.dimension)}
+    known, group = set(candidates), {multiple_of_identity(1, scheme.dimension)}
     for g in candidates:
-        if g not in found and _keeps(scheme, g):
-            found = generated([*found, g], known)
-    return tuple(g for g in candidates if g in found)
+        if g not in group and _keeps(scheme, g):
+            group = generated([*group, g], known)
+    return tuple(g for g in candidates if g in group)
 
 
 def generated(matrices: Iterable[IntMatrix], within: Container[IntMatrix]) -> set[IntMatrix]:
     """The products of the matrices, as long as they are `within`; the group where this is finite and closed."""
     generators: list[IntMatrix] = []
-    found: set[IntMatrix] = set()
+    group: set[IntMatrix] = set()
     for g in matrices:
-        if g in found:
+        if g in group:
             continue
         generators.append(g)
-        last = found | {g}
+        last = group | {g}
         while last:
-            found |= last
-            last = {h for f in last for x in generators if (h := times(f, x)) in within} - found
-    return found
+            group |= last
+            last = {h for f in last for x in generators if (h := times(f, x)) in within} - group
+    return group
 
 
 def _keeps(scheme: MultivariateScheme, g: IntMatrix) -> bool:

@@ -10,8 +10,7 @@ from fractions import Fraction
 from itertools import product
 from math import ceil, floor, lcm, prod
 
-from subdiv_cli.exact.linalg import eigenvectors
-from subdiv_cli.kinds.multivariate.numbers.difference_space import transition_matrix
+from subdiv_cli.exact.linalg import eigenvectors, matrix
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.spaces.lattice import Index, Lattice
 
@@ -41,12 +40,15 @@ def at_integers(scheme: MultivariateScheme, lattice: Lattice) -> dict[Index, Fra
     window = integers_of_support(scheme, lattice)
     if len(window) > LARGEST_WINDOW:
         raise NoValuesError(f"the support has {len(window)} integers; the limit is {LARGEST_WINDOW}")
-    zero = (0,) * lattice.dimension
-    found = eigenvectors(transition_matrix(scheme, lattice, zero, window), 1) if window else ()
-    total = sum(found[0]) if len(found) == 1 else 0
+    rows = [
+        [scheme.terms.get(tuple(x - b for x, b in zip(image, beta, strict=True)), 0) for beta in window]
+        for image in map(lattice.image, window)
+    ]
+    vectors = eigenvectors(matrix(rows), 1) if window else ()
+    total = sum(vectors[0]) if len(vectors) == 1 else 0
     if not total:
         raise NoValuesError("the refinement equation alone does not determine φ at the integers")
-    return {alpha: x / total for alpha, x in zip(window, found[0], strict=True) if x}
+    return {alpha: x / total for alpha, x in zip(window, vectors[0], strict=True) if x}
 
 
 def integers_of_support(scheme: MultivariateScheme, lattice: Lattice) -> list[Index]:
@@ -134,9 +136,9 @@ def _tails(scheme: MultivariateScheme, lattice: Lattice, level: int, tail: Tail)
     needed = [{tail}]
     for j in reversed(range(level)):
         unit = c**j
-        asked = {tuple(x - unit * g for x, g in zip(t, gamma, strict=True)) for t in needed[0] for gamma in tails}
+        reached = {tuple(x - unit * g for x, g in zip(t, gamma, strict=True)) for t in needed[0] for gamma in tails}
         inside = {
-            t for t in asked if all(low <= Fraction(x, unit) <= high for x, (low, high) in zip(t, box, strict=True))
+            t for t in reached if all(low <= Fraction(x, unit) <= high for x, (low, high) in zip(t, box, strict=True))
         }
         needed.insert(0, inside)
     return needed

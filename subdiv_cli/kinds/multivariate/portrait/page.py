@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
-from fractions import Fraction
 
 from subdiv_cli.kinds.kind import Analysis
 from subdiv_cli.kinds.multivariate.numbers.directional import factored
@@ -55,9 +54,10 @@ class _MultivariatePage:
         self.differences = None if self.numbers.space is None else self.numbers.space.basis.nrows()
         self.centre = centre(self.numbers) if self.numbers.is_normalised else None
         quasi = quasi_witness(result.findings)
-        self.moments, self.operator, self.centred, self.quasi_stencil = (
-            dict[Index, Fraction](quasi.get(key, ())) for key in ("moments", "operator", "centred", "stencil")
-        )
+        self.moments = dict(quasi["moments"]) if quasi else {}
+        self.operator = dict(quasi["operator"]) if quasi else {}
+        self.centred = dict(quasi["centred"]) if quasi else {}
+        self.quasi_stencil = dict(quasi["stencil"]) if quasi else {}
         self.values: Values = {}
         self.heights: Heights | None = None
         if is_continuous(result):

@@ -122,9 +122,9 @@ def centre(numbers: MultivariateNumbers) -> tuple[Fraction, ...]:
     scheme, m = numbers.scheme, numbers.lattice.index
     mean = [sum((gamma[i] * a for gamma, a in scheme.terms.items()), Fraction(0)) / m for i in range(numbers.dimension)]
     rows = [[x - (i == j) for j, x in enumerate(row)] for i, row in enumerate(scheme.dilation)]
-    found = solution(matrix(rows), mean)
-    assert found is not None, "M is expanding"
-    return found
+    point = solution(matrix(rows), mean)
+    assert point is not None, "M is expanding"
+    return point
 
 
 def graph(numbers: MultivariateNumbers, levels: int) -> Net:

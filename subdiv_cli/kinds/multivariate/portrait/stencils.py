@@ -9,9 +9,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from itertools import groupby, islice
 from math import lcm
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
+from subdiv_cli.kinds.multivariate.witnesses import MultivariateQuasiInterpolationWitness
 from subdiv_cli.model import Finding, Result, Verdict
 from subdiv_cli.model.blocks import Block, Plane, Planes, Section, Text
 from subdiv_cli.model.closed import rational
@@ -85,16 +87,18 @@ def quasi_blocks(stencil: Values) -> Iterator[Block]:
         yield from value_blocks("Q f(α) = Σ t_j f(α+j)", stencil)
 
 
-def quasi_witness(findings: Iterable[Finding]) -> Mapping[str, Any]:
-    """The witness of the finding on Q, empty where Q is not proved."""
-    found = answering(findings, QUASI_INTERPOLATION)
-    return found.witness if found is not None and found.verdict is Verdict.PROVED else {}
+def quasi_witness(findings: Iterable[Finding]) -> MultivariateQuasiInterpolationWitness | None:
+    """The witness of the finding on Q, None where Q is not proved."""
+    finding = answering(findings, QUASI_INTERPOLATION)
+    proved = finding is not None and finding.verdict is Verdict.PROVED
+    return rules.QUASI_INTERPOLATION.witness_of(finding) if finding is not None and proved else None
 
 
 def sections(scheme: MultivariateScheme, result: Result) -> tuple[Section, ...]:
     """The sections of a report on a mask beside the findings: the stencils."""
-    quasi: Values = dict(quasi_witness(result.findings).get("stencil", ()))
-    return (Section("stencils", (*stencil_blocks(scheme.terms, Lattice(scheme.dilation)), *quasi_blocks(quasi))),)
+    quasi = quasi_witness(result.findings)
+    stencil = quasi_blocks({} if quasi is None else dict(quasi["stencil"]))
+    return (Section("stencils", (*stencil_blocks(scheme.terms, Lattice(scheme.dilation)), *stencil)),)
 
 
 def scaled(weights: Values) -> str:

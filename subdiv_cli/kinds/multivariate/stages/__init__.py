@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from fractions import Fraction
 
 from subdiv_cli.kinds.kind import Analysis, Part, Stage, run_stages
-from subdiv_cli.kinds.multivariate.numbers.box_spline import box_spline
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.symmetries import facts
 from subdiv_cli.kinds.multivariate.numbers.tensor import TensorFactor, tensor_factors
@@ -14,14 +14,14 @@ from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.kinds.multivariate.stages import exponents, norms, products, smoothness, sum_rules
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.scalar.stages import analyse as analyse_univariate
-from subdiv_cli.model import Effort
-from subdiv_cli.spaces.lattice import Lattice
+from subdiv_cli.model import ClockStruckError, Effort
 
 STAGES: tuple[Stage, ...] = (
     sum_rules.coset_sums,
     sum_rules.sum_rules,
     products.box_spline,
     products.tensor_product,
+    norms.stays_in_sublattice,
     norms.directional_norms,
     smoothness.difference_radius,
     norms.positive_mask,
@@ -39,12 +39,11 @@ STAGES: tuple[Stage, ...] = (
 
 def analyse(scheme: MultivariateScheme, effort: Effort, _: Fraction | None = None) -> Analysis:
     """The findings of all stages under the effort, of each factor of a tensor product first."""
-    lattice = Lattice(scheme.dilation)
-    parts: tuple[Part, ...] = ()
-    if box_spline(scheme, lattice) is None:
-        parts = _analysed(tensor_factors(scheme, lattice), effort)
-    numbers = MultivariateNumbers(scheme, effort, parts)
-    return Analysis(scheme, facts(numbers), run_stages(numbers, STAGES), numbers, parts=parts)
+    numbers = MultivariateNumbers(scheme, effort)
+    with suppress(ClockStruckError):  # then all that asks for the box spline, or for factors, is undecided
+        if numbers.box is None:
+            numbers.parts = _analysed(tensor_factors(scheme, numbers.lattice), effort)
+    return Analysis(scheme, facts(numbers), run_stages(numbers, STAGES), numbers, parts=numbers.parts)
 
 
 def _analysed(factors: Sequence[TensorFactor], effort: Effort) -> tuple[Part, ...]:

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
+from math import inf
 
 from flint import arb, ctx
 
-from subdiv_cli.exact.closed import closed_ball, closed_interval, readable
+from subdiv_cli.exact.closed import closed_interval, worded
 from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, number, rounded_down, rounded_up
+from subdiv_cli.exact.text import certain, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.products import radius_bound
-from subdiv_cli.jsr.result import root_data
-from subdiv_cli.kinds.kind import Facts, Part
+from subdiv_cli.kinds.kind import Facts, Part, asking
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import (
     BOX_SPLINE,
+    CONVERGENCE,
     DIFFERENCE_RADIUS,
+    DIRECTIONAL_NORMS,
+    DIRECTIONAL_SMOOTHNESS,
     HOLDER_LOWER,
     HOLDER_UPPER,
+    MATRIX_NORMS,
     SOBOLEV,
     STABILITY,
     SUM_RULES,
@@ -27,34 +32,46 @@ from subdiv_cli.kinds.multivariate.stages import products
 from subdiv_cli.kinds.multivariate.stages.wording import (
     ANISOTROPIC,
     growth_proof,
+    largest_norm,
     multivariate_exponent,
     not_spanning,
     spanning,
 )
+from subdiv_cli.kinds.multivariate.witnesses import (
+    MultivariateHolderLowerWitness,
+    MultivariateHolderUpperWitness,
+    MultivariateSobolevWitness,
+)
+from subdiv_cli.kinds.radius import shown
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth
-from subdiv_cli.kinds.scalar.stages.joint_radius import shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
-from subdiv_cli.model import Data, Finding, Interval, Root, Verdict, logarithm, unpowered
+from subdiv_cli.model import Finding, Interval, Root, Verdict, exact_root, logarithm, unpowered
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.findings import best_of
+from subdiv_cli.model.proofs import root_data, upper_bound
 
 _BELOW, _ABOVE = "how regular are the limit functions at least?", "how regular is φ at most?"
 
 
+@asking((HOLDER_LOWER, _BELOW), (HOLDER_UPPER, _ABOVE))
 def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD614: the Hölder exponent from below. SD615: from above.
+    """SD614: the Hölder exponent from below. SD615: from above. Each is the best bound of all that are proved.
 
     Theorems. For isotropic M, λ = |det M|^(1/s), k the order of the sum rules (Jia 1998; Han 2003): α >= -log_λ ρ_k,
     and for stable φ they are equal. A product of ℓ operators with an eigenvalue of modulus r bounds ρ_k^ℓ >= r. Box
-    splines (SD603): α = d - 1 exactly, d >= 2. Hypotheses: M isotropic, checked; stability (SD616) from above.
+    splines (SD603): α = d - 1 exactly. Hypotheses: M isotropic, checked; stability (SD616) from above.
 
-    Where no bound of ρ_k is known, ρ_k² <= m Λ of the mean squares (SD617): α >= s - dimension/2.
+    Further bounds from below: ρ_k <= ρ_j for j <= k, and ρ_j is bounded by a matrix scheme of differences (SD606); ρ_1
+    by directional norms (SD604) and ρ_2 by those of pairs (SD607); ρ_k² <= m Λ by the mean squares (SD617): α >= s -
+    dimension/2; and α >= 0 where S converges (SD611). From above, for stable φ: α <= k; ρ_k² >= Λ, so α is at most the
+    Sobolev exponent.
 
     Tensor products (SD609): the least exponent of a factor, M isotropic or not.
 
-    Witness: `by`, SD603, SD605, SD609 or SD617; of a tensor product `variables` of the factor, and from below
-    `between`, a number that its exponent is not above, nor those of factors with other masks below; otherwise `length`
-    and `root`, or `length` and `bound`, as SD605 has them; from above `length` and `radius`, a rational lower bound of
-    ρ_k^length.
+    Witness: `by`, the code of the finding that gives it (SD602 for k); of a tensor product `variables` of the factor,
+    and from below `between`, a number that its exponent is not above, nor those of factors with other masks below;
+    otherwise `length` and `root`, or `length` and `bound`, as SD605 has them; from above `length` and `radius`, a lower
+    bound of ρ_k^length, with the `word` of a product.
     """
     if numbers.box is not None:
         return _holder_of_box_spline(numbers.box.depth)
@@ -64,39 +81,49 @@ def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     reason = reason if numbers.order else "no sum rule holds"
     if reason is not None:
         return (HOLDER_LOWER.skipped(_BELOW, reason), HOLDER_UPPER.skipped(_ABOVE, reason))
-    if numbers.radius is None:
-        none = "no bound of the decay of differences is known"
-        return (
-            _in_the_mean(numbers) or HOLDER_LOWER.undecided(_BELOW, none),
-            HOLDER_UPPER.undecided(_ABOVE, none),
-        )
     stably = facts.verdict(STABILITY) is Verdict.PROVED
-    return (_below(numbers, stably), _above(numbers, stably))
+    below = [*_exactly(numbers, stably), *_bounds_below(numbers, facts)]
+    above = sorted(_bounds_above(numbers), key=_upper_of) if stably else []
+    none, unstable = "no bound of the decay of differences is known", "it is not proved that φ is stable"
+    return (
+        best_of(below) if below else HOLDER_LOWER.undecided(_BELOW, none),
+        best_of(above) if above else HOLDER_UPPER.undecided(_ABOVE, unstable if numbers.radius else none),
+    )
+
+
+def _upper_of(finding: Finding) -> float:
+    return inf if finding.value is None or finding.value.upper is None else finding.value.upper
 
 
 def _holder_of_box_spline(depth: int) -> tuple[Finding, ...]:
-    if depth < 2:
-        reason = "φ is a box spline that is not continuous"
-        return (HOLDER_LOWER.skipped(_BELOW, reason), HOLDER_UPPER.skipped(_ABOVE, reason))
     alpha = Fraction(depth - 1)
-    witness: dict[str, Data] = {"by": BOX_SPLINE.code, "value": alpha}
-    below, above = f"α ≥ {alpha}: {spanning(depth - 1)}", f"α ≤ {alpha}: {not_spanning(depth)}"
+    below, above = spanning(depth - 1), not_spanning(depth)
     return (
-        HOLDER_LOWER.proved(below, witness, interval(alpha), alpha),
-        HOLDER_UPPER.proved(above, witness, interval(alpha), alpha),
+        HOLDER_LOWER.proved(
+            f"α ≥ {alpha}: {below}", {"by": BOX_SPLINE.code, "value": alpha}, interval(alpha), alpha, why=below
+        ),
+        HOLDER_UPPER.proved(
+            f"α ≤ {alpha}: {above}", {"by": BOX_SPLINE.code, "value": alpha}, interval(alpha), alpha, why=above
+        ),
     )
 
 
 def _least_holder(parts: tuple[Part, ...]) -> Finding:
-    found = products.least(parts, questions.HOLDER_LOWER)
-    if found is None:
+    least = products.least(parts, questions.HOLDER_LOWER)
+    if least is None:
         return HOLDER_LOWER.undecided(_BELOW, products.NOT_LEAST)
-    part, exact = found.part.finding(questions.HOLDER_LOWER), found.is_exact
-    value = part.value or Interval()
-    text = _shown(part) if exact else rounded_down(value.lower or 0.0)
-    statement = f"α {'=' if exact else '≥'} {text}, the least exponent of a factor: {found.part.name}"
+    finding, exact = least.part.finding(questions.HOLDER_LOWER), least.is_exact
+    value = finding.value or Interval()
+    text = _shown(finding) if exact else rounded_down(value.lower or 0.0)
+    why = f"the least exponent of a factor: {least.part.name}"
+    witness: MultivariateHolderLowerWitness = {"by": TENSOR_PRODUCT.code}
+    products.put_least(witness, least)
     return HOLDER_LOWER.proved(
-        statement, products.least_witness(found), value if exact else Interval(lower=value.lower), part.closed
+        f"α {'=' if exact else '≥'} {text}, {why}",
+        witness,
+        value if exact else Interval(lower=value.lower),
+        finding.closed,
+        why=why,
     )
 
 
@@ -104,47 +131,80 @@ def _least_above(parts: tuple[Part, ...]) -> Finding:
     part = products.least_upper(parts, questions.HOLDER_UPPER)
     if part is None:
         return HOLDER_UPPER.undecided(_ABOVE, "no bound is known for a factor")
-    found = part.finding(questions.HOLDER_UPPER)
-    assert found.value is not None
+    above = part.finding(questions.HOLDER_UPPER).value
+    assert above is not None
     exact = part.finding(questions.HOLDER_LOWER)
-    text = _shown(exact) if exact.closed is not None else rounded_up(found.value.upper or 0.0)
-    witness: dict[str, Data] = {"by": TENSOR_PRODUCT.code, "variables": part.variables}
+    text = _shown(exact) if exact.closed is not None else rounded_up(above.upper or 0.0)
+    why = f"an exponent of a factor: {part.name}"
     return HOLDER_UPPER.proved(
-        f"α ≤ {text}, an exponent of a factor: {part.name}", witness, Interval(upper=found.value.upper)
+        f"α ≤ {text}, {why}",
+        {"by": TENSOR_PRODUCT.code, "variables": part.variables},
+        Interval(upper=above.upper),
+        why=why,
     )
 
 
-def _shown(found: Finding) -> str:
-    assert found.closed is not None
-    return readable(found.closed) or f"{rounded_down((found.value or Interval()).lower or 0.0)}…"
+def _shown(finding: Finding) -> str:
+    assert finding.closed is not None
+    return worded(finding.closed)
 
 
-def _below(numbers: MultivariateNumbers, stable: bool) -> Finding:
+def _exactly(numbers: MultivariateNumbers, stable: bool) -> Iterator[Finding]:
+    """The finding by ρ_k itself, where that is known and has an exponent in closed form."""
     radius, m, s, k = numbers.radius, numbers.lattice.index, numbers.dimension, numbers.order
-    assert radius is not None
-    witness: dict[str, Data] = {"by": DIFFERENCE_RADIUS.code, "length": radius.upper[0]}
-    if radius.exact is not None and (exact := multivariate_exponent(m, s, *radius.exact)) is not None:
-        value = closed_interval(exact)
-        text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
-        witness["root"] = root_data(radius.exact[1])
-        if stable:
-            return HOLDER_LOWER.proved(f"α = {text}, as φ is stable and ρ_{k} = {shown(radius)}", witness, value, exact)
-        return HOLDER_LOWER.proved(f"α ≥ {text}, as ρ_{k} = {shown(radius)}", witness, Interval(lower=value.lower))
-    length, bound = radius.upper
-    lower = _exponent(numbers, length, bound)
-    statement = f"α ≥ {rounded_down(lower)}, from the bound of ρ_{k}"
-    return HOLDER_LOWER.proved(statement, {**witness, "bound": bound}, Interval(lower=lower))
+    if radius is None or radius.exact is None or (exact := multivariate_exponent(m, s, *radius.exact)) is None:
+        return
+    witness: MultivariateHolderLowerWitness = {
+        "by": DIFFERENCE_RADIUS.code,
+        "length": radius.upper[0],
+        "root": root_data(radius.exact[1]),
+    }
+    value, why = closed_interval(exact), f"ρ_{k} = {shown(radius)}"
+    if stable:
+        why = f"φ is stable and {why}"
+        yield HOLDER_LOWER.proved(f"α = {worded(exact)}, as {why}", witness, value, exact, why=why)
+    else:
+        yield HOLDER_LOWER.proved(f"α ≥ {worded(exact)}, as {why}", witness, Interval(lower=value.lower), why=why)
 
 
-def _in_the_mean(numbers: MultivariateNumbers) -> Finding | None:
-    """The finding α >= s - dimension/2, for the bound of s that SD617 has; None where it has none."""
-    bound = numbers.mean_decay
-    if bound is None:
-        return None
-    lower = _exponent(numbers, 2, bound)
-    witness: dict[str, Data] = {"by": SOBOLEV.code, "length": 2, "bound": bound}
-    statement = f"α ≥ {rounded_down(lower)}, from the mean squares of differences of order {numbers.order}"
-    return HOLDER_LOWER.proved(statement, witness, Interval(lower=lower), proof=growth_proof(numbers))
+def _bounds_below(numbers: MultivariateNumbers, facts: Facts) -> list[Finding]:
+    """The findings by all bounds that are known, the best one first."""
+    bounds = [
+        (_exponent(numbers, length, bound), by, length, bound, why)
+        for by, length, bound, why in _decays(numbers, facts)
+    ]
+    return [
+        HOLDER_LOWER.proved(
+            f"α ≥ {rounded_down(lower)}, {why}",
+            {"by": by, "length": length, "bound": bound},
+            Interval(lower=lower),
+            proof=growth_proof(numbers) if by == SOBOLEV.code else None,
+            why=why,
+        )
+        for lower, by, length, bound, why in sorted(bounds, key=lambda each: -each[0])
+    ]
+
+
+def _decays(numbers: MultivariateNumbers, facts: Facts) -> Iterator[tuple[str, int, Fraction, str]]:
+    """The bounds ρ_k^length <= x with the code of the finding that has them, and its cause in words."""
+    k, radius, mean = numbers.order, numbers.radius, numbers.mean_decay
+    if radius is not None:
+        length, bound = radius.upper if radius.exact is None else (radius.exact[0], radius.exact[1].high)
+        yield DIFFERENCE_RADIUS.code, length, bound, f"from the bound of ρ_{k}"
+    for finding in facts.all(MATRIX_NORMS):
+        norms = MATRIX_NORMS.witness_of(finding)
+        yield MATRIX_NORMS.code, norms["level"], norms["norm"], "from a matrix scheme of differences"
+    if mean is not None:
+        yield SOBOLEV.code, 2, mean, f"from the mean squares of differences of order {k}"
+    c, cause = exact_root(numbers.lattice.index, numbers.dimension) or 1, "from the norms of quotients by factors in"
+    for finding in facts.all(DIRECTIONAL_NORMS):
+        norm = largest_norm(DIRECTIONAL_NORMS.witness_of(finding), 1)
+        yield DIRECTIONAL_NORMS.code, *norm, f"{cause} one direction"
+    for finding in facts.all(DIRECTIONAL_SMOOTHNESS):
+        norm = largest_norm(DIRECTIONAL_SMOOTHNESS.witness_of(finding), c)
+        yield DIRECTIONAL_SMOOTHNESS.code, *norm, f"{cause} two directions"
+    if facts.verdict(CONVERGENCE) is Verdict.PROVED:
+        yield CONVERGENCE.code, 1, Fraction(1), "as S converges"
 
 
 def _exponent(numbers: MultivariateNumbers, length: int, bound: Fraction) -> float:
@@ -155,31 +215,49 @@ def _exponent(numbers: MultivariateNumbers, length: int, bound: Fraction) -> flo
     return lower
 
 
-def _above(numbers: MultivariateNumbers, stable: bool) -> Finding:
+def _bounds_above(numbers: MultivariateNumbers) -> Iterator[Finding]:
+    """The findings by all bounds that are known, for stable φ."""
     product, m, s, k = numbers.product, numbers.lattice.index, numbers.dimension, numbers.order
-    if not stable:
-        return HOLDER_UPPER.undecided(_ABOVE, "it is not proved that φ is stable")
-    if product is None:
-        return HOLDER_UPPER.undecided(_ABOVE, "no product is known that bounds ρ_k from below")
-    bound, length = radius_bound(product), len(product.word)
+    if product is not None:
+        bound, length = radius_bound(product), len(product.word)
+        of_product: MultivariateHolderUpperWitness = {
+            "by": DIFFERENCE_RADIUS.code,
+            "word": product.word,
+            "length": length,
+            "radius": bound,
+        }
+        exact = numbers.radius.exact if numbers.radius is not None else None
+        closed = multivariate_exponent(m, s, *exact) if exact is not None else None
+        upper = _above(m, s, length, bound)
+        text = rounded_up(upper) if closed is None else worded(closed)
+        why = f"φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
+        yield HOLDER_UPPER.proved(f"α ≤ {text}: {why}", of_product, Interval(upper=upper), why=why)
+        if exact is not None:
+            alone: MultivariateHolderUpperWitness = {**of_product, "by": HOLDER_UPPER.code}
+            yield HOLDER_UPPER.proved(f"α ≤ {rounded_up(upper)}: {why}", alone, Interval(upper=upper), why=why)
+    why = f"φ is stable, and the sum rules are of order {k}"
+    witness: MultivariateHolderUpperWitness = {"by": SUM_RULES.code, "length": s, "radius": Fraction(1, m**k)}
+    yield HOLDER_UPPER.proved(f"α ≤ {k}: {why}", witness, Interval(upper=float(k)), why=why)
+    growth = None if numbers.mean_squares is None else numbers.mean_squares.growth
+    if growth is not None:
+        upper, why = _above(m, s, 2, growth.low), "φ is stable, and that bounds its Sobolev exponent"
+        mean: MultivariateHolderUpperWitness = {"by": SOBOLEV.code, "length": 2, "radius": growth.low}
+        statement = f"α ≤ {rounded_up(upper)}: {why}"
+        yield HOLDER_UPPER.proved(statement, mean, Interval(upper=upper), proof=growth_proof(numbers), why=why)
+
+
+def _above(m: int, s: int, length: int, bound: Fraction) -> float:
+    """The exponent -log_λ(bound)/length, rounded up."""
     base, divisor = unpowered(m, length)
     upper = closed_interval(logarithm(base, (1 / bound) ** s, divisor)).upper
-    witness: dict[str, Data] = {
-        "by": DIFFERENCE_RADIUS.code,
-        "word": product.word,
-        "length": length,
-        "radius": bound,
-    }
-    exact = numbers.radius.exact if numbers.radius is not None else None
-    closed = multivariate_exponent(m, s, *exact) if exact is not None else None
-    text = (readable(closed) if closed is not None else None) or rounded_up(upper or 0.0)
-    statement = f"α ≤ {text}: φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
-    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper))
+    assert upper is not None
+    return upper
 
 
 _SOBOLEV_QUESTION = "how regular is φ in L2?"
 
 
+@asking((SOBOLEV, _SOBOLEV_QUESTION))
 def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD617: the Sobolev exponent of φ, s = sup {t : φ ∈ H^t}.
 
@@ -190,10 +268,13 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     Always s - dimension/2 <= α <= s, α the Hölder exponent. Hypotheses: M isotropic, the order, that the mask is no box
     spline: checked; stability (SD616), for equality.
 
-    Witness: `by`, SD603 and `value`; or SD609, as SD614 has it; or SD602, the order of the differences, with
-    `polynomial`, that of Λ, integers, lowest power first; `low` and `high`, which enclose Λ and no other zero of it;
-    `holds`, whether s is equal to the bound. `proof`: these, and the `cofactor` that makes the polynomial annihilate
-    the sequences.
+    Where Λ is not known, α <= s, and s <= α + dimension/2 and s <= k for stable φ, by the bounds of SD614 and SD615.
+
+    Witness: `by`, SD603 and `value`; or SD609, as SD614 has it, and `variables_above` of a factor that bounds s
+    from above; or SD614, with the places, `below` and `above`, of the bounds among those that are known; or SD602, the
+    order of the differences, with `polynomial`, that of Λ, integers, lowest power first; `low` and `high`, which
+    enclose Λ and no other zero of it; `holds`, whether s is equal to the bound. `proof`: these, and the `cofactor` that
+    makes the polynomial annihilate the sequences.
     """
     if numbers.box is not None:
         return (_sobolev_of_box_spline(numbers.box.depth),)
@@ -203,41 +284,78 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     reason = reason if numbers.order else "no sum rule holds"
     if reason is not None:
         return (SOBOLEV.skipped(_SOBOLEV_QUESTION, reason),)
-    found = numbers.mean_squares
-    if found is None:
-        return (SOBOLEV.undecided(_SOBOLEV_QUESTION, "the operator on correlations is too large for this effort"),)
-    if found.growth is None:
-        return (
-            SOBOLEV.undecided(_SOBOLEV_QUESTION, "the growth of the mean squares is a multiple zero of its polynomial"),
-        )
-    return (_found(numbers, found.growth, facts.verdict(STABILITY) is Verdict.PROVED),)
+    known = numbers.mean_squares
+    stably = facts.verdict(STABILITY) is Verdict.PROVED
+    by_growth = [] if known is None or known.growth is None else [_of_mean_squares(numbers, known.growth, stably)]
+    findings = [*by_growth, *_between(numbers, facts)]
+    if findings:
+        return (best_of(findings),)
+    large = "the operator on correlations is too large for this effort"
+    multiple = "the growth of the mean squares is a multiple zero of its polynomial"
+    return (SOBOLEV.undecided(_SOBOLEV_QUESTION, large if known is None else multiple),)
+
+
+def _between(numbers: MultivariateNumbers, facts: Facts) -> Iterator[Finding]:
+    """The findings α <= s <= α + dimension/2 (for stable φ), by bounds of α not by s, the best one first."""
+    m, d, why = numbers.lattice.index, numbers.dimension, "by the Hölder exponent"
+    most = []
+    for j, upper in _apart(facts.find(HOLDER_UPPER)):
+        above = HOLDER_UPPER.witness_of(upper)
+        length, bound = above["length"], above["radius"]
+        if above["by"] != SUM_RULES.code:
+            length, bound = 2 * length, bound**2 / m**length
+        most.append((_above(m, d, length, bound), j))
+    for i, lower in _apart(facts.find(HOLDER_LOWER)):
+        below = HOLDER_LOWER.witness_of(lower)
+        low = _exponent(numbers, below["length"], upper_bound(below))
+        witness: MultivariateSobolevWitness = {"by": HOLDER_LOWER.code, "below": i}
+        for high, j in sorted(most):
+            statement = f"{rounded_down(low)} ≤ s ≤ {rounded_up(high)}, {why}"
+            yield SOBOLEV.proved(statement, {**witness, "above": j}, Interval(low, high), why=why)
+        yield SOBOLEV.proved(f"s ≥ {rounded_down(low)}, {why}", witness, Interval(lower=low), why=why)
+
+
+def _apart(finding: Finding | None) -> list[tuple[int, Finding]]:
+    """The findings of a rule that are proved, the best one first, with their places, but for those by s."""
+    several = [] if finding is None or finding.verdict is not Verdict.PROVED else [finding, *finding.otherwise]
+    return [(i, each) for i, each in enumerate(several) if each.witness["by"] != SOBOLEV.code]
 
 
 def _sobolev_of_box_spline(depth: int) -> Finding:
     s = depth - Fraction(1, 2)
-    statement = f"s = {s}: {depth} directions must go until the others do not span"
-    return SOBOLEV.proved(statement, {"by": BOX_SPLINE.code, "value": s}, interval(s), s)
+    why = f"{depth} directions must go until the others do not span"
+    return SOBOLEV.proved(f"s = {s}: {why}", {"by": BOX_SPLINE.code, "value": s}, interval(s), s, why=why)
 
 
 def _least_sobolev(parts: tuple[Part, ...]) -> Finding:
-    found = products.least(parts, questions.SOBOLEV)
-    if found is None:
+    least, most = products.least(parts, questions.SOBOLEV), products.least_upper(parts, questions.SOBOLEV)
+    if least is None and most is None:
         return SOBOLEV.undecided(_SOBOLEV_QUESTION, products.NOT_LEAST)
-    part, witness = found.part.finding(questions.SOBOLEV), products.least_witness(found)
-    value = part.value or Interval()
-    if not found.is_exact:
-        statement = f"s ≥ {rounded_down(value.lower or 0.0)}, the least exponent of a factor: {found.part.name}"
-        return SOBOLEV.proved(statement, witness, Interval(lower=value.lower))
-    closed = part.closed
-    assert closed is not None
-    text = readable(closed) or certain(lambda: closed_ball(closed))
-    return SOBOLEV.proved(f"s = {text}, the least exponent of a factor: {found.part.name}", witness, value, part.closed)
+    witness: MultivariateSobolevWitness = {"by": TENSOR_PRODUCT.code}
+    lower = upper = None
+    bounds, reasons = [], []
+    if least is not None:
+        finding, why = least.part.finding(questions.SOBOLEV), f"the least exponent of a factor: {least.part.name}"
+        value = finding.value or Interval()
+        products.put_least(witness, least)
+        if least.is_exact:
+            return SOBOLEV.proved(f"s = {_shown(finding)}, {why}", witness, value, finding.closed, why=why)
+        lower = value.lower
+        bounds.append(f"s ≥ {rounded_down(lower or 0.0)}, {why}")
+        reasons.append(why)
+    if most is not None:
+        why = f"an exponent of a factor: {most.name}"
+        witness["variables_above"] = most.variables
+        upper = (most.finding(questions.SOBOLEV).value or Interval()).upper
+        bounds.append(f"s ≤ {rounded_up(upper or 0.0)}, {why}")
+        reasons.append(why)
+    return SOBOLEV.proved("; ".join(bounds), witness, Interval(lower, upper), why="; ".join(reasons))
 
 
-def _found(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Finding:
+def _of_mean_squares(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Finding:
     m, dimension, k = numbers.lattice.index, numbers.dimension, numbers.order
     root = Root(tuple(int(c) for c in growth.radius.minimal_polynomial), growth.low, growth.high)
-    witness: dict[str, Data] = {
+    witness: MultivariateSobolevWitness = {
         "by": SUM_RULES.code,
         "polynomial": root.coefficients,
         "low": growth.low,
@@ -250,8 +368,8 @@ def _found(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Findin
 
     closed = multivariate_exponent(m, dimension, 2, root)
     rational = growth.radius.rational
-    shown = (readable(closed) if closed is not None and rational is not None else None) or certain(exponent)
-    size = certain(growth.ball) if rational is None else number(rational)
+    shown = certain(exponent) if closed is None or rational is None else worded(closed)
+    size = certain(growth.ball) if rational is None else valued(rational)
     if closed is not None:
         value = closed_interval(closed)
     else:
@@ -259,5 +377,7 @@ def _found(numbers: MultivariateNumbers, growth: Growth, stable: bool) -> Findin
             value = interval(exponent())
     why = f"the mean squares of differences of order {k} grow like Λ^L, Λ = {size}"
     if stable:
-        return SOBOLEV.proved(f"s = {shown}: φ is stable, and {why}", witness, value, closed, growth_proof(numbers))
-    return SOBOLEV.proved(f"s ≥ {shown}: {why}", witness, Interval(lower=value.lower), proof=growth_proof(numbers))
+        why = f"φ is stable, and {why}"
+        return SOBOLEV.proved(f"s = {shown}: {why}", witness, value, closed, growth_proof(numbers), why=why)
+    below = Interval(lower=value.lower)
+    return SOBOLEV.proved(f"s ≥ {shown}: {why}", witness, below, proof=growth_proof(numbers), why=why)

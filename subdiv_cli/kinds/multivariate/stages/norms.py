@@ -1,29 +1,40 @@
-"""Stages on norms that prove convergence or smoothness by themselves (SD604, SD606 to SD608)."""
+"""Stages that prove convergence or smoothness by norms (SD604, SD606 to SD608), or exclude it by the places (SD620)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
-from subdiv_cli.exact.text import number
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.exact.text import sized, valued
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.multivariate.numbers.directional import Contraction, PairContraction
 from subdiv_cli.kinds.multivariate.numbers.matrix_norms import MatrixNorm
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.kinds.multivariate.rules import DIRECTIONAL_NORMS, DIRECTIONAL_SMOOTHNESS, MATRIX_NORMS, POSITIVE_MASK
+from subdiv_cli.kinds.multivariate.rules import (
+    DIRECTIONAL_NORMS,
+    DIRECTIONAL_SMOOTHNESS,
+    MATRIX_NORMS,
+    POSITIVE_MASK,
+    SUBLATTICE,
+)
 from subdiv_cli.kinds.multivariate.stages.smoothness import proved_by, reaches, threshold
-from subdiv_cli.model import Data, Finding
+from subdiv_cli.kinds.multivariate.witnesses import (
+    DirectionalNormsWitness,
+    DirectionalSmoothnessWitness,
+    MatrixNormsProof,
+    MatrixNormsWitness,
+    QuotientsProof,
+    SublatticeWitness,
+)
+from subdiv_cli.model import Finding
 
 
-def _told(
-    found: Sequence[Contraction | PairContraction], directions: Iterable[Data]
-) -> tuple[dict[str, Data], dict[str, Data]]:
-    """The witness of contractions in these directions, and what a certificate needs besides."""
-    levels, norms = tuple(c.level for c in found), tuple(c.norm for c in found)
-    witness: dict[str, Data] = {"directions": tuple(directions), "levels": levels, "norms": norms}
-    return witness, {"quotients": tuple(tuple(sorted(c.quotient.items())) for c in found)}
+def _quotients(contractions: Sequence[Contraction | PairContraction]) -> QuotientsProof:
+    """What a certificate of contractions needs besides their norms."""
+    return {"quotients": tuple(tuple(sorted(c.quotient.items())) for c in contractions)}
 
 
+@asking()
 def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD604: directional difference schemes that contract.
 
@@ -37,18 +48,48 @@ def directional_norms(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, 
 
     Witness: `directions`, `levels`, `norms`.
     """
-    found = None if numbers.parts else numbers.contractions
-    if found is None:
+    contractions = None if numbers.parts else numbers.contractions
+    if contractions is None:
         return ()
     parts = [
-        f"‖S_({', '.join(map(str, c.direction))})" + (f"^{c.level}" if c.level > 1 else "") + f"‖∞ = {number(c.norm)}"
-        for c in found
+        f"‖S_({', '.join(map(str, c.direction))})" + (f"^{c.level}" if c.level > 1 else "") + f"‖∞ = {valued(c.norm)}"
+        for c in contractions
     ]
-    statement = f"the difference schemes in {len(found)} directions contract: {', '.join(parts)}"
-    witness, proof = _told(found, [c.direction for c in found])
-    return (DIRECTIONAL_NORMS.proved(statement, witness, proof=proof),)
+    statement = f"the difference schemes in {len(contractions)} directions contract: {', '.join(parts)}"
+    witness: DirectionalNormsWitness = {
+        "directions": tuple(c.direction for c in contractions),
+        "levels": tuple(c.level for c in contractions),
+        "norms": tuple(c.norm for c in contractions),
+    }
+    return (DIRECTIONAL_NORMS.proved(statement, witness, proof=_quotients(contractions)),)
 
 
+@asking()
+def stays_in_sublattice(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
+    """SD620: the mask stays in a lattice that is not Z^s.
+
+    Theorem (numbers/sublattice.py): let Γ be the smallest lattice with MΓ ⊂ Γ that holds the differences of the indices
+    with coefficients. If Γ is not Z^s, S^L δ is zero outside of one coset of Γ for each L, and S does not converge
+    uniformly to a limit that is not zero for some data. No hypothesis: any expanding M, any sums. There is a finding
+    only where Γ is not Z^s, and φ is no tensor product (SD609).
+
+    Witness: `index` of Γ in Z^s, None where Γ spans no more than a hyperplane; `functional`, u, and `modulus`, n: u·x =
+    0 modulo n on Γ, and not on Z^s.
+    """
+    stays = None if numbers.parts else numbers.sublattice
+    if stays is None:
+        return ()
+    u = ", ".join(map(str, stays.functional))
+    statement = f"for every L, ({u})·α is one number modulo {stays.modulus} for all α with S^L δ ≠ 0 there"
+    witness: SublatticeWitness = {
+        "index": stays.cosets,
+        "functional": stays.functional,
+        "modulus": stays.modulus,
+    }
+    return (SUBLATTICE.proved(statement, witness),)
+
+
+@asking()
 def positive_mask(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD608: a positive mask on a box.
 
@@ -68,6 +109,7 @@ def positive_mask(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]
     return (POSITIVE_MASK.proved(statement, {"lowest": lowest, "highest": highest}),)
 
 
+@asking()
 def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD607: C^1 by directional factors.
 
@@ -85,27 +127,32 @@ def directional_smoothness(numbers: MultivariateNumbers, _: Facts) -> tuple[Find
 
     Witness: `directions`, pairs; `levels`, `norms`. `proof`: `quotients`, a/(G_i G_j).
     """
-    found = None if numbers.box is not None or numbers.parts else numbers.pair_contractions
-    if found is None:
+    contractions = None if numbers.box is not None or numbers.parts else numbers.pair_contractions
+    if contractions is None:
         return ()
     parts = [
         f"‖S_({', '.join(map(str, first))})({', '.join(map(str, second))})"
         + (f"^{c.level}" if c.level > 1 else "")
-        + f"‖∞ = {number(c.norm)}"
-        for c in found
+        + f"‖∞ = {valued(c.norm)}"
+        for c in contractions
         for first, second in [c.directions]
     ]
     statement = (
-        f"φ is C^1: the schemes of {len(found)} quotients by two directional factors contract: {', '.join(parts)}"
+        f"φ is C^1: the schemes of {len(parts)} quotients by two directional factors contract: {', '.join(parts)}"
     )
-    witness, proof = _told(found, [c.directions for c in found])
-    return (DIRECTIONAL_SMOOTHNESS.proved(statement, witness, proof=proof),)
+    witness: DirectionalSmoothnessWitness = {
+        "directions": tuple(c.directions for c in contractions),
+        "levels": tuple(c.level for c in contractions),
+        "norms": tuple(c.norm for c in contractions),
+    }
+    return (DIRECTIONAL_SMOOTHNESS.proved(statement, witness, proof=_quotients(contractions)),)
 
 
 _MORE_ORDERS = 2
 """The orders of differences above n + 1 that are tried for C^n."""
 
 
+@asking()
 def matrix_norms(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD606: a matrix scheme of differences that contracts.
 
@@ -127,12 +174,12 @@ def matrix_norms(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, .
         return ()
     best = None
     if numbers.contractions is None and not _excluded(numbers, 0):
-        best = _found(numbers, 0, [1])
+        best = _norm(numbers, 0, [1])
     if numbers.lattice.is_isotropic:
         for n in range(1, numbers.order):
-            if proved_by(numbers, facts, n) is None:
+            if not proved_by(numbers, facts, n):
                 orders = range(n + 1, min(numbers.order, n + 1 + _MORE_ORDERS) + 1)
-                smoother = None if _excluded(numbers, n) else _found(numbers, n, orders)
+                smoother = None if _excluded(numbers, n) else _norm(numbers, n, orders)
                 if smoother is None:
                     break
                 best = smoother
@@ -143,39 +190,40 @@ def _excluded(numbers: MultivariateNumbers, n: int) -> bool:
     return numbers.product is not None and reaches(numbers, numbers.product, n)
 
 
-def _found(numbers: MultivariateNumbers, n: int, orders: range | list[int]) -> tuple[int, MatrixNorm] | None:
+def _norm(numbers: MultivariateNumbers, n: int, orders: range | list[int]) -> tuple[int, MatrixNorm] | None:
     norms = (numbers.matrix_norm(k, n) for k in orders)
-    return next(((n, found) for found in norms if found is not None), None)
+    return next(((n, norm) for norm in norms if norm is not None), None)
 
 
-def _finding(numbers: MultivariateNumbers, n: int, found: MatrixNorm) -> Finding:
-    k, components = found.order, range(found.components)
-    witness: dict[str, Data] = {
+def _finding(numbers: MultivariateNumbers, n: int, norm: MatrixNorm) -> Finding:
+    k, components = norm.order, range(norm.components)
+    witness: MatrixNormsWitness = {
         "order": k,
         "smooth": n,
-        "power": found.power,
-        "steps": found.steps,
-        "level": found.level,
-        "norm": found.norm,
-        "by": found.by,
-        "lemma_norm": found.lemma,
-        **({} if found.least is None else {"least_norm": found.least}),
+        "power": norm.power,
+        "steps": norm.steps,
+        "level": norm.level,
+        "norm": norm.norm,
+        "by": norm.by,
+        "lemma_norm": norm.lemma,
     }
-    entries = [sorted(found.entries.get((i, j), {}).items()) for i in components for j in components]
-    proof: dict[str, Data] = {"entries": tuple(tuple(terms) for terms in entries), "work": found.work}
+    if norm.least is not None:
+        witness["least_norm"] = norm.least
+    entries = [sorted(norm.entries.get((i, j), {}).items()) for i in components for j in components]
+    proof: MatrixNormsProof = {"entries": tuple(tuple(terms) for terms in entries), "work": norm.work}
     scheme = "S_Δ" if k == 1 else f"S_(Δ^{k})"
-    power = f"^{found.level}" if found.level > 1 else ""
-    bound = threshold(numbers, n * found.level)
-    statement = f"a matrix scheme of differences contracts: ‖{scheme}{power}‖∞ = {number(found.norm)} < {bound}"
-    return MATRIX_NORMS.proved(f"{statement}; {_how(found)}", witness, proof=proof)
+    power = f"^{norm.level}" if norm.level > 1 else ""
+    bound = threshold(numbers, n * norm.level)
+    statement = f"a matrix scheme of differences contracts: ‖{scheme}{power}‖∞ = {valued(norm.norm)} < {bound}"
+    return MATRIX_NORMS.proved(f"{statement}; {_how(norm)}", witness, proof=proof)
 
 
-def _how(found: MatrixNorm) -> str:
+def _how(norm: MatrixNorm) -> str:
     """The reduction that is taken, as text, and ‖S_Q‖∞ for it and the other."""
-    of = f" of S^{found.power}" if found.power > 1 else ""
+    of = f" of S^{norm.power}" if norm.power > 1 else ""
     names = {"lemma": "Lemma 6.6", "least": "least norm"}
-    norms = {"lemma": found.lemma, "least": found.least}
-    other = {"lemma": "least", "least": "lemma"}[found.by]
-    taken = f"the reduction{of} by {names[found.by]}, {number(norms[found.by] or found.lemma)}"
+    norms = {"lemma": norm.lemma, "least": norm.least}
+    other = {"lemma": "least", "least": "lemma"}[norm.by]
+    taken = f"the reduction{of} by {names[norm.by]}, {sized(norms[norm.by] or norm.lemma)}"
     second = norms[other]
-    return taken if second is None else f"{taken} (by {names[other]}: {number(second)})"
+    return taken if second is None else f"{taken} (by {names[other]}: {sized(second)})"

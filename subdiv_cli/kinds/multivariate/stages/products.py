@@ -8,14 +8,22 @@ from typing import NamedTuple
 
 from subdiv_cli.exact.closed import closed_interval
 from subdiv_cli.exact.text import number
-from subdiv_cli.kinds.kind import Facts, Part
+from subdiv_cli.kinds.kind import Facts, Part, asking
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.rules import BOX_SPLINE, TENSOR_PRODUCT
+from subdiv_cli.kinds.multivariate.witnesses import (
+    BoxSplineWitness,
+    ExponentWitness,
+    MultivariateConvergenceWitness,
+    MultivariateStabilityWitness,
+    TensorProductWitness,
+)
 from subdiv_cli.kinds.scalar.stages.wording import series
-from subdiv_cli.model import Data, Finding, Question, Rule, Verdict
+from subdiv_cli.model import Finding, Question, Rule, Verdict
 from subdiv_cli.spaces.lattice import Index
 
 
+@asking()
 def box_spline(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD603: whether φ is a box spline.
 
@@ -33,7 +41,7 @@ def box_spline(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     count = box.multiplicities
     of = "" if box.power == 1 else f"; recognised in S^{box.power}, whose dilation is {box.scale}I"
     statement = f"φ is the box spline of {len(box.directions)} directions: {_listed(count)}{of}"
-    witness: dict[str, Data] = {
+    witness: BoxSplineWitness = {
         "directions": tuple(count),
         "multiplicities": tuple(count.values()),
         "power": box.power,
@@ -57,6 +65,7 @@ _LEAST_SPARE = Fraction(1, 1000)
 """Exponents that are nearer to each other than four times this, and not rational, are not compared."""
 
 
+@asking()
 def tensor_product(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD609: whether the mask is a tensor product, and what follows for φ from its factors.
 
@@ -72,7 +81,7 @@ def tensor_product(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...
     if not numbers.parts:
         return ()
     factors = "; ".join(f"in {part.name} {_mask(part)}" for part in numbers.parts)
-    witness: dict[str, Data] = {"parts": tuple(part.variables for part in numbers.parts)}
+    witness: TensorProductWitness = {"parts": tuple(part.variables for part in numbers.parts)}
     return (TENSOR_PRODUCT.proved(f"φ is a tensor product of {len(numbers.parts)} factors: {factors}", witness),)
 
 
@@ -86,27 +95,35 @@ def _mask(part: Part) -> str:
 
 def of_all(parts: tuple[Part, ...], question: Question) -> tuple[Verdict, Part]:
     """The verdict PROVED where all are, else REFUTED where one is, with it; UNDECIDED with one that is not proved."""
-    findings = [(part.finding(question).verdict, part) for part in parts]
+    verdicts = [(part.finding(question).verdict, part) for part in parts]
     for wanted in (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.SKIPPED):
-        for found, part in findings:
-            if found is wanted:
+        for verdict, part in verdicts:
+            if verdict is wanted:
                 return (Verdict.REFUTED if wanted is Verdict.REFUTED else Verdict.UNDECIDED), part
     return Verdict.PROVED, parts[0]
 
 
 def follows(
-    rule: Rule, asked: str, parts: tuple[Part, ...], question: Question, yes: str, no: str, why: str
+    rule: Rule[MultivariateConvergenceWitness] | Rule[MultivariateStabilityWitness],
+    open_question: str,
+    parts: tuple[Part, ...],
+    question: Question,
+    yes: str,
+    no: str,
+    have: str,
+    lacks: str,
 ) -> Finding:
     """The finding of a property that φ has iff all factors have it.
 
-    `why` has the name of one that has it not.
+    `have` says why it has it; `lacks`, with a place for the name of a factor, why not.
     """
-    found, part = of_all(parts, question)
-    if found is Verdict.PROVED:
-        return rule.proved(yes, {"by": TENSOR_PRODUCT.code})
-    if found is Verdict.REFUTED:
-        return rule.refuted(no, {"by": TENSOR_PRODUCT.code}, why=why.format(part.name))
-    return rule.undecided(asked, f"it is not decided for the factor in {part.name}")
+    verdict, part = of_all(parts, question)
+    if verdict is Verdict.PROVED:
+        return rule.proved(f"{yes}: {have}", {"by": TENSOR_PRODUCT.code}, why=have)
+    if verdict is Verdict.REFUTED:
+        why = lacks.format(part.name)
+        return rule.refuted(f"{no}: {why}", {"by": TENSOR_PRODUCT.code}, why=why)
+    return rule.undecided(open_question, f"it is not decided for the factor in {part.name}")
 
 
 class Least(NamedTuple):
@@ -137,29 +154,30 @@ NOT_LEAST = "the exponents of the factors are not seen to be positive, or not co
 """Why no exponent of a factor is known to be that of φ."""
 
 
-def least_witness(found: Least) -> dict[str, Data]:
-    """The witness of the least factor, as SD614 and SD617 have it."""
-    between = {} if found.between is None else {"between": found.between}
-    return {"by": TENSOR_PRODUCT.code, "variables": found.part.variables, **between}
+def put_least(witness: ExponentWitness, factor: Least) -> None:
+    """Write the least factor into a witness, as SD614 and SD617 have it."""
+    witness["variables"] = factor.part.variables
+    if factor.between is not None:
+        witness["between"] = factor.between
 
 
-def _between(found: Finding, others: list[Finding]) -> Fraction | None:
+def _between(finding: Finding, others: list[Finding]) -> Fraction | None:
     """The simplest number from what the finding proves from below to what others do."""
     high = min(x for other in others if (x := _low(other)) is not None)
-    if isinstance(found.closed, Fraction):
-        return _simplest(found.closed, high) if found.closed <= high else None
-    value = found.value if found.closed is None else closed_interval(found.closed)
-    if value is None or (low := value.lower if found.closed is None else value.upper) is None:
+    if isinstance(finding.closed, Fraction):
+        return _simplest(finding.closed, high) if finding.closed <= high else None
+    value = finding.value if finding.closed is None else closed_interval(finding.closed)
+    if value is None or (low := value.lower if finding.closed is None else value.upper) is None:
         return None
     spare = (high - Fraction(low)) / 4  # statements enclose the numbers less tightly
     return _simplest(Fraction(low) + spare, high - spare) if spare > _LEAST_SPARE else None
 
 
-def _low(found: Finding) -> Fraction | None:
+def _low(finding: Finding) -> Fraction | None:
     """The lower bound of an exponent that a finding proves; None where it proves none."""
-    if isinstance(found.closed, Fraction):
-        return found.closed
-    return _fraction(found.value.lower) if found.value is not None else None
+    if isinstance(finding.closed, Fraction):
+        return finding.closed
+    return _fraction(finding.value.lower) if finding.value is not None else None
 
 
 def _fraction(x: float | None) -> Fraction | None:

@@ -7,17 +7,23 @@ from fractions import Fraction
 from math import comb
 
 from subdiv_cli.exact.text import number
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.polynomials import Point, QuasiInterpolation
 from subdiv_cli.kinds.multivariate.rules import CONVERGENCE, COSET_SUMS, QUASI_INTERPOLATION, REPRODUCTION, SUM_RULES
-from subdiv_cli.kinds.scalar.stages.wording import series
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.multivariate.witnesses import (
+    CosetSumsWitness,
+    MultivariateQuasiInterpolationWitness,
+    MultivariateReproductionWitness,
+    PlacedNumbers,
+)
+from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model import findings as questions
-from subdiv_cli.model.formulas import partial_operator
+from subdiv_cli.model.formulas import near_one, partial_operator
 from subdiv_cli.spaces.lattice import Index
 
 
+@asking()
 def coset_sums(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD601: the coset sums.
 
@@ -28,12 +34,20 @@ def coset_sums(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     Witness: `cosets`, a representative of each; `sums`.
     """
     sums, count = numbers.sums, numbers.lattice.index
-    witness: dict[str, Data] = {"cosets": numbers.lattice.representatives, "sums": sums}
+    witness: CosetSumsWitness = {"cosets": numbers.lattice.representatives, "sums": sums}
     if set(sums) == {Fraction(1)}:
         return (COSET_SUMS.proved(f"all {count} coset sums are 1", witness),)
-    return (COSET_SUMS.refuted(f"the coset sums are {series(sums, number)}, must be 1", witness),)
+    off = [(gamma, x) for gamma, x in zip(numbers.lattice.representatives, sums, strict=True) if x != 1]
+    shown = ", ".join(f"that of {_tuple(gamma)} is {near_one(x)}" for gamma, x in off[:_MOST_COSETS])
+    more = f", and {len(off) - _MOST_COSETS} more are not 1" if len(off) > _MOST_COSETS else ""
+    return (COSET_SUMS.refuted(f"the {count} coset sums must be 1 each, but {shown}{more}", witness),)
 
 
+_MOST_COSETS = 4
+"""The most cosets that are named with a sum that is not 1."""
+
+
+@asking((SUM_RULES, "which sum rules hold?"))
 def sum_rules(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD602: the order of the sum rules of total degree.
 
@@ -47,7 +61,10 @@ def sum_rules(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     if not k:
         return (
             SUM_RULES.refuted(
-                "no sum rules: the coset sums are not all 1", {"order": 0}, answers={questions.SUM_RULES: 0}
+                "no sum rules: the coset sums are not all 1",
+                {"order": 0},
+                answers={questions.SUM_RULES: 0},
+                why="the coset sums are not all 1",
             ),
         )
     generated = {1: "constants", 2: "polynomials of total degree 1"}.get(k, f"polynomials of total degree {k - 1}")
@@ -55,6 +72,7 @@ def sum_rules(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     return (SUM_RULES.proved(f"sum rules of order {k}: {generated} are generated", {"order": k}, answers=answers),)
 
 
+@asking((REPRODUCTION, "which polynomials are reproduced?"))
 def reproduction(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD618: the reproduction degree, the largest r for which S reproduces the polynomials of total degree r.
 
@@ -70,15 +88,15 @@ def reproduction(numbers: MultivariateNumbers, _: Facts) -> tuple[Finding, ...]:
     if not numbers.order:
         return (REPRODUCTION.skipped("which polynomials are reproduced?", "no sum rule holds"),)
     degree, shift, defect = numbers.reproduction
-    witness: dict[str, Data] = {"degree": degree, "shift": shift, **({} if defect is None else {"defect": defect})}
+    witness: MultivariateReproductionWitness = {"degree": degree, "shift": shift}
     if defect is None:
-        why = f"it generates degree {degree} only"
+        limit = f"it generates degree {degree} only"
     else:
-        why = f"Σ a_α α^μ is not m τ^μ for μ = ({', '.join(map(str, defect))})"
-    tau = ", ".join(map(number, shift))
-    statement = f"S reproduces the polynomials of total degree {degree} with parameter shift τ = ({tau})"
-    answers = {questions.REPRODUCTION: degree}
-    return (REPRODUCTION.proved(f"{statement}, not {degree + 1}: {why}", witness, answers=answers),)
+        witness["defect"] = defect
+        limit = f"Σ a_α α^μ is not m τ^μ for μ = ({', '.join(map(str, defect))})"
+    why = f"with parameter shift τ = ({', '.join(map(number, shift))}), not {degree + 1}: {limit}"
+    statement = f"S reproduces the polynomials of total degree {degree} {why}"
+    return (REPRODUCTION.proved(statement, witness, answers={questions.REPRODUCTION: degree}, why=why),)
 
 
 _QUASI_INTERPOLATION_QUESTION = "which data have a given polynomial as limit?"
@@ -86,6 +104,7 @@ _MOST_TERMS = 12
 """The most terms of an operator or a stencil that are written out."""
 
 
+@asking((QUASI_INTERPOLATION, _QUASI_INTERPOLATION_QUESTION))
 def quasi_interpolation(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD619: the operator Q with S^∞ Q f = f for all polynomials f of the total degree that S generates.
 
@@ -109,40 +128,38 @@ def quasi_interpolation(numbers: MultivariateNumbers, facts: Facts) -> tuple[Fin
                 _QUASI_INTERPOLATION_QUESTION, f"degree {d} has too many derivatives for this effort"
             ),
         )
-    found = numbers.quasi_interpolation
-    witness: dict[str, Data] = {
+    q = numbers.quasi_interpolation
+    witness: MultivariateQuasiInterpolationWitness = {
         "degree": d,
-        "centre": found.centre,
-        "moments": _pairs(found.moments),
-        "operator": _pairs(found.operator),
-        "centred": _pairs(found.centred),
-        "stencil": _pairs(found.stencil),
+        "centre": q.centre,
+        "moments": _pairs(q.moments),
+        "operator": _pairs(q.operator),
+        "centred": _pairs(q.centred),
+        "stencil": _pairs(q.stencil),
     }
-    return (
-        QUASI_INTERPOLATION.proved(f"on polynomials of total degree {d} S^∞ Q f = f with {_formula(found)}", witness),
-    )
+    return (QUASI_INTERPOLATION.proved(f"on polynomials of total degree {d} S^∞ Q f = f with {_formula(q)}", witness),)
 
 
-def _pairs(values: Mapping[Index, Fraction]) -> tuple[tuple[Index, Fraction], ...]:
+def _pairs(values: Mapping[Index, Fraction]) -> PlacedNumbers:
     return tuple(sorted(values.items()))
 
 
-def _formula(found: QuasiInterpolation) -> str:
+def _formula(q: QuasiInterpolation) -> str:
     """The operator Q as text: `Q f(α) = (f - 1/6 f_xx)(α + (1, 1)), or the weights …`."""
-    right = partial_operator(found.centred)
-    if len(found.centred) > _MOST_TERMS:
-        text = f"Q of {len(found.operator)} derivatives"
-    elif not any(found.centre):
+    right = partial_operator(q.centred)
+    if len(q.centred) > _MOST_TERMS:
+        text = f"Q of {len(q.operator)} derivatives"
+    elif not any(q.centre):
         text = f"Q f = {right}"
     else:
-        text = f"Q f(α) = {right if len(found.centred) == 1 else f'({right})'}(α + {_tuple(found.centre)})"
-    if len(found.stencil) == 1:
+        text = f"Q f(α) = {right if len(q.centred) == 1 else f'({right})'}(α + {_tuple(q.centre)})"
+    if len(q.stencil) == 1:
         return text
-    if len(found.stencil) > _MOST_TERMS:
-        return f"{text}, a stencil of {len(found.stencil)} weights"
+    if len(q.stencil) > _MOST_TERMS:
+        return f"{text}, a stencil of {len(q.stencil)} weights"
     places: dict[Fraction, list[Index]] = {}
-    for j in sorted(found.stencil, key=lambda j: (-abs(found.stencil[j]), j)):
-        places.setdefault(found.stencil[j], []).append(j)
+    for j in sorted(q.stencil, key=lambda j: (-abs(q.stencil[j]), j)):
+        places.setdefault(q.stencil[j], []).append(j)
     weights = "; ".join(f"{number(x)} at {', '.join(map(_tuple, places[x]))}" for x in places)
     return f"{text}, a stencil with the weights {weights}"
 

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import gcd
 
 from subdiv_cli.exact.algebraic import isolated, number_of, power
 from subdiv_cli.exact.closed import exponent
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
-from subdiv_cli.model import ClosedForm, Data, Root, unpowered
+from subdiv_cli.kinds.multivariate.witnesses import (
+    DirectionalNormsWitness,
+    DirectionalSmoothnessWitness,
+    GrowthProof,
+)
+from subdiv_cli.model import ClosedForm, Root, unpowered
 
 ANISOTROPIC = "smoothness is decided for isotropic dilations only"
 
@@ -35,17 +41,27 @@ def multivariate_exponent(m: int, s: int, length: int, root: Root) -> ClosedForm
     return None if raised is None else exponent(base, divisor // common, isolated(raised))
 
 
-def growth_proof(numbers: MultivariateNumbers) -> dict[str, Data]:
+def largest_norm(witness: DirectionalNormsWitness | DirectionalSmoothnessWitness, factor: int) -> tuple[int, Fraction]:
+    """The pair (L, x) of directional norms with the largest x^(1/L), each x over factor^L."""
+    pairs = [(n, x / factor**n) for n, x in zip(witness["levels"], witness["norms"], strict=True)]
+    level, largest = pairs[0]
+    for n, x in pairs[1:]:
+        if x**level > largest**n:
+            level, largest = n, x
+    return level, largest
+
+
+def growth_proof(numbers: MultivariateNumbers) -> GrowthProof:
     """The numbers by which certificates show the growth Λ of mean squares, where that is known."""
-    found = numbers.mean_squares
-    assert found is not None
-    assert found.growth is not None
-    growth = found.growth
+    means = numbers.mean_squares
+    assert means is not None
+    assert means.growth is not None
+    growth = means.growth
     return {
         "polynomial": tuple(int(c) for c in growth.radius.minimal_polynomial),
         "low": growth.low,
         "high": growth.high,
         "cofactor": growth.cofactor_coefficients(),
-        "window": found.window,
-        "pairs": found.pairs,
+        "window": means.window,
+        "pairs": means.pairs,
     }

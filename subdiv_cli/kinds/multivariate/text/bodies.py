@@ -33,6 +33,7 @@ class CoefficientGrid(NamedTuple):
     coefficients: Nested
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (entry for _, entry in self._entries())
 
     def _entries(self) -> Iterator[tuple[Index, Expression]]:
@@ -50,6 +51,7 @@ class Terms(NamedTuple):
     terms: tuple[tuple[Index, Expression], ...]
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (entry for _, entry in self.terms)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
@@ -64,6 +66,7 @@ class LaurentSymbol(NamedTuple):
     expression: Expression
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (self.expression,)
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
@@ -88,6 +91,7 @@ class BoxSplineMask(NamedTuple):
     multiplicities: tuple[int, ...]
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return ()
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:
@@ -113,6 +117,7 @@ class Tensor(NamedTuple):
     factors: tuple[Coefficients | Symbol, ...]
 
     def expressions(self) -> Iterable[Expression]:
+        """The expressions of the body, each of which may have parameters."""
         return (entry for factor in self.factors for entry in factor.expressions())
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> MultivariateScheme | None:

@@ -45,8 +45,8 @@ def _directions(inner: Table) -> tuple[Index, ...] | None:
         return None
     fault = None
     if not isinstance(value, list) or not value:
-        said = "an empty list" if value == [] else described(value)
-        fault = Fault(faults.WRONG_TYPE, f"directions must be a list of vectors, not {said}", _HELP)
+        given = "an empty list" if value == [] else described(value)
+        fault = Fault(faults.WRONG_TYPE, f"directions must be a list of vectors, not {given}", _HELP)
     elif len(value) > MAX_FACTORS:
         fault = Fault(
             faults.OUT_OF_BOUNDS, f"{len(value)} directions; the limit is {MAX_FACTORS}", "use multiplicities"
@@ -55,9 +55,9 @@ def _directions(inner: Table) -> tuple[Index, ...] | None:
         inner.problems.add(fault, path)
         return None
     assert isinstance(value, list), "anything else is a fault"
-    found = [integer_list(x, (*path, i), inner.problems, "a direction", _HELP) for i, x in enumerate(value)]
-    directions = tuple(direction for direction in found if direction is not None)
-    if len(directions) < len(found):
+    read = [integer_list(x, (*path, i), inner.problems, "a direction", _HELP) for i, x in enumerate(value)]
+    directions = tuple(direction for direction in read if direction is not None)
+    if len(directions) < len(read):
         return None
     if fault := _of_directions(directions):
         inner.problems.add(fault, path)
@@ -88,39 +88,39 @@ def _multiplicities(inner: Table, count: int) -> tuple[int, ...] | None:
     if "multiplicities" not in inner.data:
         return (1,) * count
     path = (*inner.path, "multiplicities")
-    found = integer_list(inner.data["multiplicities"], path, inner.problems, "multiplicities", _HELP)
-    if found is None:
+    counts = integer_list(inner.data["multiplicities"], path, inner.problems, "multiplicities", _HELP)
+    if counts is None:
         return None
     fault = None
-    if len(found) != count:
+    if len(counts) != count:
         fault = Fault(
-            faults.BAD_SHAPE, f"{len(found)} multiplicities for {count} directions", "give each direction one"
+            faults.BAD_SHAPE, f"{len(counts)} multiplicities for {count} directions", "give each direction one"
         )
-    elif min(found) < 1:
+    elif min(counts) < 1:
         fault = Fault(
-            faults.OUT_OF_BOUNDS, f"a multiplicity must be at least 1, not {min(found)}", "leave the direction out"
+            faults.OUT_OF_BOUNDS, f"a multiplicity must be at least 1, not {min(counts)}", "leave the direction out"
         )
-    elif sum(found) > MAX_FACTORS:
+    elif sum(counts) > MAX_FACTORS:
         fault = Fault(
-            faults.OUT_OF_BOUNDS, f"{sum(found)} factors; the limit is {MAX_FACTORS}", "use smaller multiplicities"
+            faults.OUT_OF_BOUNDS, f"{sum(counts)} factors; the limit is {MAX_FACTORS}", "use smaller multiplicities"
         )
     if fault:
         inner.problems.add(fault, path)
         return None
-    return found
+    return counts
 
 
 def rank(vectors: tuple[Index, ...]) -> int:
     """The dimension of the span of integer vectors, by elimination."""
     rows = [list(map(Fraction, vector)) for vector in vectors]
-    found = 0
+    pivots = 0
     for column in range(len(vectors[0])):
-        pivot = next((i for i in range(found, len(rows)) if rows[i][column]), None)
+        pivot = next((i for i in range(pivots, len(rows)) if rows[i][column]), None)
         if pivot is None:
             continue
-        rows[found], rows[pivot] = rows[pivot], rows[found]
-        for row in rows[found + 1 :]:
-            factor = row[column] / rows[found][column]
-            row[:] = [x - factor * y for x, y in zip(row, rows[found], strict=True)]
-        found += 1
-    return found
+        rows[pivots], rows[pivot] = rows[pivot], rows[pivots]
+        for row in rows[pivots + 1 :]:
+            factor = row[column] / rows[pivots][column]
+            row[:] = [x - factor * y for x, y in zip(row, rows[pivots], strict=True)]
+        pivots += 1
+    return pivots

@@ -32,8 +32,8 @@ class Dilation:
             fault = Fault(faults.WRONG_TYPE, f"dilation must be an integer or a matrix, not {described(value)}", HELP)
             self._problems.add(fault, self.path)
         elif not 2 <= value <= MAX_ARITY:
-            said = str(value) if value.bit_length() < 64 else "a long number"
-            fault = Fault(faults.OUT_OF_BOUNDS, f"dilation must be between 2 and {MAX_ARITY}, not {said}", HELP)
+            given = str(value) if value.bit_length() < 64 else "a long number"
+            fault = Fault(faults.OUT_OF_BOUNDS, f"dilation must be between 2 and {MAX_ARITY}, not {given}", HELP)
             self._problems.add(fault, self.path)
         else:
             self.factor = value
@@ -54,11 +54,11 @@ class Dilation:
 
 def _matrix(value: list[object], path: KeyPath, problems: Collector) -> IntMatrix | None:
     """The rows of an expanding matrix; None where they are wrong, which is recorded."""
-    found = [
+    read = [
         integer_list(row, (*path, i), problems, "a row of the dilation matrix", HELP) for i, row in enumerate(value)
     ]
-    rows = tuple(row for row in found if row is not None)
-    if len(rows) < len(found):
+    rows = tuple(row for row in read if row is not None)
+    if len(rows) < len(read):
         return None
     fault = _wrong_shape(rows) or _wrong_eigenvalues(rows)
     if fault:

@@ -22,12 +22,12 @@ _NESTED = 'write a list of rows: coefficients = [["1/4", "1/2"], ["1/2", 1]]'
 def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> CoefficientGrid | None:
     """The body that `start` and `coefficients` give; None where something is wrong, which is recorded."""
     problems = table.problems
-    start = _start(table)
     path = (*table.path, "coefficients")
     shape = _shape(table.data["coefficients"], path, problems)
     if shape is None:
         return None
     matrix = dilation.of(len(shape))
+    start = _start(table, len(shape))
     if start is not None and len(start) != len(shape):
         plural = "" if len(start) == 1 else "s"
         message = f"start has {len(start)} component{plural}, and coefficients are nested {len(shape)} deep"
@@ -39,13 +39,11 @@ def read_grid(table: Table, dilation: Dilation, parameters: Collection[str]) -> 
     return CoefficientGrid(dilation=matrix, start=start, coefficients=entries)
 
 
-def _start(table: Table) -> Index | None:
-    """The index of the first coefficient; None where it is wrong or missing, which is recorded."""
-    help = "write the index of the first coefficient: start = [-1, -1]"
-    if "start" not in table.data:
-        table.missing("start", "start is missing", help)
-        return None
-    return integer_list(table.data["start"], (*table.path, "start"), table.problems, "start", help)
+def _start(table: Table, dimension: int) -> Index | None:
+    """The index of the first coefficient, zero where it is left out; None where it is wrong, which is recorded."""
+    help = "write the index of the first coefficient, start = [-1, -1], or leave it out: it only shifts the limit"
+    given = table.data.get("start", [0] * dimension)
+    return integer_list(given, (*table.path, "start"), table.problems, "start", help)
 
 
 def _shape(value: object, path: KeyPath, problems: Collector) -> tuple[int, ...] | None:
@@ -94,12 +92,12 @@ class _Rows:
             return None
         assert isinstance(value, list), "anything else is a fault"
         last = depth == len(self._shape) - 1
-        found = [
+        read = [
             self._entry(entry, (*path, i)) if last else self.read(entry, (*path, i), depth + 1)
             for i, entry in enumerate(value)
         ]
-        entries = tuple(entry for entry in found if entry is not None)
-        return entries if len(entries) == len(found) else None
+        entries = tuple(entry for entry in read if entry is not None)
+        return entries if len(entries) == len(read) else None
 
     def _entry(self, value: object, path: KeyPath) -> Expression | None:
         """The coefficient at `path`; None where it is wrong, or one too many."""
@@ -138,26 +136,26 @@ def read_terms(table: Table, dilation: Dilation, parameters: Collection[str]) ->
     if fault:
         problems.add(fault, path)
         return None
-    found: dict[Index, Expression | None] = {}
+    entries: dict[Index, Expression | None] = {}
     work = Work()
     for key, value in inner.data.items():
         entry = read_number(value, (*path, key), parameters, problems, work)
         try:
             index = index_of_key(key)
-            _fits(index, found)
+            _fits(index, entries)
         except Fault as wrong:
             problems.add(wrong, (*path, key), of_key=True)
             continue
-        found[index] = entry
-    matrix = dilation.of(len(next(iter(found)))) if found else None
-    terms = tuple((index, entry) for index, entry in found.items() if entry is not None)
+        entries[index] = entry
+    matrix = dilation.of(len(next(iter(entries)))) if entries else None
+    terms = tuple((index, entry) for index, entry in entries.items() if entry is not None)
     return Terms(dilation=matrix, terms=terms) if matrix is not None and len(terms) == len(inner.data) else None
 
 
-def _fits(index: Index, found: dict[Index, Expression | None]) -> None:
+def _fits(index: Index, entries: dict[Index, Expression | None]) -> None:
     """Raises Fault for an index of another length than the first (SD023), and for one that was there (SD015)."""
-    if found and len(index) != len(first := next(iter(found))):
+    if entries and len(index) != len(first := next(iter(entries))):
         message = f"an index with {len(index)} components, and the first one has {len(first)}"
         raise Fault(faults.BAD_SHAPE, message, "give each index one for each variable")
-    if index in found:
+    if index in entries:
         raise Fault(faults.DUPLICATE_KEY, f"the index {','.join(map(str, index))} is given twice")

@@ -27,12 +27,13 @@ def integer_list(value: object, path: KeyPath, problems: Collector, what: str, h
     entries: list[int] = []
     for i, entry in enumerate(value):
         if isinstance(entry, bool) or not isinstance(entry, int):
-            said = f'the string "{shown(entry)}"' if isinstance(entry, str) else described(entry)
-            problems.add(Fault(faults.WRONG_TYPE, f"an integer was expected, not {said}", help), (*path, i))
+            given = f'the string "{shown(entry)}"' if isinstance(entry, str) else described(entry)
+            problems.add(Fault(faults.WRONG_TYPE, f"an integer was expected, not {given}", help), (*path, i))
         elif abs(entry) > MAX_INDEX:
-            said = str(entry) if entry.bit_length() < 64 else "a long number"
+            given = str(entry) if entry.bit_length() < 64 else "a long number"
             problems.add(
-                Fault(faults.OUT_OF_BOUNDS, f"{said} is beyond {MAX_INDEX} in size", "use smaller integers"), (*path, i)
+                Fault(faults.OUT_OF_BOUNDS, f"{given} is beyond {MAX_INDEX} in size", "use smaller integers"),
+                (*path, i),
             )
         else:
             entries.append(entry)

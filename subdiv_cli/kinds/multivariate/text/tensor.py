@@ -31,9 +31,9 @@ def read_tensor(table: Table, dilation: Dilation, parameters: Collection[str]) -
         table.problems.add(fault, path)
         return None
     assert isinstance(value, list), "anything else is a fault"
-    found = [_factor(factor, (*path, i), table, parameters) for i, factor in enumerate(value)]
-    factors = tuple(factor for factor in found if factor is not None)
-    if len(factors) < len(found) or not _agree(factors, dilation, table):
+    read = [_factor(factor, (*path, i), table, parameters) for i, factor in enumerate(value)]
+    factors = tuple(factor for factor in read if factor is not None)
+    if len(factors) < len(read) or not _agree(factors, dilation, table):
         return None
     return Tensor(factors)
 

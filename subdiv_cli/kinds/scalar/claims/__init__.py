@@ -17,7 +17,7 @@ CLAIMS: Mapping[str, Callable[[Proof, Finding], list[int]]] = {
     rules.SUM_RULES.code: lambda proof, _: [proof.sum_rules(0)],
     rules.GENERATION.code: structure.generation,
     rules.REPRODUCTION.code: structure.reproduction,
-    rules.DERIVED_SCHEMES.code: structure.derived,
+    rules.DERIVED_SCHEMES.code: structure.derived_schemes,
     rules.CONVERGENCE.code: smoothness.convergence,
     rules.EIGEN_CONDITION.code: structure.eigen_condition,
     rules.CONTRACTIVITY.code: smoothness.contractivity,
@@ -47,4 +47,4 @@ def claims_of(analysis: Analysis) -> Proofs:
     """The claims that prove what was found of a scalar mask."""
     scheme, findings = analysis.scheme, analysis.findings
     proof = Proof(scheme.arity, scheme.degree, findings)
-    return proofs(proof.claims, canonical(scheme), findings, lambda found: CLAIMS[found.code](proof, found))
+    return proofs(proof.claims, canonical(scheme), findings, lambda finding: CLAIMS[finding.code](proof, finding))

@@ -6,17 +6,25 @@ Sum rules, norms, products of transition matrices, stability, reduction steps. M
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import cast
 
-from subdiv_cli.certificate.claims import Claims, Json
-from subdiv_cli.certificate.witness import as_cofactors, as_integer, as_polynomial, as_rational, as_tuple, as_word
+from subdiv_cli.certificate.claims import Claims, Json, polynomial
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar import rules
 from subdiv_cli.kinds.scalar.claims import radius
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.scalar.witnesses import (
+    ContractivityWitness,
+    ConvergenceWitness,
+    JointRadiusWitness,
+    ProductWitness,
+    ReductionWitness,
+    StabilityWitness,
+)
+from subdiv_cli.model import DECIDED, Finding, Verdict
 from subdiv_cli.model.closed import rational
+from subdiv_cli.model.findings import proof_of
+from subdiv_cli.model.proofs import RadiusProof
 
 
 class Proof:
@@ -28,19 +36,22 @@ class Proof:
     def __init__(self, p: int, degree: int, findings: Sequence[Finding]) -> None:
         self.p = p
         self.claims = Claims()
-        self.found = Facts(findings)
-        self.contractions = [f for f in self.found.all(rules.CONTRACTIVITY) if f.verdict is Verdict.PROVED]
+        self.facts = Facts(findings)
+        self.contractions = [
+            rules.CONTRACTIVITY.witness_of(finding)
+            for finding in self.facts.all(rules.CONTRACTIVITY)
+            if finding.verdict is Verdict.PROVED
+        ]
+        """The witnesses of the derived schemes that contract."""
         self.degrees = [degree]
         self.reductions: list[int] = []
-        self.radii = {
-            f.witness["of"]: f for f in findings if f.code == rules.JOINT_RADIUS.code and f.verdict is Verdict.PROVED
-        }
         self.families: list[None] = []
         """One entry for each family that has a number."""
         self._family_claims: dict[tuple[int, int], int] = {}
-        self.orders = {0: as_integer(self.found[rules.SUM_RULES].witness.get("order", 0))}
-        if (reduction := self.found.find(rules.REDUCTION)) is not None:
-            self._reduce(reduction.witness)
+        decided = self.facts.verdict(rules.SUM_RULES) in DECIDED
+        self.orders = {0: self.facts.witness(rules.SUM_RULES)["order"] if decided else 0}
+        if rules.REDUCTION in self.facts:
+            self._reduce(self.facts.witness(rules.REDUCTION))
         self.last = len(self.degrees) - 1
 
     def add(
@@ -57,8 +68,8 @@ class Proof:
 
     def sum_rules(self, mask: int) -> int:
         """The claim that this mask has sum rules of its order and no higher one."""
-        witness = self.found[rules.SUM_RULES if mask == 0 else rules.REDUCTION].witness
-        quotient = as_polynomial(witness["cofactor_start"], witness["cofactor"])
+        witness = self.facts.witness(rules.SUM_RULES) if mask == 0 else self.facts.witness(rules.REDUCTION)
+        quotient = polynomial(witness["cofactor_start"], witness["cofactor"])
         order = self.orders[mask]
         work = (self.degrees[mask] + 1) * (order + 1) * self.p
         return self.add("sum-rules", {"mask": mask, "order": order}, {"quotient": quotient}, work=work)
@@ -89,18 +100,17 @@ class Proof:
             self._family_claims[mask, nu] = self.add("transition", statement, uses=uses, work=work, name="family")
         return self._family_claims[mask, nu]
 
-    def contraction(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
+    def contraction(self, mask: int, witness: ContractivityWitness | ConvergenceWitness) -> list[int]:
         """The claims, in the order in which conclusions use them, by which a derived scheme of this mask contracts."""
         if "radius_of" in witness:
             return radius.claims(self, mask)
-        nu, level = as_integer(witness["nu"]), as_integer(witness["level"])
-        return [self.norm(mask, nu, level, as_rational(witness["norm"]))]
+        return [self.norm(mask, witness["nu"], witness["level"], witness["norm"])]
 
-    def obstacle(self, mask: int, order: int, witness: Mapping[str, Data]) -> int:
+    def obstacle(self, mask: int, order: int, witness: ProductWitness) -> int:
         """The claim that keeps a stable φ of this mask from being C^order."""
         if "word" not in witness:
             return self.sum_rules(mask)
-        word = as_word(witness)
+        word = witness["word"]
         return self.product(mask, word, self._radius(mask, word, Fraction(1, self.p ** (order * len(word)))))
 
     def _radius(self, mask: int, word: Sequence[int], least: Fraction) -> Fraction:
@@ -108,41 +118,55 @@ class Proof:
 
         The larger one is that of SD312, if it is of this product and large enough.
         """
-        witness = (
-            self.found[rules.HOLDER_UPPER].witness if rules.HOLDER_UPPER in self.found and mask == self.last else {}
-        )
-        if "radius" not in witness or as_word(witness) != tuple(word):
+        if mask != self.last or self.facts.verdict(rules.HOLDER_UPPER) not in DECIDED:
             return least
-        return max(least, as_rational(witness["radius"]))
+        witness = self.facts.witness(rules.HOLDER_UPPER)
+        return max(least, witness["radius"]) if witness.get("word") == tuple(word) else least
 
-    def independent(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
+    def radius(self, mask: int) -> tuple[JointRadiusWitness, RadiusProof]:
+        """The witness and the proof that SD310 has for this mask."""
+        name = "S" if mask == 0 else "S0"
+        proved = (finding for finding in self.facts.all(rules.JOINT_RADIUS) if finding.verdict is Verdict.PROVED)
+        return next(
+            (witness, proof_of(finding, RadiusProof))
+            for finding in proved
+            if (witness := rules.JOINT_RADIUS.witness_of(finding))["of"] == name
+        )
+
+    def independent(self, mask: int, witness: StabilityWitness) -> list[int]:
         """The claims that the integer translates of φ of this mask are linearly independent."""
-        if "cofactors" not in witness or len(as_tuple(witness["gcd"])) > 1:
+        if "cofactors" not in witness or len(witness["gcd"]) > 1:
             return []
         work = 20 * (self.degrees[mask] + 1) ** 2
-        return [self.add("independent", {"mask": mask, "holds": True}, {"cofactors": as_cofactors(witness)}, work=work)]
+        return [self.add("independent", {"mask": mask, "holds": True}, {"cofactors": _cofactors(witness)}, work=work)]
 
-    def stable(self, mask: int, witness: Mapping[str, Data]) -> list[int]:
+    def stable(self, mask: int, witness: StabilityWitness) -> list[int]:
         """The claims that the integer translates of φ of this mask are stable."""
         if "cofactors" not in witness:
             return []
         statement, n = {"mask": mask, "holds": True}, self.degrees[mask] + 1
         if independent := self.independent(mask, witness):
             return [self.add("stable", statement, uses=independent)]
-        hints = {"gcd": as_polynomial(0, witness["gcd"]), "cofactors": as_cofactors(witness)}
+        hints = {"gcd": polynomial(0, witness["gcd"]), "cofactors": _cofactors(witness)}
         return [self.add("stable", statement, hints, work=20 * n**2 + n**3)]
 
     def last_stable(self) -> list[int]:
         """The claims that the last mask is stable."""
         if not self.last:
-            return self.stable(0, self.found[rules.STABILITY].witness)
-        return self.stable(self.last, cast(Mapping[str, Data], self.found[rules.REDUCTION].witness["stable"]))
+            return self.stable(0, self.facts.witness(rules.STABILITY))
+        return self.stable(self.last, self.facts.witness(rules.REDUCTION)["stable"])
 
-    def _reduce(self, witness: Mapping[str, Data]) -> None:
-        steps = zip(*(as_tuple(witness[key]) for key in ("factors", "starts", "masks")), strict=True)
+    def _reduce(self, witness: ReductionWitness) -> None:
+        steps = zip(witness["factors"], witness["starts"], witness["masks"], strict=True)
         for number, (factor, start, mask) in enumerate(steps):
             statement = {"from": number, "to": number + 1}
-            hints = {"factor": as_polynomial(0, factor), "mask": as_polynomial(start, mask)}
+            hints = {"factor": polynomial(0, factor), "mask": polynomial(start, mask)}
             self.reductions.append(self.add("reduction", statement, hints, work=(self.degrees[number] + 1) ** 2))
-            self.degrees.append(len(as_tuple(mask)) - 1)
-        self.orders[len(self.degrees) - 1] = as_integer(witness["order"])
+            self.degrees.append(len(mask) - 1)
+        self.orders[len(self.degrees) - 1] = witness["order"]
+
+
+def _cofactors(witness: StabilityWitness) -> list[Json]:
+    """The cofactors of a witness, one polynomial for each polyphase component."""
+    pairs = zip(witness["starts"], witness["cofactors"], strict=True)
+    return [polynomial(start, coefficients) for start, coefficients in pairs]

@@ -34,10 +34,10 @@ def estimated_exponent(numbers: ScalarNumbers, lower: float | None, upper: float
     if lower is None or upper is None or numbers.effort.struck:
         return None
     period = 1 if product is None else len(product.word)
-    found = extrapolated_exponent(numbers.difference(numbers.order), numbers.p, period, Effort(_WORK))
-    if found is None:
+    extrapolated = extrapolated_exponent(numbers.difference(numbers.order), numbers.p, period, Effort(_WORK))
+    if extrapolated is None:
         return None
-    value, places = found
+    value, places = extrapolated
     low, high, unit = Fraction(lower), Fraction(upper), Fraction(1, 10**places)
     worth = high - low > unit and low - unit <= Fraction(value) <= high + unit
     return f"{value:.{places}f}" if worth else None

@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from math import gcd
 
+from subdiv_cli.exact.text import truncated
+from subdiv_cli.kinds.scalar.numbers.nearby import nearby
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.model import Data
 
@@ -72,10 +74,11 @@ _NEAR = Fraction(1, 1000)
 
 def hints(scheme: ScalarScheme) -> tuple[str, ...]:
     """The sentences on what looks like a slip in a mask; none where nothing does."""
+    decimals = tuple(_cut_decimals(scheme)) or tuple(_irrational(scheme))
     return (
         *_arity(scheme),
-        *_normalisation(scheme),
-        *_cut_decimals(scheme),
+        *(() if decimals else _normalisation(scheme)),
+        *decimals,
         *_shifted_interpolation(scheme),
     )
 
@@ -119,6 +122,20 @@ def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
             meant = ", ".join(f'{_decimal(c)} for "{q}"' for c, q in dict(pairs).items())
             yield f"cut decimals? {meant} would give residue sums of exactly 1."
             return
+
+
+def _irrational(scheme: ScalarScheme) -> Iterator[str]:
+    """A hint for the decimals of an irrational filter: a mask so near that these are its digits too, with sum rules."""
+    found = nearby(scheme)
+    if found is None:
+        return
+    rules = "1 sum rule holds" if found.rules == 1 else f"{found.rules} sum rules hold"
+    times = "" if found.scale is None else f" times {found.scale}"
+    yield (
+        f"decimals of an irrational filter? {rules} to the digits given, {found.exact or 'none'} exactly. All hold for "
+        f"a mask near this one{times}, whose coefficients differ by {truncated(found.distance, 3)} at most; its "
+        f'exponents are those of the filter to some digits only: symbol = "{found.symbol}"'
+    )
 
 
 def _cut_decimals_with_right_sums(scheme: ScalarScheme) -> Iterator[str]:

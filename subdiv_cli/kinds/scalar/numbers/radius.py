@@ -32,10 +32,11 @@ from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import WordProduct, best_product, radius_bound
-from subdiv_cli.jsr.result import Radius, root_data
+from subdiv_cli.jsr.result import Radius
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
-from subdiv_cli.model import Data, Effort, Interval, Root, logarithm
+from subdiv_cli.model import Effort, Interval, Root, logarithm
+from subdiv_cli.model.proofs import RadiusProof, root_data
 
 _LARGEST_ORDER = 40
 """The largest order of G."""
@@ -63,8 +64,17 @@ def positive_radius(d: Laurent, p: int) -> Radius | None:
         return None
     root = isolated(largest)
     bounded = _is_bounded(spectrum, largest)
-    proof: dict[str, Data] = {"rule": "positive-symbol", "length": 1, "root": root_data(root), "bounded": bounded}
-    return Radius((letter,), (1, root), (1, root.high), bounded, proof | square)
+    power, squares, rest = square
+    proof: RadiusProof = {
+        "rule": "positive-symbol",
+        "length": 1,
+        "root": root_data(root),
+        "bounded": bounded,
+        "power": power,
+        "squares": squares,
+        "rest": rest,
+    }
+    return Radius((letter,), (1, root), (1, root.high), bounded, proof)
 
 
 def in_two_cosine(c: Sequence[fmpq]) -> fmpq_poly:
@@ -77,8 +87,8 @@ def in_two_cosine(c: Sequence[fmpq]) -> fmpq_poly:
     return total
 
 
-def _as_square(h: fmpq_poly) -> dict[str, Data] | None:
-    """The parts of H(y) = (y+2)^power squares(y)² rest(y) with rest > 0 on [-2, 2]; None where H < 0 in there."""
+def _as_square(h: fmpq_poly) -> tuple[int, tuple[Fraction, ...], tuple[Fraction, ...]] | None:
+    """The power, squares and rest > 0 with H(y) = (y+2)^power squares(y)² rest(y) on [-2, 2]; None where H < 0."""
     lead, factors = h.numer().factor()
     power, squares, rest = 0, fmpq_poly([1]), fmpq_poly([fmpq(lead, h.denom())])
     for g, multiplicity in factors:
@@ -92,8 +102,7 @@ def _as_square(h: fmpq_poly) -> dict[str, Data] | None:
             rest *= fmpq_poly(g)
     if rest(fmpq(2)) <= 0:
         return None
-    as_data = [tuple(to_fraction(x) for x in f) for f in (squares, rest)]
-    return {"power": power, "squares": as_data[0], "rest": as_data[1]}
+    return power, tuple(map(to_fraction, squares)), tuple(map(to_fraction, rest))
 
 
 def _vanishes_between(g: fmpz_poly) -> bool:
@@ -177,7 +186,7 @@ def _by_norms(d: Laurent, p: int, product: WordProduct | None, effort: Effort, l
 
 
 def _norm_radius(product: WordProduct | None, level: int, norm: Fraction, *, exact: bool) -> Radius:
-    proof: dict[str, Data] = {"rule": "norm", "length": level, "bound": norm}
+    proof: RadiusProof = {"rule": "norm", "length": level, "bound": norm}
     root = Root((-norm.numerator, norm.denominator), norm, norm)
     if exact:
         proof["root"] = root_data(root)

@@ -20,6 +20,7 @@ from subdiv_cli.kinds.scalar.numbers.operators import (
 )
 from subdiv_cli.kinds.scalar.numbers.polynomials import residue_sums, sum_rules
 from subdiv_cli.kinds.scalar.numbers.radius import difference_radius
+from subdiv_cli.kinds.scalar.numbers.sobolev import Growth, mean_square_growth, transfer_order
 from subdiv_cli.kinds.scalar.numbers.spectra import Spectrum, spectrum
 from subdiv_cli.kinds.scalar.numbers.stability import (
     ReductionStep,
@@ -45,10 +46,12 @@ class ScalarNumbers:
 
     @cached_property
     def symbol(self) -> Laurent:
+        """The symbol a(z) = Σ a_i z^i."""
         return symbol(self.scheme)
 
     @cached_property
     def residue_sums(self) -> tuple[Fraction, ...]:
+        """The p sums Σ_β a_(γ+pβ), γ = 0, …, p-1."""
         return residue_sums(self.symbol, self.p)
 
     @cached_property
@@ -58,6 +61,7 @@ class ScalarNumbers:
 
     @cached_property
     def sum_rules(self) -> tuple[int, Laurent, Laurent]:
+        """The largest k with a = (1+z+…+z^(p-1))^k q, this q, and the remainder by one more factor."""
         return sum_rules(self.symbol, self.p)
 
     @cached_property
@@ -128,7 +132,16 @@ class ScalarNumbers:
                 return
 
     @cached_property
+    def growth(self) -> Growth | None:
+        """The growth λ of the mean squares of D = S_(Δ^k), k >= 1, of a stable mask; None where G is too large."""
+        d = self.difference(self.order)
+        if self.order < 1 or not self.effort.allows(transfer_order(d.degree, self.p) ** 3 * self.weight**2 // 4):
+            return None
+        return mean_square_growth(d, self.p)
+
+    @cached_property
     def refinement_matrices(self) -> tuple[fmpq_mat, ...]:
+        """The refinement matrices A_0, …, A_(p-1), with the indices of their window."""
         return refinement_matrices(self.scheme)
 
     @cached_property
@@ -141,6 +154,7 @@ class ScalarNumbers:
 
     @cached_property
     def polyphase_gcd(self) -> Laurent:
+        """The monic gcd of the polyphase components a_0, …, a_(p-1)."""
         return polyphase_gcd(self.symbol, self.p)
 
     @cached_property
@@ -157,6 +171,7 @@ class ScalarNumbers:
 
     @cached_property
     def circle_factors(self) -> tuple[fmpz_poly, ...]:
+        """The irreducible factors of that gcd that have a zero on |z| = 1."""
         return circle_factors(self.polyphase_gcd)
 
     @cached_property

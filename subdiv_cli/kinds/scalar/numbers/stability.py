@@ -98,8 +98,8 @@ def reduction(a: Laurent, p: int) -> tuple[ReductionStep, ...]:
     that a step is not exact.
     """
     steps: list[ReductionStep] = []
-    while (found := _unstable_factor(a, p)) is not None:
-        g, cycle = found
+    while (unstable := _unstable_factor(a, p)) is not None:
+        g, cycle = unstable
         a, remainder = (a * g).divide(g.inflate(p))
         if remainder.poly or g(1) == 0:
             raise ArithmeticError("an inexact reduction step")

@@ -40,7 +40,7 @@ def functions(scheme: ScalarScheme, effort: Effort, options: Options, certify: C
     proved, wanted = result.refinable.order, options.get("derivatives")
     if proved is None:
         return Drawing((), result, SMOOTHNESS)
-    last = min(proved, _DERIVATIVES if wanted is None else wanted)
+    last = int(min(proved, _DERIVATIVES if wanted is None else wanted))
     return Drawing(refinable(analysis.numbers, last, options["samples"]), result)
 
 
@@ -119,11 +119,11 @@ def polygons(
     else:
         low, high = first + degree - p**level + 1, first + count * p**level - 1
         reach = range(count)
-    found = []
+    pieces = []
     for column in columns:
         data = Laurent.from_coefficients(reach[0], [column[i % count] for i in reach])
-        found.append(_between(power * data.inflate(p**level), low, high))
-    return tuple(found)
+        pieces.append(_between(power * data.inflate(p**level), low, high))
+    return tuple(pieces)
 
 
 def _between(f: Laurent, low: int, high: int) -> tuple[Fraction, ...]:

@@ -24,8 +24,15 @@ from subdiv_cli.kinds.scalar.numbers.operators import refinement_window
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.values import at_fractions, support
 from subdiv_cli.kinds.scalar.portrait.sections import aligned
-from subdiv_cli.model import Data, Result, Rule, Verdict
+from subdiv_cli.kinds.scalar.witnesses import (
+    ApproximationOrderWitness,
+    ErrorBoundWitness,
+    HermiteBoundWitness,
+    QuasiInterpolationWitness,
+)
+from subdiv_cli.model import DECIDED, Data, Result, Rule
 from subdiv_cli.model.blocks import Block, Curve, Formula, Matrix, Portrait, Statements, Text, Words, sections
+from subdiv_cli.model.findings import Form
 from subdiv_cli.model.formulas import (
     brief,
     combination,
@@ -96,27 +103,24 @@ class _ScalarPage:
         self.window = refinement_window(self.numbers.scheme)
         self.own = Signal(self.numbers.scheme.start, self.numbers.scheme.coefficients)
         self.components = [Signal(a.low, a.coefficients()) for a in self.numbers.symbol.components(self.p)]
-        self.derived = self._signals(rules.DERIVED_SCHEMES, "starts", "masks")
-        self.values = self._signals(rules.INTEGER_VALUES, "starts", "values")
-        self.stencils = self._signals(rules.LIMIT_STENCILS, "starts", "stencils")
+        derived = self._witness(rules.DERIVED_SCHEMES)
+        self.derived = _signals(derived["starts"], derived["masks"]) if derived else []
+        values = self._witness(rules.INTEGER_VALUES)
+        self.values = _signals(values["starts"], values["values"]) if values else []
+        limits = self._witness(rules.LIMIT_STENCILS)
+        self.stencils = _signals(limits["starts"], limits["stencils"]) if limits else []
         self.quasi = self._witness(rules.QUASI_INTERPOLATION)
-        self.operator: tuple[Fraction, ...] = self.quasi.get("operator", ())
-        self.sequences: tuple[tuple[Fraction, ...], ...] = self.quasi.get("eigen_sequences", ())
 
-    def _witness(self, rule: Rule) -> dict[str, Any]:
-        """The witness of the last finding of a rule that was not skipped; empty where there is none."""
-        found = [f for f in self.result.findings if f.code == rule.code and f.verdict is not Verdict.SKIPPED]
-        return dict(found[-1].witness) if found else {}
-
-    def _signals(self, rule: Rule, starts: str, values: str) -> list[Signal]:
-        witness = self._witness(rule)
-        return [Signal(*pair) for pair in zip(witness.get(starts, ()), witness.get(values, ()), strict=True)]
+    def _witness(self, rule: Rule[Form]) -> Form | None:
+        """The witness of the last decided finding of a rule, None where there is none."""
+        decided = [each for each in self.result.findings if each.code == rule.code and each.verdict in DECIDED]
+        return rule.witness_of(decided[-1]) if decided else None
 
     # sections
 
-    def statements(self, *found_by: Rule) -> Iterator[Block]:
+    def statements(self, *of: Rule[Any]) -> Iterator[Block]:
         """The block with the findings of these rules, if there are any."""
-        findings = tuple(f for rule in found_by for f in self.result.findings if f.code == rule.code)
+        findings = tuple(f for rule in of for f in self.result.findings if f.code == rule.code)
         if findings:
             yield Statements(findings)
 
@@ -174,17 +178,16 @@ class _ScalarPage:
 
     def polynomials(self) -> Iterator[Block]:
         yield from self.statements(rules.GENERATION, rules.REPRODUCTION, rules.INTERPOLATORY_ORDER)
-        if self.operator:
-            yield Text("moments: " + ", ".join(f"m_{i} = {brief(m)}" for i, m in enumerate(self.quasi["moments"])))
-            yield Formula("Q f", operator(self.operator, brief))
-        if self.quasi:
-            yield aligned("", [("Q f(i)", self.quasi_stencil)], lambda by: f"f({shifted('i', by)})", brief)
-        for i, sequence in enumerate(self.sequences):
+        if (quasi := self.quasi) is None:
+            yield from self.statements(rules.APPROXIMATION_ORDER, rules.QUASI_INTERPOLATION)
+            return
+        yield Text("moments: " + ", ".join(f"m_{i} = {brief(m)}" for i, m in enumerate(quasi["moments"])))
+        yield Formula("Q f", operator(quasi["operator"], brief))
+        yield aligned("", [("Q f(i)", _quasi_stencil(quasi))], lambda by: f"f({shifted('i', by)})", brief)
+        for i, sequence in enumerate(quasi["eigen_sequences"]):
             yield Formula(f"Q {power('x', i) or '1'}", polynomial(sequence, brief))
-        if self.sequences:
-            yield Text(f"sampled at the integers, Q x^i is an eigen-sequence of S for {self.p}^-i")
-        more = () if self.operator else (rules.QUASI_INTERPOLATION,)
-        yield from self.statements(rules.APPROXIMATION_ORDER, *more)
+        yield Text(f"sampled at the integers, Q x^i is an eigen-sequence of S for {self.p}^-i")
+        yield from self.statements(rules.APPROXIMATION_ORDER)
 
     def regularity(self) -> Iterator[Block]:
         yield from self.statements(rules.CONVERGENCE, rules.SMOOTHNESS, rules.NEXT_SMOOTHNESS)
@@ -193,13 +196,9 @@ class _ScalarPage:
     # what the stages leave unsaid
 
     @property
-    def quasi_stencil(self) -> Signal:
-        return Signal(self.quasi["stencil_start"], self.quasi["stencil"])
-
-    @property
     def eigenvalues(self) -> tuple[tuple[str, ...], ...]:
-        found: tuple[tuple[str, ...], ...] = self._witness(rules.EIGEN_CONDITION).get("eigenvalues", ())
-        return found
+        witness = self._witness(rules.EIGEN_CONDITION)
+        return witness["eigenvalues"] if witness else ()
 
     @cached_property
     def matrices(self) -> tuple[tuple[tuple[Fraction, ...], ...], ...]:
@@ -234,8 +233,8 @@ class _ScalarPage:
                 cofactor.low,
                 (*factors, *([SymbolFactor(whole, 1)] if len(whole) > 1 else [])),
             )
-        content, found = numerators.factor()
-        factors += [SymbolFactor(tuple(int(c) for c in f), m, zeros=_zeros(f)) for f, m in found]
+        content, others = numerators.factor()
+        factors += [SymbolFactor(tuple(int(c) for c in f), m, zeros=_zeros(f)) for f, m in others]
         return Fraction(int(content), denominator), cofactor.low, tuple(factors)
 
     @cached_property
@@ -253,7 +252,8 @@ class _ScalarPage:
 
     def data(self) -> dict[str, Data]:
         """The JSON page: numbers are exact, sequences have the index of their first value."""
-        orders, curve = self._witness(rules.APPROXIMATION_ORDER), self.curve
+        orders, bound = self._witness(rules.APPROXIMATION_ORDER), self._witness(rules.ERROR_BOUND)
+        hermite, curve = self._witness(rules.HERMITE_BOUND), self.curve
         return {
             "mask": _signal(self.own),
             "symbol": {
@@ -272,22 +272,11 @@ class _ScalarPage:
             "support": support(self.numbers),
             "values": _by_order(self.values),
             "stencils": _by_order(self.stencils),
-            "quasi_interpolation": self._quasi_interpolation() if self.quasi else None,
-            "approximation_order": _some(orders, "with_q", "without_q"),
-            "error_bound": _some(
-                self._witness(rules.ERROR_BOUND), "constant", "norms", "level", "distance", "tolerance", "levels"
-            ),
-            "hermite_bound": _some(self._witness(rules.HERMITE_BOUND), "order", "constant"),
+            "quasi_interpolation": None if self.quasi is None else _quasi_interpolation(self.quasi),
+            "approximation_order": None if orders is None else _approximation_order(orders),
+            "error_bound": None if bound is None else _error_bound(bound),
+            "hermite_bound": None if hermite is None else _hermite_bound(hermite),
             "curve": None if curve is None else {key: getattr(curve, key) for key in _OF_CURVES},
-        }
-
-    def _quasi_interpolation(self) -> dict[str, Data]:
-        return {
-            "degree": len(self.operator) - 1,
-            "moments": self.quasi["moments"],
-            "operator": self.operator,
-            "stencil": _signal(self.quasi_stencil),
-            "eigen_sequences": self.sequences,
         }
 
 
@@ -302,9 +291,41 @@ def _by_order(signals: Sequence[Signal]) -> tuple[Data, ...]:
     return tuple({"order": order} | _signal(signal) for order, signal in enumerate(signals))
 
 
-def _some(witness: dict[str, Any], *keys: str) -> dict[str, Data] | None:
-    """The entries of a witness with these keys, None without a witness."""
-    return {key: witness[key] for key in keys} if witness else None
+def _signals(starts: Sequence[int], values: Sequence[tuple[Fraction, ...]]) -> list[Signal]:
+    return [Signal(*pair) for pair in zip(starts, values, strict=True)]
+
+
+def _quasi_stencil(quasi: QuasiInterpolationWitness) -> Signal:
+    return Signal(quasi["stencil_start"], quasi["stencil"])
+
+
+def _quasi_interpolation(quasi: QuasiInterpolationWitness) -> dict[str, Data]:
+    return {
+        "degree": quasi["degree"],
+        "moments": quasi["moments"],
+        "operator": quasi["operator"],
+        "stencil": _signal(_quasi_stencil(quasi)),
+        "eigen_sequences": quasi["eigen_sequences"],
+    }
+
+
+def _approximation_order(orders: ApproximationOrderWitness) -> dict[str, Data]:
+    return {"with_q": orders["with_q"], "without_q": orders["without_q"]}
+
+
+def _error_bound(bound: ErrorBoundWitness) -> dict[str, Data]:
+    return {
+        "constant": bound["constant"],
+        "norms": bound["norms"],
+        "level": bound["level"],
+        "distance": bound["distance"],
+        "tolerance": bound["tolerance"],
+        "levels": bound["levels"],
+    }
+
+
+def _hermite_bound(bound: HermiteBoundWitness) -> dict[str, Data]:
+    return {"order": bound["order"], "constant": bound["constant"]}
 
 
 def _zeros(f: fmpz_poly) -> tuple[str, ...]:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from subdiv_cli.exact.text import number
+from subdiv_cli.exact.text import number, valued
 from subdiv_cli.kinds.kind import Facts, Stage
-from subdiv_cli.kinds.scalar.numbers.error_bounds import best_bound
+from subdiv_cli.kinds.scalar.numbers.error_bounds import ErrorBound, best_bound
 from subdiv_cli.kinds.scalar.numbers.error_bounds import hermite_bound as best_hermite_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import CONVERGENCE, ERROR_BOUND, HERMITE_BOUND, SMOOTHNESS
-from subdiv_cli.kinds.scalar.stages.wording import integer
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.scalar.witnesses import ErrorBoundWitness, HermiteBoundWitness
+from subdiv_cli.model import Finding, Verdict
+from subdiv_cli.model.formulas import is_plain
 
 _ERROR_BOUND_QUESTION = "how close to the limit is the control polygon?"
 
@@ -42,7 +43,7 @@ def error_bound(tolerance: Fraction) -> Stage:
         if bound is None or levels is None:
             reason = "no norm of (1/p)S_1 below 1 within this effort makes a reasonable bound"
             return (ERROR_BOUND.undecided(_ERROR_BOUND_QUESTION, reason),)
-        witness: dict[str, Data] = {
+        witness: ErrorBoundWitness = {
             "nu": 0,
             "level": bound.level,
             "norms": bound.norms,
@@ -51,14 +52,28 @@ def error_bound(tolerance: Fraction) -> Stage:
             "tolerance": tolerance,
             "levels": levels,
         }
-        exponent = "k" if bound.level == 1 else f"⌊k/{bound.level}⌋"
         statement = (
-            f"‖S^∞ f - f^k‖∞ ≤ {number(bound.constant)} ({number(bound.norm)})^{exponent} ‖Δf‖∞; "
+            f"‖S^∞ f - f^k‖∞ ≤ {_geometric(bound)} ‖Δf‖∞; "
             f"{levels} level{'' if levels == 1 else 's'} bring it below {number(tolerance)} ‖Δf‖∞"
         )
         return (ERROR_BOUND.proved(statement, witness),)
 
     return run
+
+
+_LARGEST = 10**300
+"""The largest constant whose size is told: larger ones are no doubles."""
+
+
+def _geometric(bound: ErrorBound) -> str:
+    """The bound as text: `2 (3/4)^k`; a long one with its size, `5/3 (16295/16384)^⌊k/5⌋ (≈ 1.67 · 0.999^k)`."""
+    exponent = "k" if bound.level == 1 else f"⌊k/{bound.level}⌋"
+    text = f"{number(bound.constant)} ({number(bound.norm)})^{exponent}"
+    plain = bound.level == 1 and is_plain(bound.constant) and is_plain(bound.norm)
+    if plain or bound.constant > _LARGEST:
+        return text
+    rate = float(bound.norm) ** (1 / bound.level)
+    return f"{text} (≈ {float(bound.constant):.3g} · {rate:.3g}^k)"
 
 
 _HERMITE_BOUND_QUESTION = "how close to the limit is its Hermite interpolant?"
@@ -78,21 +93,21 @@ def hermite_bound(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     ((1/p)S_ν)^j; `constant`, H.
     """
     smooth = facts.verdict(SMOOTHNESS) is Verdict.PROVED and facts.verdict(CONVERGENCE) is Verdict.PROVED
-    order = min(integer(facts[SMOOTHNESS], "order"), numbers.order - 1) if smooth else 0
+    order = min(facts.witness(SMOOTHNESS)["order"], numbers.order - 1) if smooth else 0
     for nu in range(order - order % 2, 0, -2):
-        found = best_hermite_bound(numbers, nu)
-        if found is not None:
+        best = best_hermite_bound(numbers, nu)
+        if best is not None:
             break
     else:
         return (HERMITE_BOUND.skipped(_HERMITE_BOUND_QUESTION, "S_2 is not proved to converge"),)
-    witness: dict[str, Data] = {
+    witness: HermiteBoundWitness = {
         "order": nu,
-        "norms": found.bound.norms,
-        "derived_constant": found.bound.constant,
-        "level": found.level,
-        "norm": found.norm,
-        "constant": found.constant,
+        "norms": best.bound.norms,
+        "derived_constant": best.bound.constant,
+        "level": best.level,
+        "norm": best.norm,
+        "constant": best.constant,
     }
-    bound = f"{number(found.constant)} · {numbers.p}^(-{nu}k) ‖Δ^{nu} f‖∞"
+    bound = f"{valued(best.constant)} · {numbers.p}^(-{nu}k) ‖Δ^{nu} f‖∞"
     statement = f"‖S^∞ f - Q^k‖∞ ≤ {bound} for the Hermite interpolant Q^k of degree {nu - 1} at i/{numbers.p}^k"
     return (HERMITE_BOUND.proved(statement, witness),)

@@ -6,121 +6,150 @@ from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
 
-from flint import ctx, fmpq_mat
+from flint import fmpq_mat
 
-from subdiv_cli.exact.closed import closed_interval, exponent, readable
-from subdiv_cli.exact.enclosures import ball, interval
+from subdiv_cli.exact.closed import closed_interval, exponent, worded
 from subdiv_cli.exact.linalg import identity, nullspace
 from subdiv_cli.exact.rationals import to_fmpq
-from subdiv_cli.exact.text import modulus, number, rounded_down, rounded_up
+from subdiv_cli.exact.text import modulus, number, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.products import lyndon_words, radius_bound
-from subdiv_cli.jsr.result import Radius, root_data
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.kind import Facts, asking
+from subdiv_cli.kinds.radius import shown
 from subdiv_cli.kinds.scalar.numbers.estimate import estimated_exponent
 from subdiv_cli.kinds.scalar.numbers.norms import power_norms
 from subdiv_cli.kinds.scalar.numbers.operators import transition_matrices
 from subdiv_cli.kinds.scalar.numbers.radius import exponent_bound
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.rules import HOLDER_ATTAINED, HOLDER_LOWER, HOLDER_UPPER
-from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, product_witness, shown
+from subdiv_cli.kinds.scalar.rules import HOLDER_ATTAINED, HOLDER_LOWER, HOLDER_UPPER, JOINT_RADIUS, SOBOLEV
+from subdiv_cli.kinds.scalar.stages.decay import Decay, decays, logarithmic
+from subdiv_cli.kinds.scalar.stages.joint_radius import product_text, put_product
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
-from subdiv_cli.model import Data, Exponent, Finding, Interval, Verdict
+from subdiv_cli.kinds.scalar.witnesses import HolderLowerWitness, HolderUpperWitness
+from subdiv_cli.model import Exponent, Finding, Interval, Verdict
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.findings import best_of
+from subdiv_cli.model.proofs import root_data
 
 _HOLDER_LOWER_QUESTION = "how regular are the limit functions at least?"
 
 
-def holder_lower(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
-    """SD311: the Hölder exponent from below.
+@asking((HOLDER_LOWER, _HOLDER_LOWER_QUESTION))
+def holder_lower(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
+    """SD311: the Hölder exponent from below, the best bound of all that are proved.
 
     Theorem (Dyn 1992, section 3; Rioul 1992): with D = S_(Δ^k), k the sum-rule order, and ρ its joint spectral radius,
     α = -log_p ρ. If α > 0 all limit functions are in C^(α-ε) for every ε > 0; if α <= 0 it is the exponent of a
     distribution. Hypothesis k >= 1: checked. No stability is needed from below; an unstable mask is reduced first
     (SD403), which can only raise the bound. What is known of ρ is what SD310 proves: ρ^n = Λ, so that α = -log_p(Λ)/n,
-    or ρ^n <= x, so that α >= -log_p(x)/n.
+    or ρ^n <= x, so that α >= -log_p(x)/n. Also x by the norms of SD301 and, of S itself, SD201; and α >= s - 1/2, s the
+    Sobolev exponent (SD321; see decay.py).
 
     Witness: `difference_order`, k of the (reduced) mask; `radius_of`, S or S0; `length`, n; `bound`, x, or `root`, Λ
-    (polynomial, the lowest power first, low, high).
+    (polynomial, the lowest power first, low, high). Instead of `radius_of`, where another finding gives more, its code
+    as `by`, and `nu` where that has one.
 
     Raises ArithmeticError where the bound of α is no double.
     """
-    numbers = numbers.reduced
-    k, p, radius = numbers.order, numbers.p, numbers.radius
-    if k == 0:
-        return (HOLDER_LOWER.skipped(_HOLDER_LOWER_QUESTION, no_sum_rule(numbers)),)
-    if radius is None:
-        ended = "time budget" if numbers.effort.struck else "effort"
-        return (
-            HOLDER_LOWER.undecided(
-                _HOLDER_LOWER_QUESTION, f"the {ended} ended before a bound of the joint spectral radius"
-            ),
-        )
-    witness: dict[str, Data] = {"difference_order": k, "radius_of": numbers.name, "length": radius.upper[0]}
-    name = f"ρ({last_difference(numbers)})"
-    if radius.exact is not None:
-        exact = exponent(p, *radius.exact)
-        value = closed_interval(exact)
-        text = readable(exact) or f"{rounded_down(value.lower or 0.0)}…"
-        statement = f"α = {text}, as {name} = {shown(radius)}"
-        return (HOLDER_LOWER.proved(statement, {**witness, "root": root_data(radius.exact[1])}, value, exact),)
-    length, bound = radius.upper
-    with ctx.workprec(128):
-        lower = interval(-ball(bound).log() / ball(p).log() / length).lower
-    if lower is None:
-        raise ArithmeticError("a logarithm beyond the doubles")
-    statement = f"α ≥ {rounded_down(lower)}, from the bound of {name}"
-    return (HOLDER_LOWER.proved(statement, {**witness, "bound": bound}, Interval(lower=lower)),)
+    reduced = numbers.reduced
+    if reduced.order == 0:
+        return (HOLDER_LOWER.skipped(_HOLDER_LOWER_QUESTION, no_sum_rule(reduced)),)
+    exactly = [_exactly(reduced, reduced.radius)] if reduced.radius is not None and reduced.radius.exact else []
+    bounds = [*exactly, *(_at_least(decay) for decay in decays(numbers, facts))]
+    if not bounds:
+        reason = "the effort ended before a bound of the joint spectral radius"
+        return (HOLDER_LOWER.undecided(_HOLDER_LOWER_QUESTION, reason),)
+    return (best_of(bounds),)
+
+
+def _exactly(numbers: ScalarNumbers, radius: Radius) -> Finding:
+    assert radius.exact is not None
+    exact = exponent(numbers.p, *radius.exact)
+    witness: HolderLowerWitness = {
+        "difference_order": numbers.order,
+        "radius_of": numbers.name,
+        "length": radius.upper[0],
+        "root": root_data(radius.exact[1]),
+    }
+    why = f"ρ({last_difference(numbers)}) = {shown(radius)}"
+    statement = f"α = {worded(exact)}, as {why}"
+    return HOLDER_LOWER.proved(statement, witness, closed_interval(exact), exact, why=why)
+
+
+def _at_least(decay: Decay) -> Finding:
+    lower = decay.exponent.lower or 0.0
+    witness: HolderLowerWitness = {
+        "difference_order": decay.numbers.order,
+        "length": decay.length,
+        "bound": decay.bound,
+    }
+    if decay.by is JOINT_RADIUS:
+        witness["radius_of"] = decay.numbers.name
+    else:
+        witness["by"] = decay.by.code
+        if decay.by is not SOBOLEV:
+            witness["nu"] = decay.nu
+    why = f"from the bound of {decay.shown}"
+    return HOLDER_LOWER.proved(f"α ≥ {rounded_down(lower)}, {why}", witness, Interval(lower=lower), why=why)
 
 
 _HOLDER_UPPER_QUESTION = "how regular is φ at most?"
 
 
+@asking((HOLDER_UPPER, _HOLDER_UPPER_QUESTION))
 def holder_upper(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
-    """SD312: the Hölder exponent from above.
+    """SD312: the Hölder exponent from above, the best bound of all that are proved.
 
     Theorem (Cavaretta, Dahmen & Micchelli 1991; Rioul 1992): for stable φ the exponent α = -log_p JSR(D), D = S_(Δ^k),
     is the best one. For any product of ℓ transition matrices of D with an eigenvalue λ, α <= -(1/ℓ) log_p |λ|; and α <=
-    k always. Hypotheses: k >= 1, checked; stability: an unstable mask is reduced to a stable one first, whose exponent
-    is that of φ (SD403).
+    k always, and α <= s, the Sobolev exponent (SD321). Hypotheses: k >= 1, checked; stability: an unstable mask is
+    reduced to a stable one first, whose exponent is that of φ (SD403).
 
     Witness: `difference_order`, k of the (reduced) mask, the product (see obstacles.py) and `radius`, a rational lower
     bound of |λ| from which the bound is computed (|λ| itself where it is rational or where SD311 proves that α is the
-    number of this product); k alone where it is the better bound.
+    number of this product), with `by`, SD312, where it is claimed without SD311; k alone where it is the better bound;
+    `by`, SD321, with `length` 2 and `radius`, a lower bound of its λ, where that is.
     """
     numbers = numbers.reduced
-    k, product = numbers.order, numbers.product
-    if k == 0:
+    if numbers.order == 0:
         return (HOLDER_UPPER.skipped(_HOLDER_UPPER_QUESTION, no_sum_rule(numbers)),)
-    witness: dict[str, Data] = {"difference_order": k}
-    bound = None if product is None else exponent_bound(product, numbers.p)
-    if product is None or bound is None or bound.upper is None or bound.upper > k:
-        statement = f"α ≤ {k}, the sum-rule order"
-        return (_proved(numbers, facts, statement, witness, interval(Fraction(k)).upper),)
-    shown = bound.exact or _exact(numbers) or rounded_up(bound.upper)
-    size = modulus(product.eigenvalue)
-    statement = (
-        f"α ≤ {shown}: {product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
-    )
-    witness |= {**product_witness(product), "radius": radius_bound(product)}
-    return (_proved(numbers, facts, statement, witness, bound.upper),)
-
-
-def _proved(
-    numbers: ScalarNumbers, facts: Facts, statement: str, witness: dict[str, Data], upper: float | None
-) -> Finding:
-    """The finding with an estimate beside it, where the exponent is only enclosed."""
     below = facts[HOLDER_LOWER]
     lower = below.value.lower if below.value is not None and below.closed is None else None
-    estimate = estimated_exponent(numbers, lower, upper)
-    answer = Exponent(upper=upper, estimate=estimate)
-    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper), answers={questions.HOLDER_UPPER: answer})
+    bounds: list[Finding] = []
+    for upper, what, why, witness in sorted(_at_most(numbers), key=lambda bound: bound[0]):
+        answer = Exponent(upper=upper, estimate=None if bounds else estimated_exponent(numbers, lower, upper))
+        answers = {questions.HOLDER_UPPER: answer}
+        bounds.append(HOLDER_UPPER.proved(what + why, witness, Interval(upper=upper), answers=answers, why=why))
+    return (best_of(bounds),)
+
+
+def _at_most(numbers: ScalarNumbers) -> Iterator[tuple[float, str, str, HolderUpperWitness]]:
+    """The bounds with what they say, why, and their witnesses; of those that are equal the first one says most."""
+    k, p, product = numbers.order, numbers.p, numbers.product
+    bound = None if product is None else exponent_bound(product, p)
+    if product is not None and bound is not None and bound.upper is not None:
+        witness: HolderUpperWitness = {"difference_order": k}
+        put_product(witness, product)
+        witness["radius"] = radius_bound(product)
+        size = modulus(product.eigenvalue)
+        why = f"{product_text(product)} of {last_difference(numbers)} has an eigenvalue of modulus {size}"
+        rounded = bound.exact or rounded_up(bound.upper)
+        yield bound.upper, f"α ≤ {bound.exact or _exact(numbers) or rounded}: ", why, witness
+        if numbers.radius is not None and numbers.radius.exact is not None:
+            yield bound.upper, f"α ≤ {rounded}: ", why, {**witness, "by": HOLDER_UPPER.code}
+    yield float(k), f"α ≤ {k}, ", "the sum-rule order", {"difference_order": k}
+    if (growth := numbers.growth) is not None:
+        upper = logarithmic(p, 2, growth.low).upper
+        assert upper is not None
+        mean: HolderUpperWitness = {"difference_order": k, "by": SOBOLEV.code, "length": 2, "radius": growth.low}
+        yield upper, f"α ≤ {rounded_up(upper)}, ", "the Sobolev exponent", mean
 
 
 def _exact(numbers: ScalarNumbers) -> str | None:
-    """The bound as a text in closed form, where a product attains a radius that is known; None where it is long."""
+    """The bound as a text in closed form, where a product attains a radius that is known; else None."""
     radius = numbers.radius
-    return None if radius is None or radius.exact is None else readable(exponent(numbers.p, *radius.exact))
+    return None if radius is None or radius.exact is None else worded(exponent(numbers.p, *radius.exact))
 
 
 _HOLDER_ATTAINED_QUESTION = "is the Hölder exponent attained?"
@@ -129,6 +158,7 @@ _WORDS = 5
 _WORK = 4000
 
 
+@asking((HOLDER_ATTAINED, _HOLDER_ATTAINED_QUESTION))
 def holder_attained(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD313: whether the Hölder exponent is attained.
 
@@ -165,18 +195,22 @@ def _decide(numbers: ScalarNumbers, facts: Facts) -> Finding:
 def _integer(numbers: ScalarNumbers, m: int) -> Finding:
     """The finding for an integer exponent α = m, decided by products of S_(Δ^m)."""
     what = {1: "φ", 2: "φ'", 3: "φ''"}.get(m, f"φ^({m - 1})")
-    if (found := _contractive_level(numbers, m)) is not None:
-        level, norm = found
+    if (contraction := _contractive_level(numbers, m)) is not None:
+        level, norm = contraction
         shown = power(f"{numbers.name}_{m}", level)
-        statement = f"α = {m} is attained: {what} is Lipschitz, as {shown} = {number(norm * numbers.p**level)} ≤ 1"
-        return HOLDER_ATTAINED.proved(statement, {"nu": m, "by": "norm", "level": level, "norm": norm})
+        why = f"{what} is Lipschitz, as {shown} = {valued(norm * numbers.p**level)} ≤ 1"
+        return HOLDER_ATTAINED.proved(
+            f"α = {m} is attained: {why}", {"nu": m, "by": "norm", "level": level, "norm": norm}, why=why
+        )
     if (defect := _defect(numbers, m, Fraction(1, numbers.p**m))) is not None:
-        return _refuted(f"α = {m} is not attained: {what} is not Lipschitz", numbers, m, defect)
+        return _refuted(f"α = {m} is not attained: ", f"{what} is not Lipschitz: ", numbers, m, defect)
     operator = f"{numbers.name}_(Δ^{m})"
     if (radius := _closed(numbers, m)) is not None:
         body = f"an invariant polytope of {radius.vertices} vertices"
-        statement = f"α = {m} is attained: {what} is Lipschitz, as {body} bounds the products of {operator}"
-        return HOLDER_ATTAINED.proved(statement, {"nu": m, "by": "radius"}, proof=radius.proof)
+        why = f"{what} is Lipschitz, as {body} bounds the products of {operator}"
+        return HOLDER_ATTAINED.proved(
+            f"α = {m} is attained: {why}", {"nu": m, "by": "radius"}, proof=radius.proof, why=why
+        )
     reason = f"no norm of {numbers.name}_{m} is at most 1, and no short product of {operator} has a Jordan block"
     return HOLDER_ATTAINED.undecided(_HOLDER_ATTAINED_QUESTION, reason)
 
@@ -187,15 +221,16 @@ def _fractional(numbers: ScalarNumbers) -> Finding:
     assert radius.exact is not None
     operator = f"{numbers.name}_(Δ^{k})"
     if radius.bounded:
-        statement = f"α is attained: all products of L transition matrices of {operator} are bounded by C p^(-αL)"
+        why = f"all products of L transition matrices of {operator} are bounded by C p^(-αL)"
+        statement = f"α is attained: {why}"
         if radius.proof["rule"] == "norm":
             level, norm = radius.upper
             scaled = norm * numbers.p ** ((k - 1) * level)
-            return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "norm", "level": level, "norm": scaled})
-        return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "radius"})
+            return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "norm", "level": level, "norm": scaled}, why=why)
+        return HOLDER_ATTAINED.proved(statement, {"nu": k, "by": "radius"}, why=why)
     length, root = radius.exact
-    if root.low == root.high and length == 1 and (found := _defect(numbers, k, root.low)) is not None:
-        return _refuted("α is not attained", numbers, k, found)
+    if root.low == root.high and length == 1 and (defect := _defect(numbers, k, root.low)) is not None:
+        return _refuted("α is not attained: ", "", numbers, k, defect)
     return HOLDER_ATTAINED.undecided(
         _HOLDER_ATTAINED_QUESTION, f"boundedness of the products of {operator} at the radius is not decided"
     )
@@ -266,10 +301,11 @@ def _generalised(product: fmpq_mat, eigenvalue: Fraction) -> tuple[Fraction, ...
     return None
 
 
-def _refuted(statement: str, numbers: ScalarNumbers, nu: int, found: _Defect) -> Finding:
-    word, sign, value, vector = found
+def _refuted(what: str, why: str, numbers: ScalarNumbers, nu: int, defect: _Defect) -> Finding:
+    word, sign, value, vector = defect
     matrix = product_name(word)
     shown = f"{'-' if sign < 0 else ''}{number(value)}"
-    reason = f"{matrix} of {numbers.name}_(Δ^{nu}) has a Jordan block at the eigenvalue {shown}"
-    witness: dict[str, Data] = {"nu": nu, "word": word, "sign": sign, "value": value, "vector": vector}
-    return HOLDER_ATTAINED.refuted(f"{statement}: {reason}", witness)
+    why += f"{matrix} of {numbers.name}_(Δ^{nu}) has a Jordan block at the eigenvalue {shown}"
+    return HOLDER_ATTAINED.refuted(
+        what + why, {"nu": nu, "word": word, "sign": sign, "value": value, "vector": vector}, why=why
+    )

@@ -2,27 +2,58 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
+from typing import NamedTuple
 
-from flint import ctx
-
-from subdiv_cli.exact.algebraic import number_of
-from subdiv_cli.exact.enclosures import ball, interval
-from subdiv_cli.exact.text import certain, is_short, modulus, number, rounded_up
+from subdiv_cli.exact.text import modulus, number, rounded_up, valued
 from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
+from subdiv_cli.kinds.radius import enclosed, put_radius, shown
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS
+from subdiv_cli.kinds.scalar.rules import JOINT_RADIUS, SOBOLEV
 from subdiv_cli.kinds.scalar.stages.wording import last_difference, no_sum_rule, power, product_name
-from subdiv_cli.model import Data, Finding, Interval
+from subdiv_cli.kinds.scalar.witnesses import JointRadiusWitness, ObstacleWitness, ProductWitness
+from subdiv_cli.model import Finding
 
-Obstacle = tuple[str, dict[str, Data]]
+
+class Obstacle(NamedTuple):
+    """What keeps a stable φ from being smoother, in words: a product, the order of the sum rules, or a finding."""
+
+    text: str
+    product: WordProduct | None = None
+    sum_rule_order: int | None = None
+    by: str | None = None
+    """The code of that finding."""
+
+    def put_into(self, witness: ObstacleWitness) -> None:
+        """Write the obstacle into a witness."""
+        if self.sum_rule_order is not None:
+            witness["sum_rule_order"] = self.sum_rule_order
+        if self.product is not None:
+            put_product(witness, self.product)
+        if self.by is not None:
+            witness["by"] = self.by
 
 
 def obstacle_to(numbers: ScalarNumbers, m: int) -> Obstacle | None:
     """The obstacle that keeps a stable φ of these numbers from being C^m; None where none is known."""
-    return sum_rule_obstacle(numbers, m) or product_obstacle(numbers, m)
+    return next(obstacles_to(numbers, m), None)
+
+
+def obstacles_to(numbers: ScalarNumbers, m: int) -> Iterator[Obstacle]:
+    """The obstacles that are known, the cheapest one first.
+
+    That is m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e. Or a product. Or
+    the Sobolev exponent s <= m, as λ >= p^(-2m) for the growth λ of the mean squares: then α <= m.
+    """
+    if m >= (k := numbers.order):
+        yield Obstacle(f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", sum_rule_order=k)
+    if (of_product := product_obstacle(numbers, m)) is not None:
+        yield Obstacle(*of_product)
+    if (growth := numbers.growth) is not None and growth.low * numbers.p ** (2 * m) >= 1:
+        yield Obstacle(f"its Sobolev exponent is at most {m}", by=SOBOLEV.code)
 
 
 def who_is_stable(numbers: ScalarNumbers) -> str:
@@ -30,7 +61,7 @@ def who_is_stable(numbers: ScalarNumbers) -> str:
     return "φ is stable" if numbers.reduced is numbers else "φ0 of the reduced scheme is stable"
 
 
-def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
+def product_obstacle(numbers: ScalarNumbers, m: int) -> tuple[str, WordProduct] | None:
     """A product of ℓ matrices of D = S_(Δ^k) with an eigenvalue |λ| >= p^(-mℓ), compared exactly: then α <= m."""
     product, p = numbers.product, numbers.p
     bound = Fraction(1, p**m)
@@ -39,22 +70,12 @@ def product_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
     total = m * len(product.word)
     size = number(Fraction(1, p**total)) if product.compare(bound) == 0 else modulus(product.eigenvalue)
     matrices = f"{product_text(product)} of {last_difference(numbers)}"
-    return f"{matrices} has an eigenvalue of modulus {size} ≥ {threshold(p, total)}", product_witness(product)
+    return f"{matrices} has an eigenvalue of modulus {size} ≥ {threshold(p, total)}", product
 
 
 def threshold(p: int, m: int) -> str:
     """The power p^-m as text: `1`, or `1/4 = 2^-2`."""
     return f"{number(Fraction(1, p**m))} = {p}^-{m}" if m else "1"
-
-
-def sum_rule_obstacle(numbers: ScalarNumbers, m: int) -> Obstacle | None:
-    """The obstacle m >= k: α <= k always, because the transition matrices of D satisfy Σ_ε T_ε e = p^(1-k) e."""
-    k = numbers.order
-    return (
-        (f"C^{m} needs sum rules of order {m + 1}, but the mask has order {k}", {"sum_rule_order": k})
-        if m >= k
-        else None
-    )
 
 
 def product_text(product: WordProduct) -> str:
@@ -63,22 +84,21 @@ def product_text(product: WordProduct) -> str:
     return f"the transition matrix {name}" if len(product.word) == 1 else f"the product {name} of transition matrices"
 
 
-def product_witness(product: WordProduct) -> dict[str, Data]:
-    """A product as plain data: its word, its matrices multiplied from right to left, and an eigenvalue.
+def put_product(witness: ProductWitness, product: WordProduct) -> None:
+    """Write a product into a witness: its word, its matrices multiplied from right to left, and an eigenvalue.
 
     Of the eigenvalue the minimal polynomial, lowest coefficient first, and the isolating box (real part from, to;
     imaginary part from, to).
     """
-    return {
-        "word": product.word,
-        "minimal_polynomial": tuple(int(c) for c in product.eigenvalue.minimal_polynomial),
-        "box": product.eigenvalue.box(),
-    }
+    witness["word"] = product.word
+    witness["minimal_polynomial"] = tuple(int(c) for c in product.eigenvalue.minimal_polynomial)
+    witness["box"] = product.eigenvalue.box()
 
 
 _JOINT_RADIUS_QUESTION = "what is the joint spectral radius of the last difference scheme?"
 
 
+@asking((JOINT_RADIUS, _JOINT_RADIUS_QUESTION))
 def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD310: the joint spectral radius of D = S_(Δ^k), the last difference scheme.
 
@@ -100,21 +120,17 @@ def joint_radius(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     `vertices`, how many a polytope has. `proof`: the whole of it, as certificate/RADIUS.md says.
     """
     each = [numbers] if numbers.reduced is numbers else [numbers, numbers.reduced]
-    if found := tuple(_finding(one) for one in each if one.order >= 1):
-        return found
+    if findings := tuple(_finding(one) for one in each if one.order >= 1):
+        return findings
     return (JOINT_RADIUS.skipped(_JOINT_RADIUS_QUESTION, no_sum_rule(numbers)),)
 
 
 def _finding(numbers: ScalarNumbers) -> Finding:
     radius = numbers.radius
     if radius is None:
-        return JOINT_RADIUS.undecided(
-            _JOINT_RADIUS_QUESTION, f"the {'time budget' if numbers.effort.struck else 'effort'} ended before a bound"
-        )
-    witness: dict[str, Data] = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
-    if radius.word is not None:
-        witness["word"] = radius.word
-    witness |= {key: radius.proof[key] for key in ("length", "root", "bound") if key in radius.proof}
+        return JOINT_RADIUS.undecided(_JOINT_RADIUS_QUESTION, "the effort ended before a bound")
+    witness: JointRadiusWitness = {"of": numbers.name, "difference_order": numbers.order, "method": radius.method}
+    put_radius(witness, radius)
     if radius.vertices is not None:
         witness["vertices"] = radius.vertices
     name = f"ρ({last_difference(numbers)})"
@@ -123,43 +139,20 @@ def _finding(numbers: ScalarNumbers) -> Finding:
     return JOINT_RADIUS.proved(f"{name} {size}: {_how(numbers, radius)}", witness, value, proof=radius.proof)
 
 
-def enclosed(radius: Radius) -> Interval:
-    """The radius in outward doubles; only from above where it is not known exactly."""
-    length, bound = radius.upper
-    with ctx.workprec(128):
-        power = ball(1) / length
-        if radius.exact is None:
-            return Interval(upper=interval(ball(bound) ** power if length > 1 else bound).upper)
-        root = radius.exact[1]
-        if root.low == root.high and length == 1:
-            return interval(root.low)
-        return interval(number_of(root).enclosure().real ** power)
-
-
-def shown(radius: Radius) -> str:
-    """The radius as text: exactly where it is a short rational, else its digits."""
-    assert radius.exact is not None
-    length, root = radius.exact
-    if root.low == root.high and is_short(root.low):
-        return number(root.low) + (f"^(1/{length})" if length > 1 else "")
-    return certain(lambda: number_of(root).enclosure().real ** (ball(1) / length))
-
-
 def _how(numbers: ScalarNumbers, radius: Radius) -> str:
     """The method that proves the radius, in words."""
     attains = (
         f", and {product_text(numbers.product)} attains it" if numbers.product is not None and radius.exact else ""
     )
-    rule, length = radius.method, radius.proof["length"]
+    rule = radius.method
     operator = last_difference(numbers)
     if rule == "norm":
-        return f"{power(operator, radius.upper[0])} = {number(radius.upper[1])}{attains}"
+        return f"{power(operator, radius.upper[0])} = {valued(radius.upper[1])}{attains}"
     if rule == "positive-symbol":
         return f"the symbol of {operator} is not negative on |z| = 1{attains}"
     if rule == "blocks":
-        return f"it is the largest of the radii of {len(radius.proof['sizes'])} diagonal blocks{attains}"  # type: ignore[arg-type]
+        return f"it is the largest of the radii of {len(radius.proof['sizes'])} diagonal blocks{attains}"
     body = f"an invariant polytope of {radius.vertices} vertices"
     if radius.exact is None:
         return f"{body} bounds it"
-    assert length is not None
     return f"{body} closes at exactly this radius{attains}"

@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-from typing import cast
-
 from subdiv_cli.exact.algebraic import AlgebraicNumber
 from subdiv_cli.exact.text import eigenvalue, modulus, number
-from subdiv_cli.kinds.kind import ContradictionError, Facts
+from subdiv_cli.kinds.kind import ContradictionError, Facts, asking
 from subdiv_cli.kinds.scalar.numbers.operators import refinement_window
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.spectra import Spectrum, eigen_condition, limit_stencil
 from subdiv_cli.kinds.scalar.rules import EIGEN_CONDITION, RESIDUE_SUMS, SMOOTHNESS, SMOOTHNESS_SPECTRUM, STABILITY
-from subdiv_cli.kinds.scalar.stages.wording import derived_names, integer
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.scalar.stages.wording import derived_names
+from subdiv_cli.kinds.scalar.witnesses import EigenConditionWitness, SmoothnessSpectrumWitness
+from subdiv_cli.model import Finding, Verdict
 
 _EIGEN_CONDITION_QUESTION = (
     "do the refinement matrices have the simple eigenvalue 1 and all others inside the unit disc?"
 )
 
 
+@asking((EIGEN_CONDITION, _EIGEN_CONDITION_QUESTION))
 def of_scheme(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD202: the eigen-condition of a convergent scheme.
 
@@ -40,7 +40,7 @@ def of_scheme(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
             ),
         )
     eigenvalues = tuple(_listed(spectrum) for spectrum in spectra)
-    witness: dict[str, Data] = {"eigenvalues": eigenvalues}
+    witness: EigenConditionWitness = {"eigenvalues": eigenvalues}
     failing = [epsilon for epsilon, spectrum in enumerate(spectra) if not eigen_condition(spectrum, numbers.p, 0)]
     if failing:
         culprit = failing[0]
@@ -48,7 +48,7 @@ def of_scheme(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         statement = f"A_{culprit} has another eigenvalue on or outside the unit circle: {shown}"
         return (EIGEN_CONDITION.refuted(statement, {**witness, "matrix": culprit}),)
     if (stencil := limit_stencil(numbers.refinement_matrices[0])) is not None:
-        witness |= {"stencil_start": refinement_window(numbers.scheme)[0], "stencil": stencil}
+        witness = {**witness, "stencil_start": refinement_window(numbers.scheme)[0], "stencil": stencil}
     second = max((spectrum[1] for spectrum in spectra if len(spectrum) > 1), key=_size, default=None)
     largest = f"; the next one has modulus {modulus(second[0])}" if second else ""
     shown = f"; limit stencil ({', '.join(map(number, stencil))})" if stencil and len(stencil) <= 6 else ""
@@ -68,8 +68,10 @@ def _size(entry: tuple[AlgebraicNumber, int]) -> float:
 
 
 _MOST_LISTED = 6
+_SMOOTHNESS_SPECTRUM_QUESTION = "do the derived schemes meet their eigen-conditions?"
 
 
+@asking((SMOOTHNESS_SPECTRUM, _SMOOTHNESS_SPECTRUM_QUESTION))
 def of_derived_schemes(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD304: the eigen-conditions of the derived schemes.
 
@@ -87,13 +89,13 @@ def of_derived_schemes(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, .
     """
     if facts.verdict(EIGEN_CONDITION) is not Verdict.PROVED:
         reason = "the eigen-condition of S itself is not proved"
-        return (SMOOTHNESS_SPECTRUM.skipped("do the derived schemes meet their eigen-conditions?", reason),)
+        return (SMOOTHNESS_SPECTRUM.skipped(_SMOOTHNESS_SPECTRUM_QUESTION, reason),)
     spectra = numbers.spectra or ()
     largest = _largest_order(spectra, numbers)
     stable = facts.verdict(STABILITY) is Verdict.PROVED
-    if stable and facts.verdict(SMOOTHNESS) is Verdict.PROVED and integer(facts[SMOOTHNESS], "order") > largest:
+    if stable and facts.verdict(SMOOTHNESS) is Verdict.PROVED and facts.witness(SMOOTHNESS)["order"] > largest:
         raise ContradictionError("a derived scheme converges and fails its eigen-condition")
-    eigenvalues = cast("tuple[tuple[str, ...], ...]", facts[EIGEN_CONDITION].witness["eigenvalues"])
+    eigenvalues = facts.witness(EIGEN_CONDITION)["eigenvalues"]
     shown = ", ".join(eigenvalues[0][:_MOST_LISTED]) + (", …" if len(spectra[0]) > _MOST_LISTED else "")
     if numbers.order < 2:
         statement = "there is no eigen-condition to meet: sum rules of order 1 only, S_1 cannot converge"
@@ -103,7 +105,7 @@ def of_derived_schemes(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, .
         statement = f"{derived_names(largest)} {'meet their' if largest > 1 else 'meets its'} eigen-condition"
         statement += f", S_{largest + 1} does not" if largest + 1 < numbers.order else ""
         statement += f"; A_0 has the eigenvalues {shown}"
-    witness: dict[str, Data] = {"nu": largest, "eigenvalues": eigenvalues}
+    witness: SmoothnessSpectrumWitness = {"nu": largest, "eigenvalues": eigenvalues}
     return (
         SMOOTHNESS_SPECTRUM.proved(statement, witness) if largest else SMOOTHNESS_SPECTRUM.refuted(statement, witness),
     )

@@ -8,15 +8,19 @@ from flint import fmpq_poly
 
 from subdiv_cli.exact.laurent import Laurent
 from subdiv_cli.exact.text import laurent
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.numbers.stability import ReductionStep
 from subdiv_cli.kinds.scalar.rules import INDEPENDENCE, REDUCTION, STABILITY
 from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED
-from subdiv_cli.model import Data, Finding, Verdict
-from subdiv_cli.model.findings import Witness
+from subdiv_cli.kinds.scalar.witnesses import ReductionWitness, StabilityWitness
+from subdiv_cli.model import Finding, Verdict
+
+_INDEPENDENCE_QUESTION = "are the integer translates of φ linearly independent?"
+_STABILITY_QUESTION = "are the integer translates of φ stable?"
 
 
+@asking((INDEPENDENCE, _INDEPENDENCE_QUESTION))
 def independence(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD401: whether the integer translates of the refinable function φ are linearly independent.
 
@@ -34,20 +38,21 @@ def independence(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
 def _independence(numbers: ScalarNumbers) -> Finding:
     p = numbers.p
     if not numbers.is_normalised:
-        return INDEPENDENCE.skipped("are the integer translates of φ linearly independent?", NOT_NORMALISED)
+        return INDEPENDENCE.skipped(_INDEPENDENCE_QUESTION, NOT_NORMALISED)
     g = numbers.polyphase_gcd
     dependent = "the translates of φ are linearly dependent"
     if g.degree > 0:
-        statement = f"{dependent}: {laurent(g)} divides all polyphase components"
-        return INDEPENDENCE.refuted(statement, {"gcd": g.coefficients()})
+        why = f"{laurent(g)} divides all polyphase components"
+        return INDEPENDENCE.refuted(f"{dependent}: {why}", {"gcd": g.coefficients()}, why=why)
     if (n := numbers.cycle) is not None:
-        statement = f"{dependent}: Φ_{n}(z^{p})/Φ_{n}(z) divides a(z), a cycle of roots of unity of order {n}"
-        return INDEPENDENCE.refuted(statement, {"cycle": n})
+        why = f"Φ_{n}(z^{p})/Φ_{n}(z) divides a(z), a cycle of roots of unity of order {n}"
+        return INDEPENDENCE.refuted(f"{dependent}: {why}", {"cycle": n}, why=why)
     largest = 10 * (numbers.scheme.degree // (p - 1))
-    statement = "the translates of φ are linearly independent: the polyphase components are coprime and a(z) has no "
-    return INDEPENDENCE.proved(statement + "cycle of roots of unity", {"largest_n": largest})
+    why = "the polyphase components are coprime and a(z) has no cycle of roots of unity"
+    return INDEPENDENCE.proved(f"the translates of φ are linearly independent: {why}", {"largest_n": largest}, why=why)
 
 
+@asking((STABILITY, _STABILITY_QUESTION))
 def stability(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD402: whether the integer translates of φ are stable.
 
@@ -68,35 +73,37 @@ def stability(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
 def _stability(numbers: ScalarNumbers, facts: Facts) -> Finding:
     independent = facts.verdict(INDEPENDENCE)
     if independent is Verdict.SKIPPED:
-        return STABILITY.skipped("are the integer translates of φ stable?", facts[INDEPENDENCE].reason or "")
+        return STABILITY.skipped(_STABILITY_QUESTION, facts[INDEPENDENCE].reason or "")
     if independent is Verdict.PROVED:
-        return STABILITY.proved(
-            "φ is stable: its integer translates are linearly independent", stability_witness(numbers)
-        )
+        why = "its integer translates are linearly independent"
+        return STABILITY.proved(f"φ is stable: {why}", stability_witness(numbers), why=why)
     g = numbers.polyphase_gcd
     if numbers.circle_factors:
         factor = numbers.circle_factors[0]
         shown = laurent(Laurent(0, fmpq_poly(factor)))
-        statement = f"φ is not stable: the polyphase components share zeros of {shown} on |z| = 1"
-        return STABILITY.refuted(statement, {"circle_factor": tuple(int(c) for c in factor)})
+        why = f"the polyphase components share zeros of {shown} on |z| = 1"
+        witness: StabilityWitness = {"circle_factor": tuple(int(c) for c in factor)}
+        return STABILITY.refuted(f"φ is not stable: {why}", witness, why=why)
     if (n := numbers.cycle) is not None:
-        return STABILITY.refuted(f"φ is not stable: a(z) has a cycle of roots of unity of order {n}", {"cycle": n})
-    statement = f"φ is stable: the common factor {laurent(g)} of the polyphase components has no zero on |z| = 1"
-    return STABILITY.proved(f"{statement}, and a(z) has no cycle", stability_witness(numbers))
+        why = f"a(z) has a cycle of roots of unity of order {n}"
+        return STABILITY.refuted(f"φ is not stable: {why}", {"cycle": n}, why=why)
+    why = f"the common factor {laurent(g)} of the polyphase components has no zero on |z| = 1, and a(z) has no cycle"
+    return STABILITY.proved(f"φ is stable: {why}", stability_witness(numbers), why=why)
 
 
-def stability_witness(numbers: ScalarNumbers) -> Witness:
+def stability_witness(numbers: ScalarNumbers) -> StabilityWitness:
     """The witness of stability: `gcd` of the polyphase components, monic, and `starts` and `cofactors` u_r.
 
     The u_r are Laurent polynomials with Σ_r u_r a_r = gcd; they are left out where they cost more than the effort.
     """
-    witness: dict[str, Data] = {"gcd": numbers.polyphase_gcd.coefficients()}
+    witness: StabilityWitness = {"gcd": numbers.polyphase_gcd.coefficients()}
     if (cofactors := numbers.bezout_cofactors) is not None:
         witness["starts"] = tuple(u.low for u in cofactors)
         witness["cofactors"] = tuple(u.coefficients() for u in cofactors)
     return witness
 
 
+@asking()
 def reduced_mask(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD403: an unstable mask reduced to a stable one.
 
@@ -122,7 +129,7 @@ def reduced_mask(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         f"φ is as smooth as the stable φ0 of the reduced scheme S0 with symbol a0(z) = {laurent(reduced)}, {how}"
     )
     order, cofactor = numbers.reduced.sum_rules[:2]
-    witness: dict[str, Data] = {
+    witness: ReductionWitness = {
         "factors": tuple(step.factor.coefficients() for step in steps),
         "cycles": tuple(step.cycle for step in steps),
         "starts": tuple(step.symbol.low for step in steps),
@@ -130,7 +137,7 @@ def reduced_mask(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         "order": order,
         "cofactor_start": cofactor.low,
         "cofactor": cofactor.coefficients(),
-        "stable": dict(stability_witness(numbers.reduced)),
+        "stable": stability_witness(numbers.reduced),
     }
     return (REDUCTION.proved(statement, witness),)
 

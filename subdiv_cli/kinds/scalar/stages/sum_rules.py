@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from subdiv_cli.exact.text import laurent, number
+from subdiv_cli.exact.text import laurent, number, valued
 from subdiv_cli.kinds.kind import Facts
 from subdiv_cli.kinds.scalar.numbers.polynomials import parameter_shift, reproduction_defects
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
 from subdiv_cli.kinds.scalar.rules import DERIVED_SCHEMES, GENERATION, REPRODUCTION, RESIDUE_SUMS, SUM_RULES
 from subdiv_cli.kinds.scalar.stages.wording import NOT_NORMALISED, derived_names
-from subdiv_cli.model import Data, Finding
+from subdiv_cli.kinds.scalar.witnesses import DerivedSchemesWitness, ReproductionWitness, SumRulesWitness
+from subdiv_cli.model import Finding
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.formulas import near_one
 
@@ -45,7 +46,7 @@ def sum_rules(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
         return (SUM_RULES.skipped("which sum rules hold?", NOT_NORMALISED),)
     p, k = numbers.p, numbers.order
     cofactor, remainder = numbers.sum_rules[1:]
-    witness: dict[str, Data] = {
+    witness: SumRulesWitness = {
         "order": k,
         "cofactor_start": cofactor.low,
         "cofactor": cofactor.coefficients(),
@@ -54,12 +55,13 @@ def sum_rules(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     answers = {questions.SUM_RULES: k}
     factor = "1+z" if p == 2 else "1+z+z^2" if p == 3 else f"1+…+z^{p - 1}"
     if k == 0:
-        return (SUM_RULES.refuted(f"no sum rule holds: {factor} does not divide a(z)", witness, answers=answers),)
+        why = f"{factor} does not divide a(z)"
+        return (SUM_RULES.refuted(f"no sum rule holds: {why}", witness, answers=answers, why=why),)
     short = len(cofactor.coefficients()) <= _LONGEST_COFACTOR
     quotient = laurent(cofactor) if short else f"a polynomial of degree {cofactor.degree}"
     power = f"^{k}" if k > 1 else ""
-    statement = f"sum rules of order {k}, not {k + 1}: a(z) = ({factor}){power} q(z), q(z) = {quotient}"
-    return (SUM_RULES.proved(statement, witness, answers=answers),)
+    why = f"a(z) = ({factor}){power} q(z), q(z) = {quotient}"
+    return (SUM_RULES.proved(f"sum rules of order {k}, not {k + 1}: {why}", witness, answers=answers, why=why),)
 
 
 def generation(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -94,17 +96,21 @@ def reproduction(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
     tau = parameter_shift(numbers.symbol, p)
     defects = reproduction_defects(numbers.symbol, p, generation)
     degree = next((j for j, defect in enumerate(defects) if defect), len(defects)) - 1
-    witness: dict[str, Data] = {"shift": tau, "defects": defects}
+    witness: ReproductionWitness = {"shift": tau, "defects": defects}
     if degree < 0:
         return (REPRODUCTION.refuted("S does not even reproduce constants", witness),)
     witness = {"degree": degree, **witness}
     if degree == generation:
-        why = f"it generates degree {generation} only"
+        limit = f"it generates degree {generation} only"
     else:
-        why = f"a^({degree + 1})(1) is off by {number(defects[degree + 1])}"
-    statement = f"S reproduces the polynomials of degree {degree} with parameter shift τ = {number(tau)}"
+        limit = f"a^({degree + 1})(1) is off by {valued(defects[degree + 1])}"
+    why = f"with parameter shift τ = {number(tau)}, not {degree + 1}: {limit}"
     answers = {questions.REPRODUCTION: degree}
-    return (REPRODUCTION.proved(f"{statement}, not {degree + 1}: {why}", witness, answers=answers),)
+    return (
+        REPRODUCTION.proved(
+            f"S reproduces the polynomials of degree {degree} {why}", witness, answers=answers, why=why
+        ),
+    )
 
 
 _LONGEST_MASK = 6
@@ -129,7 +135,10 @@ def derived_schemes(numbers: ScalarNumbers, _: Facts) -> tuple[Finding, ...]:
             ),
         )
     masks = [numbers.difference(nu).scale(numbers.p**nu) for nu in range(1, k + 1)]
-    witness: dict[str, Data] = {"starts": tuple(m.low for m in masks), "masks": tuple(m.coefficients() for m in masks)}
+    witness: DerivedSchemesWitness = {
+        "starts": tuple(m.low for m in masks),
+        "masks": tuple(m.coefficients() for m in masks),
+    }
     shown = f"; S_{k} has the symbol {laurent(masks[-1])}" if masks[-1].degree < _LONGEST_MASK else ""
     exist = f"{derived_names(k)} exist{'s' if k == 1 else ''}"
     return (DERIVED_SCHEMES.proved(f"{exist}, S_{k + 1} does not{shown}", witness),)

@@ -19,8 +19,8 @@ from subdiv_cli.kinds.scalar.rules import (
     REPRODUCTION,
     SMOOTHNESS,
 )
-from subdiv_cli.kinds.scalar.stages.wording import integer
-from subdiv_cli.model import Data, Finding, Verdict
+from subdiv_cli.kinds.scalar.witnesses import IntegerValuesWitness, LimitStencilsWitness, QuasiInterpolationWitness
+from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model.formulas import derivative
 from subdiv_cli.model.formulas import operator as formula
 from subdiv_cli.model.formulas import stencil as combination
@@ -52,13 +52,13 @@ def integer_values(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (
             INTEGER_VALUES.undecided(_INTEGER_VALUES_QUESTION, "the refinement matrix is too large for this effort"),
         )
-    orders = range(integer(facts[SMOOTHNESS], "order") + 1)
+    orders = range(facts.witness(SMOOTHNESS)["order"] + 1)
     values = [at_integers(numbers, order) for order in orders]
     own = [at_integers(numbers.reduced, order) for order in orders]
     if sum(values[0].coefficients()) != 1:
         raise ContradictionError("the translates of φ do not sum to 1")
     first, last = support(numbers)
-    witness: dict[str, Data] = {
+    witness: IntegerValuesWitness = {
         "starts": tuple(v.low for v in values),
         "values": tuple(v.coefficients() for v in values),
         "own_starts": tuple(v.low for v in own),
@@ -102,10 +102,9 @@ def limit_stencils(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, ...]:
     """
     if (why := unusable(facts)) is not None:
         return (LIMIT_STENCILS.skipped(_LIMIT_STENCILS_QUESTION, why),)
-    values = facts[INTEGER_VALUES].witness["values"]
-    orders = len(values) if isinstance(values, tuple) else 0
+    orders = len(facts.witness(INTEGER_VALUES)["values"])
     stencils = [at_integers(numbers, order).reversed() for order in range(orders)]
-    witness: dict[str, Data] = {
+    witness: LimitStencilsWitness = {
         "starts": tuple(w.low for w in stencils),
         "stencils": tuple(w.coefficients() for w in stencils),
     }
@@ -146,7 +145,7 @@ def quasi_interpolation(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, 
     moment = moments(at_integers(numbers, 0), m + 1)
     q = operator(moment)
     t = stencil(q, mask == mask[::-1])
-    witness: dict[str, Data] = {
+    witness: QuasiInterpolationWitness = {
         "degree": m,
         "moments": moment,
         "operator": q,
@@ -177,7 +176,7 @@ def approximation_order(numbers: ScalarNumbers, facts: Facts) -> tuple[Finding, 
                 "to which order are functions approximated?", unusable(facts) or "Q is not known"
             ),
         )
-    with_q, without_q = numbers.order, integer(facts[REPRODUCTION], "degree") + 1
+    with_q, without_q = numbers.order, facts.witness(REPRODUCTION)["degree"] + 1
     shift = parameter_shift(numbers.symbol, numbers.p) / (numbers.p - 1)
     where = "the integers" if not shift else f"i {'+' if shift > 0 else '-'} {number(abs(shift))}"
     statement = f"S^∞ Q approximates smooth functions to order {with_q}"

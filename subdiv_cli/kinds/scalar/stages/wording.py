@@ -1,4 +1,4 @@
-"""Wording that stages share: names of operators and products, and readers of the witnesses of earlier findings."""
+"""Wording that stages share: names of operators and products."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from subdiv_cli.kinds.scalar.numbers.scalar import ScalarNumbers
-from subdiv_cli.model import Finding
 from subdiv_cli.model.formulas import product
 
 NOT_NORMALISED = "a(1) is not the arity, so there is no refinable function with integral 1"
@@ -46,19 +45,3 @@ def series(values: tuple[Fraction, ...], show: Callable[[Fraction], str]) -> str
     """Values separated by commas, the middle of a long series left out."""
     texts = [show(value) for value in values]
     return ", ".join(texts if len(texts) <= 6 else [*texts[:3], "…", texts[-1]])
-
-
-def text(finding: Finding, key: str) -> str:
-    """A text of a witness. Raises TypeError where there is none."""
-    value = finding.witness.get(key)
-    if not isinstance(value, str):
-        raise TypeError(f"{finding.code} has no text {key!r}")
-    return value
-
-
-def integer(finding: Finding, key: str) -> int:
-    """An integer of a witness. Raises TypeError where there is none: a stage that breaks its own docstring."""
-    value = finding.witness.get(key)
-    if not isinstance(value, int):
-        raise TypeError(f"{finding.code} has no integer {key!r}")
-    return value

@@ -3,30 +3,37 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import cast
 
 from subdiv_cli.certificate.claims import Json
 from subdiv_cli.certificate.radius import root_fields
-from subdiv_cli.certificate.witness import as_integer, as_rational, as_tuple, as_word
 from subdiv_cli.kinds.vector import rules
-from subdiv_cli.kinds.vector.claims.proof import Map, VectorProof, rationals
+from subdiv_cli.kinds.vector.claims.proof import VectorProof
+from subdiv_cli.kinds.vector.witnesses import (
+    EigenSequencesProof,
+    SequenceRadiusProof,
+    SequenceSpaceData,
+    VectorAttainedProof,
+    VectorDerivedProof,
+)
 from subdiv_cli.model import Finding, Verdict
-from subdiv_cli.model.closed import rational
+from subdiv_cli.model.closed import rational, rationals
+from subdiv_cli.model.findings import proof_of
 
 
 def eigen_sequences(proof: VectorProof, finding: Finding) -> list[int]:
     """The claims of SD702: the order of the eigen-sequences, and the degree of generation."""
-    k, r, p, m = as_integer(finding.witness["order"]), proof.dimension, proof.p, proof.size
+    k, r, p, m = rules.EIGEN_SEQUENCES.witness_of(finding)["order"], proof.dimension, proof.p, proof.size
     uses = [proof.constants()]
     if not r:
         return [proof.claims.prove("eigen-sequences", {"order": k}, uses=uses)]
-    found = finding.proof
-    sequences = [
-        [[rationals(x) for coefficient in as_tuple(y) for x in as_tuple(coefficient)] for y in as_tuple(rows)]
-        for rows in as_tuple(found["sequences"])
-    ]
-    witness: Json = {"sequences": sequences}
-    witness |= {key: rationals(found[key]) for key in ("multipliers", "functional")}
+    data = proof_of(finding, EigenSequencesProof)
+    witness: Json = {
+        "sequences": [
+            [[rational(x) for coefficient in y for x in coefficient] for y in rows] for rows in data["sequences"]
+        ],
+        "multipliers": rationals(data["multipliers"]),
+        "functional": rationals(data["functional"]),
+    }
     work = (r + 1) * (k + 1) ** 3 * (p * m * m + proof.length) + proof.entries * (k + 1)
     claim = proof.claims.prove("eigen-sequences", {"order": k}, witness, uses, work)
     return [claim, proof.claims.prove("generation", {"degree": k - 1}, uses=[claim])]
@@ -41,87 +48,92 @@ def mean_matrix(proof: VectorProof, finding: Finding) -> list[int]:
 
 def smoothness(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD708: all limits are C^n."""
-    n, uses = as_integer(finding.witness["order"]), [proof.convergent()]
-    if finding.witness["by"] == rules.CONVERGENCE.code:
+    witness, uses = rules.SMOOTHNESS.witness_of(finding), [proof.convergent()]
+    n = witness["order"]
+    if witness["by"] == rules.CONVERGENCE.code:
         return [proof.claims.prove("continuous", {"property": "smooth", "order": n}, uses=uses)]
     return [proof.claims.prove("smooth", {"order": n}, uses=[*uses, *proof.growth()])]
 
 
 def next_smoothness(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD709: not all limits are C^n."""
-    n, word = as_integer(finding.witness["order"]), as_word(finding.witness)
-    found = proof.found[rules.STENCIL_RADIUS]
-    k, root = as_integer(found.witness["order"]), cast("Map | None", found.witness.get("root"))
-    uses = [proof.convergent()]
-    if root is not None:
-        x = as_rational(root["low"]) * proof.p ** (min(n, k) * as_integer(found.witness["length"]))
+    witness = rules.NEXT_SMOOTHNESS.witness_of(finding)
+    n, word = witness["order"], witness["word"]
+    growth = proof.facts.witness(rules.STENCIL_RADIUS)
+    k, uses = growth["order"], [proof.convergent()]
+    if "root" in growth:
+        x = growth["root"]["low"] * proof.p ** (min(n, k) * growth["length"])
         if x >= 1 if n < k else x > 1:
             return [proof.claims.prove("not-smooth", {"order": n}, uses=[*uses, *proof.growth()])]
     bound = Fraction(1, proof.p ** (n * len(word)))
     if n >= k:
-        upper = proof.found[rules.HOLDER_UPPER].witness
-        bound = as_rational(upper["radius"])
-    below = proof.word(k, cast(Map, found.proof["space"]), word, bound)
+        bound = proof.facts.witness(rules.HOLDER_UPPER)["radius"]
+    below = proof.word(k, _growing(proof), word, bound)
     return [proof.claims.prove("not-smooth", {"order": n}, uses=[*uses, *below])]
+
+
+def _growing(proof: VectorProof) -> SequenceSpaceData:
+    """The space of differences of limit stencils."""
+    return proof_of(proof.facts[rules.STENCIL_RADIUS], SequenceRadiusProof)["space"]
 
 
 def holder_lower(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD710: the Hölder exponent from below, or what it is where the radius is known."""
-    if "root" in finding.witness:
+    witness = rules.HOLDER_LOWER.witness_of(finding)
+    if "root" in witness:
         return [_exponent(proof)]
-    statement: Json = {"length": finding.witness["length"], "bound": rational(as_rational(finding.witness["bound"]))}
+    statement: Json = {"length": witness["length"], "bound": rational(witness["bound"])}
     return [proof.claims.prove("holder-lower", statement, uses=[proof.convergent(), *proof.growth()])]
 
 
 def holder_upper(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD711: the Hölder exponent from above."""
-    if "root" in proof.found[rules.HOLDER_LOWER].witness:
+    if "root" in proof.facts.witness(rules.HOLDER_LOWER):
         return [_exponent(proof)]
-    bound = as_rational(finding.witness["radius"])
-    found = proof.found[rules.STENCIL_RADIUS]
-    below = proof.word(
-        as_integer(found.witness["order"]), cast(Map, found.proof["space"]), as_word(finding.witness), bound
-    )
-    statement: Json = {"length": finding.witness["length"], "bound": rational(bound)}
+    witness, k = rules.HOLDER_UPPER.witness_of(finding), proof.facts.witness(rules.STENCIL_RADIUS)["order"]
+    below = proof.word(k, _growing(proof), witness["word"], witness["radius"])
+    statement: Json = {"length": witness["length"], "bound": rational(witness["radius"])}
     return [proof.claims.prove("holder-upper", statement, uses=[proof.convergent(), *below])]
 
 
 def _exponent(proof: VectorProof) -> int:
     """The claim that says what α is."""
-    found = proof.found[rules.HOLDER_LOWER].witness
-    statement = {"length": found["length"], **root_fields(cast(Map, found["root"]))}
+    witness = proof.facts.witness(rules.HOLDER_LOWER)
+    statement = {"length": witness["length"], **root_fields(witness["root"])}
     return proof.claims.prove("holder-root", statement, uses=[proof.convergent(), *proof.growth()])
 
 
 def attained(proof: VectorProof, finding: Finding) -> list[int]:
     """The claim of SD712: the Hölder exponent is attained, or is not."""
-    k, space = as_integer(finding.witness["order"]), cast(Map, finding.proof["space"])
+    witness, data = rules.HOLDER_ATTAINED.witness_of(finding), proof_of(finding, VectorAttainedProof)
+    k, space = witness["order"], data["space"]
     holds = finding.verdict is Verdict.PROVED
     statement = {"property": "attained", "holds": holds}
     if not holds:
-        grown = proof.defective(k, space, finding.witness)
+        grown = proof.defective(k, space, witness)
         return [proof.claims.prove("not-attained", statement, uses=[*grown, _exponent(proof)])]
-    bounded = proof.radius(k, space, cast(Map, finding.proof["radius"]))
+    bounded = proof.radius(k, space, data["radius"])
     return [proof.claims.prove("attained", statement, uses=[*bounded, _exponent(proof)])]
 
 
 def derived_schemes(proof: VectorProof, finding: Finding) -> list[int]:
     """The claims of SD713: derived schemes one after the other, the norm of the last one, and what follows."""
-    found, m, p = finding.proof, proof.size, proof.p
-    keys = ("transformations", "dimensions", "starts", "masks")
+    witness, data = rules.DERIVED_SCHEMES.witness_of(finding), proof_of(finding, VectorDerivedProof)
+    m, p = proof.size, proof.p
     last, before, length = None, proof.length, proof.length
-    for n, step in enumerate(zip(*(as_tuple(found[key]) for key in keys), strict=True), 1):
+    steps = zip(data["transformations"], data["dimensions"], data["starts"], data["masks"], strict=True)
+    for n, step in enumerate(steps, 1):
         transformation, r, start, mask = step
-        before, length = length, len(as_tuple(mask))
-        work = (before + length + p + 2) * 4 * m**3 + (before * m * m + p * m * m) * (as_integer(r) + 1)
-        witness: Json = {"transformation": rationals(transformation), "dimension": r, "start": start}
-        witness["coefficients"] = rationals(mask)
-        last = proof.claims.prove("derived", {"order": n}, witness, [] if last is None else [last], work)
+        before, length = length, len(mask)
+        work = (before + length + p + 2) * 4 * m**3 + (before * m * m + p * m * m) * (r + 1)
+        hints: Json = {"transformation": rationals(transformation), "dimension": r, "start": start}
+        hints["coefficients"] = rationals(mask)
+        last = proof.claims.prove("derived", {"order": n}, hints, [] if last is None else [last], work)
     assert last is not None
-    n, level = as_integer(finding.witness["derivations"]), as_integer(finding.witness["level"])
+    n, level = witness["derivations"], witness["level"]
     size = (length - 1) * (p**level - 1) // (p - 1) + 1
-    statement: Json = {"order": n, "level": level, "norm": rational(as_rational(finding.witness["norm"]))}
+    statement: Json = {"order": n, "level": level, "norm": rational(witness["norm"])}
     work = 2 * m**3 * length * size + m * m * size
     norm = proof.claims.prove("derived-norm", statement, uses=[last], work=work)
-    order = as_integer(finding.witness["order"])
+    order = witness["order"]
     return [norm, proof.claims.prove("derived-smooth", {"property": "smooth", "order": order}, uses=[norm])]

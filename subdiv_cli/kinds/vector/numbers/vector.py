@@ -30,7 +30,7 @@ class SequenceGrowth(NamedTuple):
 
     order: int
     """The order k of differences of limit stencils, 0 for the space of all sequences that die out."""
-    found: SequenceSpace
+    on: SequenceSpace
     radius: Radius
     product: WordProduct | None
     """A product that bounds the radius from below."""
@@ -47,7 +47,7 @@ class VectorNumbers:
         self.matrices = tuple(matrix(rows) for rows in scheme.coefficients)
         terms: dict[Index, fmpq_mat] = {(i,): a for i, a in enumerate(self.matrices)}
         self.operators = TransitionOperators(Lattice(((scheme.arity,),)), terms)
-        self.spaces = StencilSpaces(self.operators)
+        self.spaces = StencilSpaces(self.operators, effort.look)
 
     @property
     def p(self) -> int:
@@ -134,7 +134,7 @@ class VectorNumbers:
 
         if growth.radius.bounded:
             return growth.radius
-        return closed_radius(Family(growth.found.space.matrices), self.effort)
+        return closed_radius(Family(growth.on.space.matrices), self.effort)
 
     def _seems_below(self, family: Family, k: int) -> bool:
         """Whether a short product keeps the radius above p^-k, in floats."""

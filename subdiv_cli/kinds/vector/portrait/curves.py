@@ -23,7 +23,7 @@ def functions(scheme: VectorScheme, effort: Effort, options: Options, certify: C
     if result.convergent is not Verdict.PROVED or result.smoothness.order is None:
         return Drawing((), result, CONVERGENCE)
     wanted = options.get("derivatives")
-    last = min(result.smoothness.order, _DERIVATIVES if wanted is None else wanted)
+    last = int(min(result.smoothness.order, _DERIVATIVES if wanted is None else wanted))
     curves = limit_curves(analysis.numbers, last, options["samples"])
     if not curves:
         raise NotDrawnError("the mask is too long")

@@ -35,9 +35,15 @@ def sections(scheme: VectorScheme, result: Result) -> tuple[Section, ...]:
     picture: tuple[Block, ...] = (Text("limits are drawn where convergence is proved.", "quiet"),)
     grids = [_rule(numbers, epsilon) for epsilon in range(numbers.p)]
     if stencil is not None:
-        picture = limit_curves(numbers, 0, _POINTS)
+        picture = _curves(numbers)
         grids.append(_limit(stencil))
     return Section("", picture), Section("stencils", tuple(grids))
+
+
+def _curves(numbers: VectorNumbers) -> tuple[Curve, ...]:
+    """The curves of the limits, where they are few."""
+    few = numbers.size * len(numbers.constants) <= _LONGEST
+    return limit_curves(numbers, 0, _POINTS) if few else ()
 
 
 def _rule(numbers: VectorNumbers, epsilon: int) -> Grid:
@@ -90,7 +96,7 @@ class _VectorPage:
         self.curves: tuple[Curve, ...] = ()
         if result.convergent is Verdict.PROVED:
             self.stencils = stencils(self.numbers)
-            self.curves = limit_curves(self.numbers, 0, _POINTS)
+            self.curves = _curves(self.numbers)
 
     def _sums(self) -> tuple[fmpq_mat, ...]:
         """The A^ε of the mask where it stands, ε = 0 … p-1."""
@@ -141,7 +147,7 @@ class _VectorPage:
 
     def limits(self) -> Iterator[Block]:
         """The blocks of the limits at the integers, and of their curves."""
-        for curve in self.curves[:_LONGEST]:
+        for curve in self.curves:
             yield Text(f"{curve.name}, for the data {curve.label or 'δ'} at 0")
             yield curve
         if self.stencils is not None:

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
 from fractions import Fraction
-from typing import cast
 
 from subdiv_cli.exact.algebraic import roots
 from subdiv_cli.exact.linalg import Vector, matrix, nullspace, rows_of
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.exact.text import modulus, number, rounded_up
-from subdiv_cli.kinds.kind import ContradictionError, Facts
-from subdiv_cli.kinds.scalar.stages.joint_radius import enclosed, shown
+from subdiv_cli.kinds.kind import ContradictionError, Facts, asking
+from subdiv_cli.kinds.radius import enclosed, put_radius, shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
 from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
 from subdiv_cli.kinds.vector.rules import (
@@ -23,12 +20,20 @@ from subdiv_cli.kinds.vector.rules import (
     LIMIT_STENCILS,
     MEAN_MATRIX,
 )
-from subdiv_cli.model import Data, Finding, Rule, Verdict
+from subdiv_cli.kinds.vector.witnesses import (
+    ConstantsWitness,
+    EigenSequencesProof,
+    SequenceRadiusProof,
+    SequenceRadiusWitness,
+    SequenceSpaceData,
+    VectorConvergenceWitness,
+)
+from subdiv_cli.model import Finding, Rule, Verdict
 from subdiv_cli.model import findings as questions
 from subdiv_cli.spaces.stencils import SequenceSpace, VectorSequence
 
 NO_CONSTANTS = "no vector is reproduced as constant data: E_A = 0"
-TOO_LARGE = "the space of sequences is too large for this effort"
+TOO_LARGE = "the space of sequences is too large: more than 400 coordinates, or a dimension above 120"
 
 
 def constants(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
@@ -41,7 +46,7 @@ def constants(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
     """
     basis, m = numbers.constants, numbers.size
     r = len(basis)
-    witness: dict[str, Data] = {"dimension": r, "basis": basis, "size": m}
+    witness: ConstantsWitness = {"dimension": r, "basis": basis, "size": m}
     statement = f"E_A has dimension {r} of {m}" + (f", spanned by {_vectors(basis)}" if r else "")
     return (CONSTANTS.proved(statement, witness, answers={questions.DIMENSION: r}),)
 
@@ -63,18 +68,18 @@ def eigen_sequences(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
     1, i, i^2, …; `multipliers` of the equations of degree k, and the `functional` that they say is 0 at all leading
     coefficients, and that is not 0 on E_A (numbers/eigen_sequences.py).
     """
-    found = numbers.sequences
-    if found is None:
+    sequences = numbers.sequences
+    if sequences is None:
         statement = f"there is no polynomial eigen-sequence: {NO_CONSTANTS}"
         answers = {questions.SUM_RULES: 0, questions.GENERATION: None}
         return (EIGEN_SEQUENCES.proved(statement, {"order": 0}, answers=answers),)
-    k = found.order
+    k = sequences.order
     several = f"degrees 0 to {k - 1}" if k > 1 else "degree 0"
     statement = f"eigen-sequences S y = p^-j y of {several} lead in all of E_A, those of degree {k} do not"
-    proof: dict[str, Data] = {
-        "sequences": found.each,
-        "multipliers": found.multipliers,
-        "functional": found.functional,
+    proof: EigenSequencesProof = {
+        "sequences": sequences.each,
+        "multipliers": sequences.multipliers,
+        "functional": sequences.functional,
     }
     answers = {questions.SUM_RULES: k, questions.GENERATION: k - 1}
     return (EIGEN_SEQUENCES.proved(statement, {"order": k}, proof=proof, answers=answers),)
@@ -111,6 +116,7 @@ def mean_matrix(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
 _DECAY_QUESTION = "how fast do the sequences die out that must?"
 
 
+@asking((DECAY_RADIUS, _DECAY_QUESTION))
 def decay_radius(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
     """SD704: ρ_1, the joint spectral radius of the transition operators T_ε on V_1 = {v : Σ v(α) orthogonal to E_A}.
 
@@ -127,11 +133,10 @@ def decay_radius(numbers: VectorNumbers, _: Facts) -> tuple[Finding, ...]:
     if _surplus(numbers):
         return (DECAY_RADIUS.skipped(_DECAY_QUESTION, "T_0 fixes more sequences than converge"),)
     if (growth := numbers.decay) is None:
-        return (DECAY_RADIUS.undecided(_DECAY_QUESTION, _ended(numbers)),)
-    found = radius_finding(DECAY_RADIUS, growth, "ρ_1")
-    complement = nullspace(matrix(numbers.constants))
-    space = {**cast("Mapping[str, Data]", found.proof["space"]), "orthogonal": complement}
-    return (replace(found, proof={**found.proof, "space": space}),)
+        return (DECAY_RADIUS.undecided(_DECAY_QUESTION, TOO_LARGE),)
+    space = space_data(growth.on)
+    space["orthogonal"] = nullspace(matrix(numbers.constants))
+    return (radius_finding(DECAY_RADIUS, growth, "ρ_1", space),)
 
 
 def _surplus(numbers: VectorNumbers) -> bool:
@@ -139,29 +144,25 @@ def _surplus(numbers: VectorNumbers) -> bool:
     return numbers.fixed is not None and len(numbers.fixed) > len(numbers.constants)
 
 
-def _ended(numbers: VectorNumbers) -> str:
-    return "the time budget ended before a bound" if numbers.effort.struck else TOO_LARGE
-
-
-def radius_finding(rule: Rule, growth: SequenceGrowth, name: str) -> Finding:
+def radius_finding(
+    rule: Rule[SequenceRadiusWitness], growth: SequenceGrowth, name: str, space: SequenceSpaceData
+) -> Finding:
     """The finding of a joint spectral radius on an invariant space of sequences."""
-    radius, dimension = growth.radius, growth.found.space.dimension
-    witness: dict[str, Data] = {"order": growth.order, "dimension": dimension, "method": radius.method}
-    if radius.word is not None:
-        witness["word"] = radius.word
-    witness |= {key: radius.proof[key] for key in ("length", "root", "bound") if key in radius.proof}
+    radius, dimension = growth.radius, growth.on.space.dimension
+    witness: SequenceRadiusWitness = {"order": growth.order, "dimension": dimension, "method": radius.method}
+    put_radius(witness, radius)
     value = enclosed(radius)
     size = f"≤ {rounded_up(value.upper or 0.0, 12)}" if radius.exact is None else f"= {shown(radius)}"
     attains = f", attained by {product_name(radius.word)}" if radius.exact is not None and radius.word else ""
     statement = f"{name} {size} on a space of dimension {dimension}{attains}"
-    proof: dict[str, Data] = {"space": space_data(growth.found), "radius": radius.proof}
+    proof: SequenceRadiusProof = {"space": space, "radius": radius.proof}
     return rule.proved(statement, witness, value, proof=proof)
 
 
-def space_data(found: SequenceSpace) -> dict[str, Data]:
+def space_data(on: SequenceSpace) -> SequenceSpaceData:
     """An invariant space as certificates have it: sequences on an interval of indices that begins at `start`."""
-    indices = [i for (i,) in found.window]
-    start, count, space = indices[0], indices[-1] - indices[0] + 1, found.space
+    indices = [i for (i,) in on.window]
+    start, count, space = indices[0], indices[-1] - indices[0] + 1, on.space
     m = space.basis.ncols() // len(indices)
     basis = []
     for row in rows_of(space.basis):
@@ -182,6 +183,7 @@ def space_data(found: SequenceSpace) -> dict[str, Data]:
 _CONVERGENCE_QUESTION = "does S converge uniformly?"
 
 
+@asking((CONVERGENCE, _CONVERGENCE_QUESTION))
 def convergence(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD705: whether S converges uniformly, to a limit that is not 0 for some data.
 
@@ -195,15 +197,15 @@ def convergence(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     Raises ContradictionError where S converges and ρ_1 is at least 1.
     """
     if not numbers.constants:
-        why = NO_CONSTANTS
-        return (CONVERGENCE.refuted("S does not converge to a non-zero limit", {"by": CONSTANTS.code}, why=why),)
+        statement = f"S does not converge to a non-zero limit: {NO_CONSTANTS}"
+        return (CONVERGENCE.refuted(statement, {"by": CONSTANTS.code}, why=NO_CONSTANTS),)
     r = len(numbers.constants)
     if _surplus(numbers):
         assert numbers.fixed is not None
         start, rows = sequence_rows(numbers.fixed[: r + 1], numbers.size)
         why = f"T_0 fixes {len(numbers.fixed)} sequences, and E_A has dimension {r}"
-        witness: dict[str, Data] = {"by": LIMIT_STENCILS.code, "start": start, "fixed": rows}
-        return (CONVERGENCE.refuted("S does not converge uniformly", witness, why=why),)
+        witness: VectorConvergenceWitness = {"by": LIMIT_STENCILS.code, "start": start, "fixed": rows}
+        return (CONVERGENCE.refuted(f"S does not converge uniformly: {why}", witness, why=why),)
     growth = numbers.decay if facts.verdict(DECAY_RADIUS) is Verdict.PROVED else None
     if growth is None:
         return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, facts[DECAY_RADIUS].reason or TOO_LARGE),)
@@ -216,11 +218,12 @@ def convergence(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
             if r == numbers.size
             else f", to limits in the {r}-dimensional space E_A (degenerate: {r} < {numbers.size})"
         )
-        return (CONVERGENCE.proved(f"S converges uniformly{to}: ρ_1 < 1", {"by": DECAY_RADIUS.code}),)
+        why = "ρ_1 < 1"
+        return (CONVERGENCE.proved(f"S converges uniformly{to}: {why}", {"by": DECAY_RADIUS.code}, why=why),)
     if diverges and growth.product is not None:
         why = f"{product_name(growth.product.word)} keeps ρ_1 ≥ 1"
         witness = {"by": DECAY_RADIUS.code, "word": growth.product.word}
-        return (CONVERGENCE.refuted("S does not converge uniformly", witness, why=why),)
+        return (CONVERGENCE.refuted(f"S does not converge uniformly: {why}", witness, why=why),)
     reason = "no bound of ρ_1 below 1 is proved, and no product is known that keeps it above"
     return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, reason),)
 
@@ -237,6 +240,10 @@ def sequence_rows(sequences: tuple[VectorSequence, ...], m: int) -> tuple[int, t
     return first, tuple(rows)
 
 
+_STENCILS_QUESTION = "what are the limit stencils?"
+
+
+@asking((LIMIT_STENCILS, _STENCILS_QUESTION))
 def limit_stencils(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD706: the limit stencils w_1, …, w_r, by which limits of a scheme that converges are computed exactly.
 
@@ -248,14 +255,13 @@ def limit_stencils(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
 
     Raises ContradictionError where there are not as many as the theorem says.
     """
-    question = "what are the limit stencils?"
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
-        return (LIMIT_STENCILS.skipped(question, "it is not proved that S converges"),)
+        return (LIMIT_STENCILS.skipped(_STENCILS_QUESTION, "it is not proved that S converges"),)
     if numbers.stencils is None:
         raise ContradictionError("S converges and has not as many limit stencils as constants")
     r, m = len(numbers.stencils), numbers.size
     start, rows = sequence_rows(numbers.stencils, m)
-    count = len(rows[0]) // m
-    said = f"the limit stencil has {count}" if r == 1 else f"{r} limit stencils have {count} indices each,"
-    statement = f"{said} {'indices, ' if r == 1 else ''}from {start}, of {m} components"
+    last = start + len(rows[0]) // m - 1
+    where = f"the index {start}" if start == last else f"the indices {start} … {last}"
+    statement = f"limits have {'a stencil' if r == 1 else f'{r} stencils'} on {where}"
     return (LIMIT_STENCILS.proved(statement, {"start": start, "rows": rows}),)

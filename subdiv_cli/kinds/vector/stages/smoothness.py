@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
 
 from flint import ctx, fmpq_mat
 
-from subdiv_cli.exact.closed import closed_interval, exponent, readable
+from subdiv_cli.exact.closed import closed_interval, exponent, worded
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.linalg import rows_of
-from subdiv_cli.exact.text import number, rounded_down, rounded_up
+from subdiv_cli.exact.text import number, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.family import Word
 from subdiv_cli.jsr.products import WordProduct, lyndon_words, radius_bound
-from subdiv_cli.jsr.result import root_data
-from subdiv_cli.kinds.kind import Facts
+from subdiv_cli.kinds.kind import Facts, asking
+from subdiv_cli.kinds.radius import shown
 from subdiv_cli.kinds.scalar.stages.holder import defect
-from subdiv_cli.kinds.scalar.stages.joint_radius import shown, threshold
+from subdiv_cli.kinds.scalar.stages.joint_radius import threshold
 from subdiv_cli.kinds.scalar.stages.wording import product_name
 from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
 from subdiv_cli.kinds.vector.rules import (
@@ -32,13 +31,24 @@ from subdiv_cli.kinds.vector.rules import (
     STENCIL_RADIUS,
 )
 from subdiv_cli.kinds.vector.stages.convergence import TOO_LARGE, radius_finding, space_data
-from subdiv_cli.model import Data, Finding, Interval, Root, Smoothness, Verdict, logarithm
+from subdiv_cli.kinds.vector.witnesses import (
+    VectorAttainedProof,
+    VectorAttainedWitness,
+    VectorDerivedProof,
+    VectorDerivedWitness,
+    VectorHolderLowerWitness,
+    VectorHolderUpperWitness,
+    VectorNextSmoothnessWitness,
+)
+from subdiv_cli.model import Finding, Interval, Root, Smoothness, Verdict, logarithm
 from subdiv_cli.model import findings as questions
+from subdiv_cli.model.proofs import root_data
 
 _DIVERGES = "it is not proved that S converges"
 _RADIUS_QUESTION = "how fast do differences of the limits decay?"
 
 
+@asking((STENCIL_RADIUS, _RADIUS_QUESTION))
 def stencil_radius(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD707: ρ_k, the joint spectral radius of the T_ε on V_k(w).
 
@@ -53,14 +63,14 @@ def stencil_radius(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     if facts.verdict(CONVERGENCE) is not Verdict.PROVED:
         return (STENCIL_RADIUS.skipped(_RADIUS_QUESTION, _DIVERGES),)
     if (growth := numbers.growth) is None:
-        reason = "the time budget ended before a bound" if numbers.effort.struck else TOO_LARGE
-        return (STENCIL_RADIUS.undecided(_RADIUS_QUESTION, reason),)
-    return (radius_finding(STENCIL_RADIUS, growth, f"ρ_{growth.order}"),)
+        return (STENCIL_RADIUS.undecided(_RADIUS_QUESTION, TOO_LARGE),)
+    return (radius_finding(STENCIL_RADIUS, growth, f"ρ_{growth.order}", space_data(growth.on)),)
 
 
 _SMOOTHNESS_QUESTION = "how smooth are the limits?"
 
 
+@asking((SMOOTHNESS, _SMOOTHNESS_QUESTION))
 def smoothness(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD708: the largest n for which all limits are proved C^n. SD709: they are not all C^(n+1).
 
@@ -88,9 +98,9 @@ def smoothness(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     if product is None or not _excludes(product, p, k, n + 1):
         return (first, NEXT_SMOOTHNESS.undecided(asked, "no product is known that excludes it"))
     size = f"≥ {threshold(p, n + 1)}" if n + 1 < k else f"> {threshold(p, k)}"
-    statement = f"not all limits are C^{n + 1}: {product_name(product.word)} keeps ρ_{k} {size}"
-    witness: dict[str, Data] = {"order": n + 1, "by": STENCIL_RADIUS.code, "word": product.word}
-    return (first, NEXT_SMOOTHNESS.refuted(statement, witness))
+    why = f"{product_name(product.word)} keeps ρ_{k} {size}"
+    witness: VectorNextSmoothnessWitness = {"order": n + 1, "by": STENCIL_RADIUS.code, "word": product.word}
+    return (first, NEXT_SMOOTHNESS.refuted(f"not all limits are C^{n + 1}: {why}", witness, why=why))
 
 
 def _known(numbers: VectorNumbers, facts: Facts) -> SequenceGrowth | None:
@@ -99,7 +109,7 @@ def _known(numbers: VectorNumbers, facts: Facts) -> SequenceGrowth | None:
 
 def _proved(n: int, why: str, by: str) -> Finding:
     answers = {questions.SMOOTHNESS: Smoothness(n)}
-    return SMOOTHNESS.proved(f"all limits are C^{n}: {why}", {"order": n, "by": by}, answers=answers)
+    return SMOOTHNESS.proved(f"all limits are C^{n}: {why}", {"order": n, "by": by}, answers=answers, why=why)
 
 
 def _excludes(product: WordProduct, p: int, k: int, n: int) -> bool:
@@ -110,6 +120,7 @@ def _excludes(product: WordProduct, p: int, k: int, n: int) -> bool:
 _BELOW, _ABOVE = "how regular are the limits at least?", "how regular are the limits at most?"
 
 
+@asking((HOLDER_LOWER, _BELOW), (HOLDER_UPPER, _ABOVE))
 def holder(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD710: the Hölder exponent of the limits from below. SD711: from above.
 
@@ -139,17 +150,16 @@ def is_exponent(growth: SequenceGrowth, p: int) -> bool:
 def _lower(numbers: VectorNumbers, growth: SequenceGrowth) -> Finding:
     radius, p, k = growth.radius, numbers.p, growth.order
     if radius.exact is not None and is_exponent(growth, p):
-        found = exponent(p, *radius.exact)
-        value = closed_interval(found)
-        text = readable(found) or f"{rounded_down(value.lower or 0.0)}…"
-        witness: dict[str, Data] = {"length": radius.exact[0], "root": root_data(radius.exact[1])}
-        return HOLDER_LOWER.proved(f"α = {text}, as ρ_{k} = {shown(radius)}", witness, value, found)
+        exact, why = exponent(p, *radius.exact), f"ρ_{k} = {shown(radius)}"
+        witness: VectorHolderLowerWitness = {"length": radius.exact[0], "root": root_data(radius.exact[1])}
+        return HOLDER_LOWER.proved(f"α = {worded(exact)}, as {why}", witness, closed_interval(exact), exact, why=why)
     length, bound = radius.upper
     bound = max(bound, Fraction(1, p ** (k * length)))
     with ctx.workprec(128):
         lower = interval(-ball(bound).log() / ball(p).log() / length).lower
-    statement = f"α ≥ {rounded_down(lower or 0.0)}, from the bound of ρ_{k}"
-    return HOLDER_LOWER.proved(statement, {"length": length, "bound": bound}, Interval(lower=lower))
+    why = f"from the bound of ρ_{k}"
+    statement = f"α ≥ {rounded_down(lower or 0.0)}, {why}"
+    return HOLDER_LOWER.proved(statement, {"length": length, "bound": bound}, Interval(lower=lower), why=why)
 
 
 def _upper(numbers: VectorNumbers, growth: SequenceGrowth) -> Finding:
@@ -159,16 +169,17 @@ def _upper(numbers: VectorNumbers, growth: SequenceGrowth) -> Finding:
     bound, length = radius_bound(product), len(product.word)
     upper = closed_interval(logarithm(p, 1 / bound, length)).upper
     exact = growth.radius.exact if is_exponent(growth, p) else None
-    text = (readable(exponent(p, *exact)) if exact is not None else None) or rounded_up(upper or 0.0)
-    witness: dict[str, Data] = {"word": product.word, "length": length, "radius": bound}
-    statement = f"α ≤ {text}: {product_name(product.word)} bounds ρ_{k} from below"
-    return HOLDER_UPPER.proved(statement, witness, Interval(upper=upper))
+    text = rounded_up(upper or 0.0) if exact is None else worded(exponent(p, *exact))
+    why = f"{product_name(product.word)} bounds ρ_{k} from below"
+    witness: VectorHolderUpperWitness = {"word": product.word, "length": length, "radius": bound}
+    return HOLDER_UPPER.proved(f"α ≤ {text}: {why}", witness, Interval(upper=upper), why=why)
 
 
 _ATTAINED_QUESTION = "is the Hölder exponent attained?"
 _WORDS = 5
 
 
+@asking((HOLDER_ATTAINED, _ATTAINED_QUESTION))
 def holder_attained(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD712: whether the Hölder exponent is attained.
 
@@ -189,15 +200,9 @@ def holder_attained(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
         return (HOLDER_ATTAINED.skipped(_ATTAINED_QUESTION, "α is not known exactly"),)
     if isinstance(exact, Fraction) and exact.denominator == 1:
         m = int(exact)
-        what = {1: "they are", 2: "their derivatives are", 3: "their second derivatives are"}
-        of = (
-            what.get(m, f"their derivatives of order {m - 1} are"),
-            what.get(m, f"the derivatives of order {m - 1} are"),
-        )
-        yes, no = (
-            f"α = {m} is attained: {of[0]} Lipschitz",
-            f"α = {m} is not attained: not all of {of[1][:-4]} Lipschitz",
-        )
+        of = {1: "limits", 2: "derivatives of limits", 3: "second derivatives of limits"}
+        what = f"{of.get(m, f'derivatives of order {m - 1} of limits')} are Lipschitz"
+        yes, no = f"α = {m} is attained: all {what}", f"α = {m} is not attained: not all {what}"
         return (_attained(numbers, numbers.growth_of(m), Fraction(1, numbers.p**m), yes, no),)
     return (_attained(numbers, growth, None, "α is attained", "α is not attained"),)
 
@@ -212,21 +217,23 @@ def _attained(
     length, root = growth.radius.exact
     if radius is not None and radius**length != root.low:
         return HOLDER_ATTAINED.undecided(_ATTAINED_QUESTION, unknown)
-    k, space = growth.order, {"space": space_data(growth.found)}
+    k, space = growth.order, space_data(growth.on)
     if radius is None and root.low == root.high and length == 1:
         radius = root.low
-    found = None if radius is None else _defect(growth, radius)
-    if found is None:
+    block = None if radius is None else _defect(growth, radius)
+    if block is None:
         bounded = numbers.bounded(growth)
         if bounded is None or bounded.exact is None or not _same(bounded.exact, growth.radius.exact):
             return HOLDER_ATTAINED.undecided(_ATTAINED_QUESTION, unknown)
-        statement = f"{yes}, as all products of L operators on V_{k}(w) are O(ρ_{k}^L)"
-        return HOLDER_ATTAINED.proved(statement, {"order": k}, proof={**space, "radius": bounded.proof})
-    word, sign, value, vector = found
+        why = f"all products of L operators on V_{k}(w) are O(ρ_{k}^L)"
+        proof: VectorAttainedProof = {"space": space, "radius": bounded.proof}
+        return HOLDER_ATTAINED.proved(f"{yes}, as {why}", {"order": k}, proof=proof, why=why)
+    word, sign, value, vector = block
     at = f"{'-' if sign < 0 else ''}{number(value)}"
     why = f"{product_name(word)} on V_{k}(w) has a Jordan block at the eigenvalue {at}"
-    witness: dict[str, Data] = {"order": k, "word": word, "sign": sign, "value": value, "vector": vector}
-    return replace(HOLDER_ATTAINED.refuted(f"{no}: {why}", witness), proof=space)
+    witness: VectorAttainedWitness = {"order": k, "word": word, "sign": sign, "value": value, "vector": vector}
+    refutation: VectorAttainedProof = {"space": space}
+    return HOLDER_ATTAINED.refuted(f"{no}: {why}", witness, why=why, proof=refutation)
 
 
 def _same(one: tuple[int, Root], other: tuple[int, Root]) -> bool:
@@ -236,10 +243,10 @@ def _same(one: tuple[int, Root], other: tuple[int, Root]) -> bool:
 
 
 def _defect(growth: SequenceGrowth, radius: Fraction) -> tuple[Word, int, Fraction, tuple[Fraction, ...]] | None:
-    matrices = growth.found.space.matrices
+    matrices = growth.on.space.matrices
     for word in _words(growth, len(matrices)):
-        if (found := defect(WordProduct.of_word(matrices, word).matrix, radius ** len(word))) is not None:
-            return (word, *found)
+        if (block := defect(WordProduct.of_word(matrices, word).matrix, radius ** len(word))) is not None:
+            return (word, *block)
     return None
 
 
@@ -253,6 +260,10 @@ _DERIVATIONS = 6
 """The most derived schemes where it is not known how smooth the limits are."""
 
 
+_DERIVED_QUESTION = "does a derived scheme contract?"
+
+
+@asking((DERIVED_SCHEMES, _DERIVED_QUESTION))
 def derived_schemes(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     """SD713: derived schemes that contract, a second proof of convergence and smoothness.
 
@@ -264,20 +275,19 @@ def derived_schemes(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
     Witness: `derivations`, n; `level` and `norm`; `order`, n - 1. `proof`: `transformations` by rows, the
     `dimensions`, and the derived `masks`, each with its `starts`.
     """
-    question = "does a derived scheme contract?"
     if not numbers.constants:
-        return (DERIVED_SCHEMES.skipped(question, "there is no derived scheme: E_A = 0"),)
+        return (DERIVED_SCHEMES.skipped(_DERIVED_QUESTION, "there is no derived scheme: E_A = 0"),)
     if facts.verdict(CONVERGENCE) is Verdict.REFUTED:
-        return (DERIVED_SCHEMES.skipped(question, "S does not converge"),)
-    found = numbers.derivation(_most(facts))
-    n = found.contracting
+        return (DERIVED_SCHEMES.skipped(_DERIVED_QUESTION, "S does not converge"),)
+    derivation = numbers.derivation(_most(facts))
+    n = derivation.contracting
     if not n:
-        reason = "no norm of it is seen to be below 1" if found.steps else "M_A has no canonical transformation"
-        return (DERIVED_SCHEMES.undecided(question, reason),)
-    steps = found.steps[:n]
+        reason = "no norm of it is seen to be below 1" if derivation.steps else "M_A has no canonical transformation"
+        return (DERIVED_SCHEMES.undecided(_DERIVED_QUESTION, reason),)
+    steps = derivation.steps[:n]
     norm = steps[-1].norm
     assert norm is not None
-    proof: dict[str, Data] = {
+    proof: VectorDerivedProof = {
         "transformations": tuple(rows_of(step.transformation) for step in steps),
         "dimensions": tuple(step.constants for step in steps),
         "starts": tuple(min(step.terms) for step in steps),
@@ -285,15 +295,15 @@ def derived_schemes(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
     }
     operator = f"{numbers.p}^-1 S_(∂^{n} A)" if n > 1 else f"{numbers.p}^-1 S_(∂A)"
     size = f"‖{operator}‖∞" if norm[0] == 1 else f"‖({operator})^{norm[0]}‖∞"
-    statement = f"S is C^{n - 1}, as {size} = {number(norm[1])} < 1"
-    witness: dict[str, Data] = {"derivations": n, "level": norm[0], "norm": norm[1], "order": n - 1}
-    return (DERIVED_SCHEMES.proved(statement, witness, proof=proof),)
+    why = f"{size} = {valued(norm[1])} < 1"
+    witness: VectorDerivedWitness = {"derivations": n, "level": norm[0], "norm": norm[1], "order": n - 1}
+    return (DERIVED_SCHEMES.proved(f"S is C^{n - 1}, as {why}", witness, proof=proof, why=why),)
 
 
 def _most(facts: Facts) -> int:
     """The most derivations that may help: the limits are not C^n if SD709 says so."""
-    order = facts[NEXT_SMOOTHNESS].witness.get("order") if NEXT_SMOOTHNESS in facts else None
-    return order if isinstance(order, int) else _DERIVATIONS
+    refuted = facts.verdict(NEXT_SMOOTHNESS) is Verdict.REFUTED
+    return facts.witness(NEXT_SMOOTHNESS)["order"] if refuted else _DERIVATIONS
 
 
 def _dense(terms: Mapping[int, fmpq_mat]) -> list[fmpq_mat]:
