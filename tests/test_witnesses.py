@@ -49,8 +49,9 @@ PROOFS = {
     hermite.JET_RADIUS.code: vector.w.SequenceRadiusProof,
 }
 """The forms of further data, of other rules those of mean squares."""
-UNSEEN = {("SD201", "eigenvalues"), ("SD201", "matrix"), *((code, "bound") for code in ("SD704", "SD707", "SD710", "SD715"))}
-"""A mask that fails its eigen-condition has a product that shows it too, and that comes first."""
+UNSEEN = {("SD201", key) for key in ("eigenvalues", "matrix")}
+UNSEEN |= {(code, "bound") for code in ("SD704", "SD707", "SD710", "SD715")}
+"""A mask that fails its eigen-condition has a product that shows it too, which comes first; radii are known exactly."""
 
 
 def fits(value, form) -> bool:
