@@ -183,6 +183,8 @@ def _result(data: Mapping[str, Any]) -> Result:
         dimension=data.get("dimension"),
         well_defined=Verdict(data.get("well_defined", _SKIPPED)["verdict"]),
         polynomials=data.get("polynomials"),
+        spectral=Verdict(data.get("spectral", _SKIPPED)["verdict"]),
+        derivatives=None if data.get("derivatives") is None else len(data["derivatives"]),
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),

@@ -143,6 +143,9 @@ def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator
             yield any(s["property"] == name and s["degree"] == degree for s in statements)
     if result.dimension is not None:
         yield any(s["property"] == "constants" and s["dimension"] == result.dimension for s in statements)
+    if result.derivatives is not None:
+        stated = (s for s in statements if s["property"] == "hermite-convergent")
+        yield any(s["holds"] and s["order"] == result.derivatives for s in stated)
 
 
 def _judged(result: Result) -> bool:

@@ -213,13 +213,15 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         dimension=degree(questions.DIMENSION),
         well_defined=verdict(questions.WELL_DEFINED),
         polynomials=degree(questions.POLYNOMIALS),
+        spectral=verdict(questions.SPECTRAL),
+        derivatives=degree(questions.DERIVATIVES),
         findings=findings,
     )
 
 
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
-    "generation", "reproduction", "dimension", "well_defined", "polynomials",
+    "generation", "reproduction", "dimension", "well_defined", "polynomials", "spectral", "derivatives",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 

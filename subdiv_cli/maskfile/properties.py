@@ -24,8 +24,8 @@ from subdiv_cli.model.properties import BY_KEY, EXPECTED
 
 KEYS = EXPECTED
 TRUTHS = tuple(key for key in KEYS if BY_KEY[key].form == "verdict")
-ORDER = re.compile(r"\s*[Cc]\s*\^?\s*(?:([0-9]+)|\(([0-9]+)\))\s*")
-"""An order of smoothness as `C1`, `C^1` or `C^(1)`."""
+ORDER = re.compile(r"\s*H?[Cc]\s*\^?\s*(?:([0-9]+)|\(([0-9]+)\))\s*")
+"""An order of smoothness as `C1`, `C^1` or `C^(1)`; `HC1` of Hermite schemes."""
 _AT_LEAST = re.compile(r"(?:≥|=>|>)\s*([^\s<>=≤≥].*)", re.DOTALL)
 ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree", "dimension"))
 

@@ -79,6 +79,7 @@ def as_data(result: Result, look: Look) -> dict[str, Any]:
         "reference": result.reference,
         "refinable_function": _smoothness(result.refinable),
         "hints": list(result.hints),
+        "derivatives": _derivatives(result),
         "regressions": None if result.regressions is None else [worse.message for worse in result.regressions],
     }
 
@@ -94,6 +95,15 @@ def _property(result: Result, row: Property) -> Any:
             return _exponent(given, attained=row.key == "holder")
         case "order" | "degree" | "dimension":
             return given
+
+
+def _derivatives(result: Result) -> list[dict[str, Any]] | None:
+    """The exponents of the derivatives that a Hermite scheme converges to: that of the limit less their orders."""
+    if result.derivatives is None:
+        return None
+    holder = result.holder or Exponent()
+    orders = range(1, result.derivatives + 1)
+    return [{"order": j, "holder": _exponent(holder.of_derivative(j), attained=True)} for j in orders]
 
 
 def _smoothness(smooth: Smoothness) -> dict[str, Any]:

@@ -54,7 +54,7 @@ def decay(c: Claim) -> None:
         numerators, denominator = scaled(x)
         generators.append(({0: numerators}, denominator))
     require(are_independent([v[0] for v, _ in generators[m:]]), "the vectors are dependent modulo 2^61 - 1")
-    basis = _space(c, a, generators)
+    basis = invariant_space(c, a, generators)
     for number, row in enumerate(basis):
         sums = total(row, m)
         same = not any(sum(map(mul, u, sums), Fraction(0)) for u in constants)
@@ -72,12 +72,12 @@ def stencil_differences(c: Claim) -> None:
     require(k >= 1, "the order is not positive")
     require_few(k <= _MAX_DIFFERENCES, "the order is too large")
     stencils, denominator = c.use("limit-stencils").result
-    generators = [lowest_terms(_difference(w, k), denominator) for w in stencils]
-    _space(c, a, generators)
-    _spanned(c, c.witness["matrices"], c.witness["leaves"], c.witness["words"])
+    generators = [lowest_terms(difference(w, k), denominator) for w in stencils]
+    invariant_space(c, a, generators)
+    check_spanned(c, c.witness["matrices"], c.witness["leaves"], c.witness["words"])
 
 
-def _difference(w: VectorSequence, k: int) -> VectorSequence:
+def difference(w: VectorSequence, k: int) -> VectorSequence:
     """The difference ∇^k w = Σ_i (-1)^i C(k,i) w(· - i), without zeros."""
     found: VectorSequence = {}
     for alpha, x in w.items():
@@ -87,7 +87,7 @@ def _difference(w: VectorSequence, k: int) -> VectorSequence:
     return nonzero(found)
 
 
-def _space(c: Claim, a: MatrixMask, generators: list[Generator]) -> list[VectorSequence]:
+def invariant_space(c: Claim, a: MatrixMask, generators: list[Generator]) -> list[VectorSequence]:
     """The basis of the space of the witness, which is checked, and the family introduced."""
     found, m = c.witness, a.size
     basis, family, tree, leaves = found["basis"], found["matrices"], found["tree"], found["leaves"]
@@ -183,7 +183,7 @@ def _grown(
         require(same, f"node {node} of the tree has other coordinates")
 
 
-def _spanned(
+def check_spanned(
     c: Claim, family: RationalFamily, leaves: Sequence[Sequence[Fraction]], words: Sequence[Sequence[int]]
 ) -> None:
     """Check that as many words as the order of the family, a leaf and letters each, give independent vectors."""

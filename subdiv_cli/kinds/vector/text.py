@@ -39,6 +39,7 @@ class MatrixCoefficients(NamedTuple):
     arity: int
     start: int
     matrices: Expressions
+    kind: str = "vector"
 
     def expressions(self) -> Iterable[Expression]:
         """The expressions of the body, each of which may have parameters."""
@@ -54,7 +55,7 @@ class MatrixCoefficients(NamedTuple):
         if fault:
             problems.add(fault, ("mask", "coefficients"))
             return None
-        return VectorScheme(arity=self.arity, start=self.start, coefficients=found)
+        return VectorScheme(arity=self.arity, start=self.start, coefficients=found, kind=self.kind)
 
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> MatrixCoefficients | None:
@@ -96,7 +97,7 @@ def _flat(value: object) -> str | None:
 
 def body_of(scheme: VectorScheme) -> MatrixCoefficients:
     """The literal coefficients of a scheme."""
-    return MatrixCoefficients(scheme.arity, scheme.start, literals(scheme.coefficients))
+    return MatrixCoefficients(scheme.arity, scheme.start, literals(scheme.coefficients), scheme.kind)
 
 
 def spell(body: MatrixCoefficients) -> list[str]:
