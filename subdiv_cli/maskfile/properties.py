@@ -43,9 +43,9 @@ def expectation(key: str, value: object) -> Expectation:
     if key in TRUTHS:
         if isinstance(value, bool):
             return Expectation(key=key, text=str(value).lower(), lower=value, upper=value)
-        said = f'"{shown(value)}"' if isinstance(value, str) else described(value)
+        given = f'"{shown(value)}"' if isinstance(value, str) else described(value)
         raise Fault(
-            faults.WRONG_TYPE, f"{key} must be true or false, not {said}", f"write {key} = true, without quotes"
+            faults.WRONG_TYPE, f"{key} must be true or false, not {given}", f"write {key} = true, without quotes"
         )
     if isinstance(value, bool) or not isinstance(value, int | str | Decimal):
         what = "an integer or a string" if key in ORDERS else "a number or a string"
@@ -142,19 +142,19 @@ def contradictions(expectations: Sequence[Expectation]) -> list[tuple[str, Fault
     """The pairs of expectations that no scheme can meet, each with the key of the later one."""
     given = {e.key: e for e in expectations}
     order = list(given)
-    found = []
+    pairs = []
     for first, second, law in _LAWS:
         if first in given and second in given and (why := law(given[first], given[second])):
-            said = [
+            sides = [
                 shown(f"{k} {'' if given[k].text.startswith('>') else '= '}{given[k].text}") for k in (first, second)
             ]
             fault = Fault(
                 faults.BAD_EXPECTATION,
-                f"{said[0]} contradicts {said[1]}: {why}",
+                f"{sides[0]} contradicts {sides[1]}: {why}",
                 "correct one of the two, or leave it out",
             )
-            found.append((max(first, second, key=order.index), fault))
-    return found
+            pairs.append((max(first, second, key=order.index), fault))
+    return pairs
 
 
 def _above(x: Expectation, y: Expectation, why: str) -> str | None:

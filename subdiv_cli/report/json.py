@@ -13,7 +13,7 @@ from subdiv_cli.model.closed import rational, spelled
 from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import finite
-from subdiv_cli.report.words import found, summary
+from subdiv_cli.report.words import actual, summary
 
 _PLACE = "results of subdiv"
 """What stands for the results while the rest of the report is spelled."""
@@ -140,7 +140,7 @@ def _expectation(result: Result, judged: Judgement) -> dict[str, Any]:
         "key": expectation.key,
         "expected": expectation.text,
         "verdict": judged.verdict.value,
-        "found": found(result, expectation),
+        "found": actual(result, expectation),
         "line": judged.line,
     }
 
