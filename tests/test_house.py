@@ -44,20 +44,6 @@ PICTURES = {"figure.py", "reliefs.py"}
 """Files of plot/ that may load matplotlib, and numpy with it."""
 SPEECH = {"found", "said", "told", "asked"}
 """What happened to a thing is no name of it."""
-STILL_SPEECH = {
-    "checker/vector/derived.py",
-    "checker/vector/masks.py",
-    "checker/vector/sequences.py",
-    "checker/vector/spaces.py",
-    "kinds/vector/numbers/derived.py",
-    "kinds/vector/numbers/eigen_sequences.py",
-    "kinds/vector/numbers/values.py",
-    "kinds/vector/numbers/vector.py",
-    "kinds/vector/portrait/page.py",
-    "kinds/vector/stages/smoothness.py",
-    "kinds/vector/text.py",
-}
-"""Files that have such names nevertheless."""
 
 FILES = sorted(ROOT.rglob("*.py"))
 TREES = {file: ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
@@ -192,14 +178,11 @@ def identifiers(file):
 
 
 def test_names_say_what_a_thing_is():
-    places = {
-        file.relative_to(ROOT).as_posix(): sorted({(line, name) for name, line in identifiers(file) if name in SPEECH})
-        for file in FILES
-    }
     offences = [
-        f"{path}:{line}: {name}" for path, here in places.items() if path not in STILL_SPEECH for line, name in here
+        f"{file.relative_to(ROOT)}:{line}: {name}"
+        for file in FILES
+        for line, name in sorted({(line, name) for name, line in identifiers(file) if name in SPEECH})
     ]
-    offences += [f"{path}: needs no exemption" for path in sorted(STILL_SPEECH) if not places.get(path)]
     assert not offences, "\n".join(offences)
 
 

@@ -62,16 +62,16 @@ class MatrixMask(NamedTuple):
 
     def images(self, v: VectorSequence) -> list[VectorSequence]:
         """The numerators of T_ε v for each ε, of the mask moved to begin at 0, over the mask's denominator."""
-        found: list[VectorSequence] = [{} for _ in range(self.arity)]
+        images: list[VectorSequence] = [{} for _ in range(self.arity)]
         columns = [list(zip(*matrix, strict=True)) for matrix in self.matrices]
         for beta, x in v.items():
             for gamma, transposed in enumerate(columns):
                 alpha, epsilon = divmod(beta + gamma, self.arity)
                 image = [sum(map(mul, column, x)) for column in transposed]
                 if any(image):
-                    old = found[epsilon].get(alpha)
-                    found[epsilon][alpha] = image if old is None else [a + b for a, b in zip(old, image, strict=True)]
-        return found
+                    old = images[epsilon].get(alpha)
+                    images[epsilon][alpha] = image if old is None else [a + b for a, b in zip(old, image, strict=True)]
+        return images
 
 
 def matrix_mask(arity: int, start: int, families: Sequence[RationalFamily]) -> MatrixMask:

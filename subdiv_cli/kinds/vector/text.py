@@ -47,15 +47,15 @@ class MatrixCoefficients(NamedTuple):
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> VectorScheme | None:
         """The scheme with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
-        found = numbers_of(self.matrices, values, problems, work)
-        if found is None:
+        matrices = numbers_of(self.matrices, values, problems, work)
+        if matrices is None:
             return None
-        entries = [x for matrix in found for row in matrix for x in row]
+        entries = [x for matrix in matrices for row in matrix for x in row]
         fault = too_precise(entries) if any(entries) else zero_mask(values)
         if fault:
             problems.add(fault, ("mask", "coefficients"))
             return None
-        return VectorScheme(arity=self.arity, start=self.start, coefficients=found, kind=self.kind)
+        return VectorScheme(arity=self.arity, start=self.start, coefficients=matrices, kind=self.kind)
 
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> MatrixCoefficients | None:
