@@ -208,15 +208,15 @@ def joint_spectral_radius(matrices: Sequence[Sequence[Sequence[Fraction]]], effo
     from subdiv_cli.jsr.answer import answer  # numpy comes with it
 
     watch.begin("joint spectral radius")
-    found = answer(matrices, effort)
-    document = family_certificate(matrices, found, effort.seconds_left())
-    if not found.proof or (document is not None and _outcome(document, effort).verified):
-        return CheckedRadius(found, document)
+    radius = answer(matrices, effort)
+    document = family_certificate(matrices, radius, effort.seconds_left())
+    if not radius.proof or (document is not None and _outcome(document, effort).verified):
+        return CheckedRadius(radius, document)
     why = TOO_DEAR
     if effort.seconds_left() is not None:
-        why, found = OUT_OF_TIME, replace(found, stopped="budget")
+        why, radius = OUT_OF_TIME, replace(radius, stopped="budget")
     rough = answer(matrices, UNHURRIED, rough=True)
     document = family_certificate(matrices, rough)
     if document is None or not _outcome(document, UNHURRIED).verified:
-        rough, document = FamilyRadius(order=found.order, letters=found.letters), None
-    return CheckedRadius(replace(rough, left_out=why, stopped=found.stopped), document)
+        rough, document = FamilyRadius(order=radius.order, letters=radius.letters), None
+    return CheckedRadius(replace(rough, left_out=why, stopped=radius.stopped), document)

@@ -1,5 +1,6 @@
 """Masks of matrices on Z, for tests: index -> rows of rationals as text."""
 
+import math
 from fractions import Fraction
 
 from flint import fmpq, fmpq_mat
@@ -13,6 +14,11 @@ HERMITE_CUBIC = {
     -1: [["1/2", "-1/8"], ["3/4", "-1/8"]],
     0: [["1", "0"], ["0", "1/2"]],
     1: [["1/2", "1/8"], ["-3/4", "-1/8"]],
+}
+HERMITE_QUINTIC = {
+    -1: [["1/2", "-5/32", "1/64"], ["15/16", "-7/32", "1/64"], ["0", "3/8", "-1/16"]],
+    0: [["1", "0", "0"], ["0", "1/2", "0"], ["0", "0", "1/4"]],
+    1: [["1/2", "5/32", "1/64"], ["-15/16", "-7/32", "-1/64"], ["0", "-3/8", "-1/16"]],
 }
 DOUBLE_KNOT_CUBIC = {
     0: [["1/4", "0"], ["5/8", "1/8"]],
@@ -35,6 +41,101 @@ def merrien(lam, mu):
         0: [["1", "0"], ["0", "1/2"]],
         1: [["1/2", -lam], [-(1 - mu) / 2, mu / 4]],
     }
+
+
+def hermite_interpolation(components, arity=2):
+    """Interpolation of jets by polynomials of degree 2·components - 1 on every interval, by Hermite's equations."""
+    d, n = components, 2 * components
+    jet = lambda i, x, k: Fraction(math.perm(i, k)) * Fraction(x) ** (i - k) if i >= k else Fraction(0)  # noqa: E731
+    ends = fmpq_mat([[_rational(jet(i, x, k)) for i in range(n)] for x in (0, 1) for k in range(d)]).inv()
+    mask = {0: [[Fraction(int(k == l), arity**k) for l in range(d)] for k in range(d)]}
+    for r in range(1, arity):
+        values = fmpq_mat([[_rational(jet(i, Fraction(r, arity), k) / arity**k) for i in range(n)] for k in range(d)])
+        rows = [[Fraction(int(x.p), int(x.q)) for x in row] for row in (values * ends).tolist()]
+        mask[r], mask[r - arity] = [row[:d] for row in rows], [row[d:] for row in rows]
+    return mask
+
+
+def de_rham(mask):
+    """The de Rham transform of a binary Hermite mask: A_i = D^-1 (A∘A)_(2i+1), A∘A that of two steps."""
+    twice = {}
+    for i, a in mask.items():
+        for j, b in mask.items():
+            found, k = times(a, b), i + 2 * j
+            old = twice.get(k, [[0] * len(a)] * len(a))
+            twice[k] = [[x + y for x, y in zip(r, s, strict=True)] for r, s in zip(old, found, strict=True)]
+    return {(k - 1) // 2: [[2**j * x for x in row] for j, row in enumerate(a)] for k, a in twice.items() if k % 2}
+
+
+def smoothed_jets(mask):
+    """Procedure 40 of Moosmüller & Dyn for functions and their derivatives, formula (43)."""
+    a11, a12, a21, a22 = ({i: Fraction(a[r][c]) for i, a in mask.items()} for r in (0, 1) for c in (0, 1))
+    zeta = 1 + sum(a12.values()) / (2 - sum(a22.values()))
+    z = lambda **powers: {-int(k[1:]): Fraction(x) for k, x in powers.items()}  # noqa: E731, d2=x is x z^-2
+    square, half, rest = zeta**2, z(d0=Fraction(1, 2)), 1 - zeta
+    c11 = product(half, z(d1=1, d0=1), sum_of(
+        product(a12, z(d3=zeta - square, d2=square, d1=square - 1, d0=-square - zeta)),
+        product(a11, z(d1=zeta * rest, d0=square)),
+        product(a22, z(d2=zeta * -rest, d0=(zeta + 1) * rest)),
+        product(a21, z(d0=square - zeta)),
+    ))  # fmt: skip
+    numerator = product(half, sum_of(
+        product(a12, z(d3=rest**2, d2=zeta * rest, d1=zeta * rest, d0=square)),
+        product(a22, z(d2=-(rest**2), d0=rest**2 - rest)),
+        product(a11, z(d1=rest**2, d0=rest - rest**2)),
+        product(a21, z(d0=-(rest**2))),
+    ))  # fmt: skip
+    c12, total = {}, Fraction(0)
+    for i in range(max(numerator), min(numerator) - 1, -1):  # divided by z^-1 - 1
+        total -= numerator.get(i, 0)
+        c12[i] = total
+    assert total == 0
+    c21 = product(half, z(d2=1, d0=-1), sum_of(
+        product(a12, z(d3=-square, d2=zeta + square, d1=zeta + square, d0=-((zeta + 1) ** 2))),
+        product(a11, z(d1=-square, d0=zeta + square)),
+        product(a22, z(d2=square, d0=-square - zeta)),
+        product(a21, z(d0=square)),
+    ))  # fmt: skip
+    c22 = product(half, sum_of(
+        product(a12, z(d3=square - zeta, d2=1 - square, d1=-square, d0=square + zeta)),
+        product(a11, z(d1=-zeta * rest, d0=rest * (1 + zeta))),
+        product(a22, z(d2=zeta * rest, d0=square)),
+        product(a21, z(d0=zeta - square)),
+    ))  # fmt: skip
+    support = sorted({i for f in (c11, c12, c21, c22) for i, x in f.items() if x})
+    return {i: [[c11.get(i, 0), c12.get(i, 0)], [c21.get(i, 0), c22.get(i, 0)]] for i in support}
+
+
+def product(*factors):
+    """The product of Laurent polynomials, exponent -> coefficient."""
+    total = {0: Fraction(1)}
+    for f in factors:
+        found = {}
+        for i, x in total.items():
+            for j, y in f.items():
+                found[i + j] = found.get(i + j, 0) + x * y
+        total = found
+    return total
+
+
+def sum_of(*terms):
+    """The sum of Laurent polynomials."""
+    return {i: sum(f.get(i, 0) for f in terms) for i in {i for f in terms for i in f}}
+
+
+UNSEEN = {
+    0: [["1/4", 0], ["1/16", 0]],
+    1: [["1/4", 0], ["1/16", 0]],
+    2: [["1/2", 0], ["1/8", 0]],
+    3: [["1/2", 0], ["1/8", 0]],
+    4: [["1/4", 0], [0, 0]],
+    5: [["1/4", 0], [0, 0]],
+    6: [[0, 0], ["-1/8", 0]],
+    7: [[0, 0], ["-1/8", 0]],
+    8: [[0, 0], ["-1/16", 0]],
+    9: [[0, 0], ["-1/16", 0]],
+}
+"""φ of the mask (1,1,2,2,1,1)/4, which is not stable, with the derivative as a difference of its limit stencil."""
 
 
 def scalar(coefficients, start=0):
@@ -129,12 +230,12 @@ def box_spline(*directions):
     return {index: [[value]] for index, value in terms.items()}
 
 
-def scheme(mask, arity=2):
-    """The vector scheme of a mask."""
+def scheme(mask, arity=2, kind="vector"):
+    """The scheme of a mask, of vectors or of jets."""
     m, low, high = len(next(iter(mask.values()))), min(mask), max(mask)
     rows = [mask.get(i, [[0] * m] * m) for i in range(low, high + 1)]
     coefficients = tuple(tuple(tuple(map(Fraction, row)) for row in matrix) for matrix in rows)
-    return VectorScheme(arity=arity, start=low, coefficients=coefficients)
+    return VectorScheme(arity=arity, start=low, coefficients=coefficients, kind=kind)
 
 
 def spaces(mask, dilation=((2,),)):

@@ -34,6 +34,7 @@ BETWEEN_KINDS = {
     "matrices": set(),
     "multivariate": {"scalar"},
     "vector": {"scalar", "matrices"},
+    "hermite": {"scalar", "vector"},
 }
 """Kind -> the kinds below it. All of them may import the hallway of kinds, the files beside their folders."""
 TERMINAL = {"click", "rich"}
@@ -41,6 +42,8 @@ TO_TERMINALS = {"cli", "report", "__main__"}
 FLINT = {"exact", "spaces", "jsr", "kinds"}
 PICTURES = {"figure.py", "reliefs.py"}
 """Files of plot/ that may load matplotlib, and numpy with it."""
+SPEECH = {"found", "said", "told", "asked"}
+"""What happened to a thing is no name of it."""
 
 FILES = sorted(ROOT.rglob("*.py"))
 TREES = {file: ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
@@ -124,14 +127,14 @@ def literals(file):
 
 
 def test_codes_stand_in_rules_only():
-    found = [
+    offences = [
         f"{file.relative_to(ROOT)}:{line}: {text[:60]}"
         for file in FILES
         if file.name != "rules.py"
         for text, line in literals(file)
         if re.fullmatch(r"SD\d{3}", text)
     ]
-    assert not found, "\n".join(found)
+    assert not offences, "\n".join(offences)
 
 
 def test_only_a_kind_asks_whether_a_scheme_is_of_it():
@@ -144,7 +147,7 @@ def test_only_a_kind_asks_whether_a_scheme_is_of_it():
         if isinstance(node, ast.ClassDef) and any(getattr(each, "name", "") == "kind" for each in node.body)
     }
     assert {"ScalarScheme", "MultivariateScheme", "MatrixFamily"} <= schemes
-    found = [
+    offences = [
         f"{file.relative_to(ROOT)}:{node.lineno}"
         for file in FILES
         for node in ast.walk(TREES[file])
@@ -153,7 +156,7 @@ def test_only_a_kind_asks_whether_a_scheme_is_of_it():
         and schemes & {name.id for name in ast.walk(node.args[1]) if isinstance(name, ast.Name)}
         and len(file.relative_to(ROOT / "kinds").parts if room(file) == "kinds" else ()) < 2
     ]
-    assert not found, "\n".join(found)
+    assert not offences, "\n".join(offences)
 
 
 def test_no_class_name_stands_twice():
@@ -162,19 +165,36 @@ def test_no_class_name_stands_twice():
         for node in ast.walk(TREES[file]):
             if isinstance(node, ast.ClassDef):
                 places.setdefault(node.name, []).append(f"{file.relative_to(ROOT)}:{node.lineno}")
-    found = [f"{name}: {', '.join(where)}" for name, where in sorted(places.items()) if len(where) > 1]
-    assert not found, "\n".join(found)
+    offences = [f"{name}: {', '.join(where)}" for name, where in sorted(places.items()) if len(where) > 1]
+    assert not offences, "\n".join(offences)
+
+
+def identifiers(file):
+    """(name, line) of all that has a name in a file: variables, parameters, attributes, functions, imports."""
+    for node in ast.walk(TREES[file]):
+        for field in ("id", "arg", "attr", "name", "asname"):
+            if isinstance(name := getattr(node, field, None), str):
+                yield name, getattr(node, "lineno", 1)
+
+
+def test_names_say_what_a_thing_is():
+    offences = [
+        f"{file.relative_to(ROOT)}:{line}: {name}"
+        for file in FILES
+        for line, name in sorted({(line, name) for name, line in identifiers(file) if name in SPEECH})
+    ]
+    assert not offences, "\n".join(offences)
 
 
 def test_no_tolerance_in_a_proof_path():
-    found = [
+    offences = [
         f"{file.relative_to(ROOT)}:{node.lineno}: {node.value}"
         for file in FILES
         if room(file) in {"exact", "certificate", "checker"} or {"stages", "claims"} & set(file.parts)
         for node in ast.walk(TREES[file])
         if isinstance(node, ast.Constant) and isinstance(node.value, float) and node.value not in (0.0, 1.0)
     ]
-    assert not found, "\n".join(found)
+    assert not offences, "\n".join(offences)
 
 
 def loaded_by(*arguments):

@@ -14,6 +14,7 @@ from support import multivariate_scheme, shipped_multivariate
 import subdiv_cli
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.kinds import kind_of
+from subdiv_cli.kinds.hermite import rules as hermite
 from subdiv_cli.kinds.matrices import rules as matrices
 from subdiv_cli.kinds.multivariate import rules as multivariate
 from subdiv_cli.kinds.multivariate import witnesses as w
@@ -27,7 +28,7 @@ from subdiv_cli.model.proofs import RadiusProof
 
 PACKAGE = Path(subdiv_cli.__file__).parent
 
-RULES = {**scalar.rules(), **multivariate.rules(), **matrices.rules(), **vector.rules()}
+RULES = {**scalar.rules(), **multivariate.rules(), **matrices.rules(), **vector.rules(), **hermite.rules()}
 PROOFS = {
     scalar.JOINT_RADIUS.code: RadiusProof,
     scalar.HOLDER_ATTAINED.code: RadiusProof,
@@ -45,10 +46,12 @@ PROOFS = {
     vector.STENCIL_RADIUS.code: vector.w.SequenceRadiusProof,
     vector.HOLDER_ATTAINED.code: vector.w.VectorAttainedProof,
     vector.DERIVED_SCHEMES.code: vector.w.VectorDerivedProof,
+    hermite.JET_RADIUS.code: vector.w.SequenceRadiusProof,
 }
 """The forms of further data, of other rules those of mean squares."""
-UNSEEN = {("SD201", "eigenvalues"), ("SD201", "matrix"), *((code, "bound") for code in ("SD704", "SD707", "SD710"))}
-"""A mask that fails its eigen-condition has a product that shows it too, and that comes first."""
+UNSEEN = {("SD201", key) for key in ("eigenvalues", "matrix")}
+UNSEEN |= {(code, "bound") for code in ("SD704", "SD707", "SD710", "SD715")}
+"""A mask that fails its eigen-condition has a product that shows it too, which comes first; radii are known exactly."""
 
 
 def fits(value, form) -> bool:

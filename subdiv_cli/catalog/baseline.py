@@ -123,8 +123,8 @@ def _or(bound: float | None, sign: int) -> float:
 
 
 def _expectation(judged: Judgement, old: str | None) -> Iterator[str]:
-    asked = f"{judged.expectation.key} {judged.expectation.text}"
+    expected = f"{judged.expectation.key} {judged.expectation.text}"
     if old is not None:
-        yield from _verdict(f"the expectation {asked}", old, judged.verdict)
+        yield from _verdict(f"the expectation {expected}", old, judged.verdict)
     elif judged.verdict is not Verdict.PROVED:
-        yield f"the new expectation {asked} is {judged.verdict.value}"
+        yield f"the new expectation {expected} is {judged.verdict.value}"

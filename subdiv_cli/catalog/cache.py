@@ -39,10 +39,10 @@ class Entry(NamedTuple):
     certificate: str
 
 
-def directory(told: str | None = None) -> str | None:
+def directory(given: str | None = None) -> str | None:
     """The directory of results: the one that is given, else among the user's caches; None for a user without a home."""
-    if told is not None:
-        return told
+    if given is not None:
+        return given
     with suppress(RuntimeError):
         return str(_of_user())
     return None
@@ -50,10 +50,10 @@ def directory(told: str | None = None) -> str | None:
 
 def _of_user() -> Path:
     """The directory XDG_CACHE_HOME, or what is usual on the system. Raises RuntimeError without a home."""
-    if told := os.environ.get("XDG_CACHE_HOME"):
-        return Path(told) / "subdiv"
-    if sys.platform == "win32" and (told := os.environ.get("LOCALAPPDATA")):
-        return Path(told) / "subdiv" / "cache"
+    if base := os.environ.get("XDG_CACHE_HOME"):
+        return Path(base) / "subdiv"
+    if sys.platform == "win32" and (base := os.environ.get("LOCALAPPDATA")):
+        return Path(base) / "subdiv" / "cache"
     if sys.platform == "darwin":
         return Path.home() / "Library" / "Caches" / "subdiv"
     return Path.home() / ".cache" / "subdiv"
@@ -63,7 +63,7 @@ def key(
     data: bytes, overrides: Mapping[str, Fraction], work: int, required: Sequence[Expectation], *, kind: str = "check"
 ) -> str:
     """The name of an entry."""
-    asked = {
+    inputs = {
         "kind": kind,
         "version": _version(),
         "file": sha256(data).hexdigest(),
@@ -71,7 +71,7 @@ def key(
         "work": work,
         "required": [f"{e.key} {e.text}" for e in required],
     }
-    return sha256(json.dumps(asked).encode()).hexdigest()
+    return sha256(json.dumps(inputs).encode()).hexdigest()
 
 
 @cache

@@ -41,22 +41,22 @@ def discover(paths: Iterable[str | Path], exclude: Iterable[str] = ()) -> Discov
     Problems: SD002 for what is missing or unreadable, SD014 for a directory without masks and a pattern that nothing
     matches. Never raises for what is on disk.
     """
-    found = _Found(Exclusion(exclude))
+    collection = _Collection(Exclusion(exclude))
     for path in map(str, paths):
         try:
             if not path:
-                found.entries.append(_NAMELESS)
+                collection.entries.append(_NAMELESS)
             elif path != "-" and Path(path).is_dir():
-                found.search(path)
+                collection.search(path)
             elif _PATTERN.search(path) and not os.path.lexists(path):
-                found.match(path)
+                collection.match(path)
             else:
-                found.add(path, _identity(path))
+                collection.add(path, _identity(path))
         except OSError as error:
-            found.entries.append(unreadable(path, error))
+            collection.entries.append(unreadable(path, error))
         except ValueError:  # a null character in the name
-            found.entries.append(unreadable(path, FileNotFoundError()))
-    return Discovery(entries=tuple(found.entries), skipped=found.skipped, left_out=found.left_out)
+            collection.entries.append(unreadable(path, FileNotFoundError()))
+    return Discovery(entries=tuple(collection.entries), skipped=collection.skipped, left_out=collection.left_out)
 
 
 _NAMELESS = faults.UNREADABLE_FILE.problem(
@@ -65,7 +65,7 @@ _NAMELESS = faults.UNREADABLE_FILE.problem(
 """The problem of an empty name, which does not mean the directory here, as `Path("")` does."""
 
 
-class _Found:
+class _Collection:
     """The entries so far, with the identities of their files."""
 
     def __init__(self, exclusion: Exclusion) -> None:
@@ -99,15 +99,15 @@ class _Found:
         """Add the masks below a directory, or the problem that there are none."""
         masks = others = 0
         before = self.left_out
-        for found in self._below(Path(directory), set(), ignored_by_git(directory)):
-            if isinstance(found, Problem):
-                self.entries.append(found)
-            elif _looks_like_mask(found):
+        for entry in self._below(Path(directory), set(), ignored_by_git(directory)):
+            if isinstance(entry, Problem):
+                self.entries.append(entry)
+            elif _looks_like_mask(entry):
                 masks += 1
                 try:
-                    self.add(str(found), _identity(str(found)))
+                    self.add(str(entry), _identity(str(entry)))
                 except OSError:  # a dangling link: the reader says so
-                    self.entries.append(str(found))
+                    self.entries.append(str(entry))
             else:
                 others += 1
         self.skipped += others

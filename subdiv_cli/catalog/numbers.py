@@ -138,19 +138,19 @@ def _agree(exact: ClosedForm, number: ClosedForm, each: Stated) -> bool:
 
 def _bounds(stated: Iterable[Stated], names: set[str]) -> list[tuple[Fraction, Fraction]]:
     """The enclosures of the bounds that statements of these kinds give."""
-    found = []
+    enclosures = []
     for each in stated:
         statement = each.statement
         if statement["property"] not in names:
             continue
         if statement["property"] == "sobolev-lower":
             closed = of_statement({**statement, "property": "sobolev"}, each.m)
-            found += [_times(enclosure(closed), each)] if closed is not None else []
+            enclosures += [_times(enclosure(closed), each)] if closed is not None else []
         else:
             bound = next(statement[key] for key in ("bound", "norm", "radius") if key in statement)
             length = statement["level"] if "norm" in statement else statement["length"]
-            found.append(_times(enclosure(logarithm(each.m, 1 / Fraction(bound), length)), each))
-    return found
+            enclosures.append(_times(enclosure(logarithm(each.m, 1 / Fraction(bound), length)), each))
+    return enclosures
 
 
 def _times(ends: tuple[Fraction, Fraction], each: Stated) -> tuple[Fraction, Fraction]:
@@ -194,13 +194,13 @@ def _is_text(text: str, number: RootLog) -> bool:
 
     One text stands in several places of a result.
     """
-    if (found := _BOUNDS.search(text)) is None:
+    if (match := _BOUNDS.search(text)) is None:
         return False
     f = number.root.coefficients
     polynomial = spelled_terms(reversed(list(enumerate(f))), "x", "*", str)
-    if text != root_log_text(number.base, polynomial, found["low"], found["high"], number.divisor):
+    if text != root_log_text(number.base, polynomial, match["low"], match["high"], number.divisor):
         return False
-    low, high = Fraction(found["low"]), Fraction(found["high"])
+    low, high = Fraction(match["low"]), Fraction(match["high"])
     return 0 < low <= number.root.low <= number.root.high <= high and roots_between(f, low, high) == 1
 
 
@@ -209,10 +209,10 @@ _DECIMALS = re.compile(r"-?\d+\.(?P<places>\d+)…(?:e(?P<power>-?\d{1,6}))?")
 
 def _is_cut(digits: str, exact: ClosedForm) -> bool:
     """Whether these are the first decimals of a number, cut: `2.83007…`."""
-    found = _DECIMALS.fullmatch(digits)
-    if found is None:
+    match = _DECIMALS.fullmatch(digits)
+    if match is None:
         return False
-    unit = Fraction(10) ** (int(found["power"] or 0) - len(found["places"]))
+    unit = Fraction(10) ** (int(match["power"] or 0) - len(match["places"]))
     size = abs(Fraction(digits.replace("…", "")))
     low, high = enclosure(exact, refined=True)
     low, high = (-high, -low) if digits.startswith("-") else (low, high)

@@ -76,10 +76,10 @@ def _decode(data: Any) -> Any:
 @cache
 def _known(name: str) -> Any:
     """The class of `model` with this name. Raises TypeError where there is none."""
-    found = getattr(model, name, None)
-    if not isinstance(found, type) or not found.__module__.startswith(model.__name__):
+    member = getattr(model, name, None)
+    if not isinstance(member, type) or not member.__module__.startswith(model.__name__):
         raise TypeError(f"there is no {name} in the model")
-    return found
+    return member
 
 
 def _fields(value: Any) -> tuple[str, ...]:

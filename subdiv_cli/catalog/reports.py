@@ -183,6 +183,8 @@ def _result(data: Mapping[str, Any]) -> Result:
         dimension=data.get("dimension"),
         well_defined=Verdict(data.get("well_defined", _SKIPPED)["verdict"]),
         polynomials=data.get("polynomials"),
+        spectral=Verdict(data.get("spectral", _SKIPPED)["verdict"]),
+        derivatives=None if data.get("derivatives") is None else len(data["derivatives"]),
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),
@@ -227,11 +229,11 @@ def _closed(text: str | None) -> ClosedForm | None:
 
 
 def _judgement(data: Mapping[str, Any]) -> Judgement:
-    key, said = data["key"], data["expected"]
+    key, text = data["key"], data["expected"]
     try:
-        expectation = parse_expectation(key, said == "true" if key in TRUTHS else said)
+        expectation = parse_expectation(key, text == "true" if key in TRUTHS else text)
     except MaskFileError:
-        expectation = Expectation(key=key, text=said, lower=False)
+        expectation = Expectation(key=key, text=text, lower=False)
     return Judgement(expectation, Verdict(data["verdict"]), data.get("line"))
 
 
@@ -241,7 +243,7 @@ def _finding(data: Mapping[str, Any], rules: Mapping[str, Rule[Any]]) -> Finding
     return Finding(
         code=data["code"], name=data["name"], verdict=Verdict(data["verdict"]), statement=data["statement"],
         source=data["source"], reason=data.get("reason"), why=data.get("why"),
-        answers=tuple((asked, None) for asked in (rule.answers if rule is not None else ())),
+        answers=tuple((question, None) for question in (rule.answers if rule is not None else ())),
         value=None if value is None else Interval(value["lower"], value["upper"], value["exact"]),
         witness=_data(data.get("witness", {})), claims=tuple(data.get("claims", ())),
     )  # fmt: skip

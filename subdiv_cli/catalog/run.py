@@ -74,9 +74,9 @@ def check_all(
         sections=sections,
         given=given._replace(names=tuple(overrides or ())),
     )
-    found = discover((target for target in targets if isinstance(target, str)), exclude)
-    on_skipped(found.skipped, found.left_out)
-    tasks = [_task(entry) for entry in (*found.entries, *(each for each in targets if isinstance(each, MaskFile)))]
+    discovery = discover((target for target in targets if isinstance(target, str)), exclude)
+    on_skipped(discovery.skipped, discovery.left_out)
+    tasks = [_task(entry) for entry in (*discovery.entries, *(each for each in targets if isinstance(each, MaskFile)))]
     if overrides:
         tasks = _varied(tasks, overrides, settings.given)
     if shard is not None:
@@ -148,16 +148,16 @@ def _varied(
         and (strange := [n for n in overrides if n not in there])
     ):
         return [Done(invalid("-p", tuple(no_such_parameter(name, there) for name in strange)))]
-    found: list[Task | Done] = []
+    variants: list[Task | Done] = []
     for task, names in zip(made, known, strict=True):
         if isinstance(task, Done):
-            found.append(task)
+            variants.append(task)
             continue
         taken = [name for name in overrides if alone or name in (names or ())]
         varied = tuple(name for name in taken if len(overrides[name]) > 1)
         for values in product(*(overrides[name] for name in taken)):
-            found.append(task._replace(overrides=dict(zip(taken, values, strict=True)), varied=varied))
-    return found
+            variants.append(task._replace(overrides=dict(zip(taken, values, strict=True)), varied=varied))
+    return variants
 
 
 def _parameters(task: Task, given: Given) -> Collection[str] | None:

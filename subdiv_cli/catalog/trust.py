@@ -119,8 +119,8 @@ def _plain(exponent: Exponent | None) -> Exponent | None:
 def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator[bool]:
     def orders(question: Question, name: str) -> list[int]:
         """The orders in the claims of this name of the finding that answers a question."""
-        found = answering(result.findings, question)
-        stated = () if found is None else _stated(found, statements)
+        finding = answering(result.findings, question)
+        stated = () if finding is None else _stated(finding, statements)
         return [statement["order"] for statement in stated if statement["property"] == name]
 
     polynomial = any(statement["property"] == "polynomial-curve" for statement in statements)
@@ -132,9 +132,9 @@ def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator
         if smooth.order is not None:
             yield max(orders(SMOOTHNESS, "smooth"), default=-1) >= smooth.order
         if smooth.sharp:
-            asked = SMOOTHNESS if smooth.order is None else NEXT_SMOOTHNESS
+            question = SMOOTHNESS if smooth.order is None else NEXT_SMOOTHNESS
             next_order = 0 if smooth.order is None else smooth.order + 1
-            yield any(order <= next_order for order in orders(asked, "not-smooth"))
+            yield any(order <= next_order for order in orders(question, "not-smooth"))
     if result.sum_rule_order:
         rules = ("sum-rules", "total-sum-rules", "eigen-sequences")
         yield any(result.sum_rule_order in orders(SUM_RULES, name) for name in rules)
@@ -143,6 +143,9 @@ def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator
             yield any(s["property"] == name and s["degree"] == degree for s in statements)
     if result.dimension is not None:
         yield any(s["property"] == "constants" and s["dimension"] == result.dimension for s in statements)
+    if result.derivatives is not None:
+        stated = (s for s in statements if s["property"] == "hermite-convergent")
+        yield any(s["holds"] and s["order"] == result.derivatives for s in stated)
 
 
 def _judged(result: Result) -> bool:
@@ -151,14 +154,14 @@ def _judged(result: Result) -> bool:
     return verdicts and result.status == status(result.convergent, result.expectations)
 
 
-def _verdict(said: Judgement, result: Result) -> Verdict:
+def _verdict(judgement: Judgement, result: Result) -> Verdict:
     """The verdict by enclosures; where these do not decide, as with equal numbers, exactly: only that loads flint."""
     try:
-        return judge(_sign, said.expectation, result)
+        return judge(_sign, judgement.expectation, result)
     except _UntoldError:
         from subdiv_cli.pipeline import judged
 
-        return judged((said.expectation,), result)[0].verdict
+        return judged((judgement.expectation,), result)[0].verdict
 
 
 class _UntoldError(Exception):

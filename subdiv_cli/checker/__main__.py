@@ -22,8 +22,8 @@ def main(names: list[str]) -> int:
     if not names or not work or any(name.startswith("-") for name in names):
         print(USAGE, file=sys.stderr)
         return 2
-    asked: PlainMask | None = None
-    if file is not None and (asked := _read(file)) is None:
+    subject: PlainMask | None = None
+    if file is not None and (subject := _read(file)) is None:
         return 2
     code = 0
     for name in names:
@@ -34,8 +34,8 @@ def main(names: list[str]) -> int:
             code = 2
             continue
         line, verified = outcome.line, outcome.verified
-        if verified and asked is not None:
-            verified = certified_mask(text) == asked
+        if verified and subject is not None:
+            verified = certified_mask(text) == subject
             line += f" (the mask of {file})"
             line = line if verified else f"NOT VERIFIED mask: the certificate is about another mask than {file}"
         shown = name if name.isprintable() else ascii(name)
@@ -55,13 +55,13 @@ def _option(names: list[str], option: str) -> tuple[list[str], str | None]:
 def _read(file: str) -> PlainMask | None:
     try:
         with open(file, encoding="utf-8-sig") as stream:  # noqa: PTH123 (pathlib is slow to load)
-            found = plain_mask(stream.read())
+            mask = plain_mask(stream.read())
     except (OSError, ValueError) as error:
         print(f"{file!a}: {error}", file=sys.stderr)
         return None
-    if found is None:
+    if mask is None:
         print(f"{file!a}: no plain mask file; `subdiv verify --mask` expands parameters and symbols", file=sys.stderr)
-    return found
+    return mask
 
 
 if __name__ == "__main__":

@@ -110,9 +110,9 @@ def inverse(a: Matrix) -> tuple[Matrix, int] | None:
 
 def inverse_norm(a: Matrix) -> Fraction | None:
     """The norm ‖a^-1‖₁, the largest absolute column sum; None for a singular matrix."""
-    if (found := inverse(a)) is None:
+    if (inverted := inverse(a)) is None:
         return None
-    b, d = found
+    b, d = inverted
     return Fraction(max(sum(map(abs, column)) for column in zip(*b, strict=True)), abs(d))
 
 

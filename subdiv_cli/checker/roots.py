@@ -109,14 +109,14 @@ def _bracket(at: Callable[[int], int], a: int, b: int) -> int:
     The bracket shrinks to a part of it around the zero of the chord, to smaller and smaller parts as long as that
     works, and to a half where it does not. How x is reached matters to the time alone: signs are exact.
     """
-    found, parts = _Bracket(a, b, at(a), at(b)), 4
-    while (width := found.b - found.a) > 1:
-        step, guess = max(1, width // parts), found.a - width * found.left // (found.right - found.left)
-        found = found.probed(at, guess - step).probed(at, guess + step)
-        parts = parts * parts if 2 * (found.b - found.a) <= width else 4
+    bracket, parts = _Bracket(a, b, at(a), at(b)), 4
+    while (width := bracket.b - bracket.a) > 1:
+        step, guess = max(1, width // parts), bracket.a - width * bracket.left // (bracket.right - bracket.left)
+        bracket = bracket.probed(at, guess - step).probed(at, guess + step)
+        parts = parts * parts if 2 * (bracket.b - bracket.a) <= width else 4
         if parts == 4:
-            found = found.probed(at, (found.a + found.b) // 2)
-    return found.a
+            bracket = bracket.probed(at, (bracket.a + bracket.b) // 2)
+    return bracket.a
 
 
 def root_below(x: int, n: int) -> int:

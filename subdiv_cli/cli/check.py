@@ -10,7 +10,7 @@ import click
 
 from subdiv_cli.cli import masks
 from subdiv_cli.cli.exits import ExitCode, exit_code
-from subdiv_cli.cli.options import Asked, SectionedCommand, check_options
+from subdiv_cli.cli.options import CheckOptions, SectionedCommand, check_options
 from subdiv_cli.cli.outputs import put_report, put_reports, put_statistics
 from subdiv_cli.cli.running import Run, tell_missing
 from subdiv_cli.cli.settings import SettingsError, with_settings
@@ -71,74 +71,74 @@ def command(ctx: click.Context, /, **given: Any) -> ExitCode:
     pattern such as "masks/**/*.toml" names those that match; - reads one mask from stdin.
     """
     try:
-        asked = Asked(**with_settings(ctx, given))
+        options = CheckOptions(**with_settings(ctx, given))
     except SettingsError as error:
         return complain([error.problem])
-    masks.usage(asked)
-    values = masks.overrides(asked.parameters)
-    told = {**_settings(asked), "overrides": values, "required": masks.required(asked.require)}
-    look = _look(asked)
-    run = Run(asked, look)
-    run.go(masks.targets(asked, values), told)
+    masks.usage(options)
+    values = masks.overrides(options.parameters)
+    arguments = {**_settings(options), "overrides": values, "required": masks.required(options.require)}
+    look = _look(options)
+    run = Run(options, look)
+    run.go(masks.targets(options, values), arguments)
     return _close(run, look)
 
 
-def _settings(asked: Asked) -> dict[str, Any]:
+def _settings(options: CheckOptions) -> dict[str, Any]:
     """The arguments of the run for the catalog."""
     from subdiv_cli.catalog.cache import directory
 
-    told: dict[str, Any] = {
-        "work": asked.effort,
-        "seconds": asked.budget,
-        "debug": asked.debug,
-        "jobs": asked.jobs,
-        "cache": None if asked.no_cache else directory(asked.cache_dir),
+    arguments: dict[str, Any] = {
+        "work": options.effort,
+        "seconds": options.budget,
+        "debug": options.debug,
+        "jobs": options.jobs,
+        "cache": None if options.no_cache else directory(options.cache_dir),
     }
     optional: dict[str, Any] = {
-        "certificates": asked.certificates,
-        "shard": asked.shard,
-        "cluster": asked.dask,
-        "exclude": asked.exclude or None,
+        "certificates": options.certificates,
+        "shard": options.shard,
+        "cluster": options.dask,
+        "exclude": options.exclude or None,
     }
-    if asked.mask is None and (asked.start is not None or asked.arity is not None):
+    if options.mask is None and (options.start is not None or options.arity is not None):
         from subdiv_cli.maskfile.option import Given
 
-        optional["given"] = Given(asked.start, asked.arity)
-    return told | {key: value for key, value in optional.items() if value is not None}
+        optional["given"] = Given(options.start, options.arity)
+    return arguments | {key: value for key, value in optional.items() if value is not None}
 
 
-def _look(asked: Asked) -> Look:
+def _look(options: CheckOptions) -> Look:
     from subdiv_cli.explain import codes
 
     known = codes()
-    for code in (*asked.select, *asked.ignore):
+    for code in (*options.select, *options.ignore):
         if not any(one.startswith(code.upper()) for one in known):
             raise click.UsageError(f"no finding code begins with {code!r}; `subdiv explain` lists them")
-    return look_of(sys.stdout, verbosity=asked.verbosity, allow_undecided=asked.allow_undecided)._replace(
-        select=tuple(code.upper() for code in asked.select),
-        ignore=tuple(code.upper() for code in asked.ignore),
-        shard=asked.shard,
+    return look_of(sys.stdout, verbosity=options.verbosity, allow_undecided=options.allow_undecided)._replace(
+        select=tuple(code.upper() for code in options.select),
+        ignore=tuple(code.upper() for code in options.ignore),
+        shard=options.shard,
     )
 
 
 def _close(run: Run, look: Look) -> ExitCode:
     """The exit code, after the report is written."""
-    asked = run.asked
+    options = run.options
     missing = run.missing()
     look = look._replace(missing=missing, interrupted=run.interrupted or run.ended)
 
     def render(form: str, look: Look) -> Iterator[str]:
         return streamer(form)(run.results, look)
 
-    if asked.form == "text" and not asked.statistics:  # the errors on stderr, and first
+    if options.form == "text" and not options.statistics:  # the errors on stderr, and first
         complain(run.problems)
-    if asked.statistics:
-        printed = put_statistics(run.results, asked.form, look)
-    elif asked.form == "jsonl":
+    if options.statistics:
+        printed = put_statistics(run.results, options.form, look)
+    elif options.form == "jsonl":
         printed = run.printed
     else:
-        printed = put_report(render, asked.form, look._replace(problems=False))
-    written = put_reports(render, asked.form, look, asked.outputs)
+        printed = put_report(render, options.form, look._replace(problems=False))
+    written = put_reports(render, options.form, look, options.outputs)
     tell_missing(missing)
     for file, reason in list(run.unwritten.items())[:_MOST_REASONS]:
         emit(f"error: the certificate of {file} cannot be written: {reason}\n", sys.stderr)
@@ -148,10 +148,10 @@ def _close(run: Run, look: Look) -> ExitCode:
     if run.interrupted:
         emit(f"interrupted: {count} mask{'' if count == 1 else 's'} checked until then\n", sys.stderr)
     statuses = (result.status for result in run.results)
-    code = exit_code(statuses, allow_undecided=asked.allow_undecided, interrupted=run.interrupted)
-    if run.unproved and code is ExitCode.PASSED and not asked.allow_undecided:
+    code = exit_code(statuses, allow_undecided=options.allow_undecided, interrupted=run.interrupted)
+    if run.unproved and code is ExitCode.PASSED and not options.allow_undecided:
         code = ExitCode.UNDECIDED
-    if asked.exit_zero and code in (ExitCode.FAILED, ExitCode.UNDECIDED):
+    if options.exit_zero and code in (ExitCode.FAILED, ExitCode.UNDECIDED):
         code = ExitCode.PASSED
     done = printed and written and not run.unwritten
     return code if done or run.interrupted else ExitCode.ERROR

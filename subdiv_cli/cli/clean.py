@@ -44,6 +44,6 @@ def command(cache_dir: str | None) -> ExitCode:
 
 def _settled() -> str | None:
     """The cache-dir of the nearest pyproject.toml, None without one."""
-    found = find(())
-    told = None if found is None else found[2].get("cache-dir")
-    return None if found is None or not isinstance(told, str) else str(found[0].parent / told)
+    settings = find(())
+    path = None if settings is None else settings[2].get("cache-dir")
+    return None if settings is None or not isinstance(path, str) else str(settings[0].parent / path)

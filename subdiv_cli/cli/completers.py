@@ -50,13 +50,13 @@ def complete_parameter(ctx: click.Context, param: click.Parameter, incomplete: s
     from subdiv_cli.kinds.reading import read_path
     from subdiv_cli.maskfile import MaskFileError
 
-    told: dict[str, str] = {}
+    defaults: dict[str, str] = {}
     for word in _words():
         with suppress(MaskFileError, OSError, ValueError):
             if Path(word).is_file():
                 for name, default in read_path(word).parameters.items():
-                    told.setdefault(name, "" if default is None else default.text)
-    return [CompletionItem(f"{n}=", help=default) for n, default in told.items() if f"{n}=".startswith(incomplete)]
+                    defaults.setdefault(name, "" if default is None else default.text)
+    return [CompletionItem(f"{n}=", help=default) for n, default in defaults.items() if f"{n}=".startswith(incomplete)]
 
 
 def _words() -> list[str]:

@@ -71,21 +71,21 @@ def command(
     from subdiv_cli.pipeline import joint_spectral_radius
 
     with Progress().watching():
-        found = joint_spectral_radius(matrices, Effort(effort, budget))
-    text = found.certificate_text()
+        checked = joint_spectral_radius(matrices, Effort(effort, budget))
+    text = checked.certificate_text()
     if certificate is not None and text is not None and not put_file(certificate, text):
         return ExitCode.ERROR
     proof = certificate if text is not None else None
     render = _as_json if form == "json" else _as_text
-    emit(render(read, found.radius, proof), sys.stdout, encoding="utf-8" if form == "json" else None)
+    emit(render(read, checked.radius, proof), sys.stdout, encoding="utf-8" if form == "json" else None)
     unwritten = certificate is not None and text is None
     if unwritten:
         emit(f"warning: {certificate} is not written: nothing is proved\n", sys.stderr)
-    if found.radius.left_out:
-        emit(f"warning: a better bound is left out: {found.radius.left_out}\n", sys.stderr)
-    unwritten = unwritten or (certificate is not None and found.radius.left_out is not None)
-    wide = not found.radius.lower or found.radius.width > _WIDE
-    known = found.radius.exact is not None or found.radius.upper == 0
+    if checked.radius.left_out:
+        emit(f"warning: a better bound is left out: {checked.radius.left_out}\n", sys.stderr)
+    unwritten = unwritten or (certificate is not None and checked.radius.left_out is not None)
+    wide = not checked.radius.lower or checked.radius.width > _WIDE
+    known = checked.radius.exact is not None or checked.radius.upper == 0
     return ExitCode.UNDECIDED if unwritten or (wide and not known) else ExitCode.PASSED
 
 

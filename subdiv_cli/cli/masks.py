@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from subdiv_cli.cli.exits import ExitCode
-from subdiv_cli.cli.options import Asked, belongs_to_mask
+from subdiv_cli.cli.options import CheckOptions, belongs_to_mask
 from subdiv_cli.cli.streams import complain
 from subdiv_cli.model import Expectation, Problem, Result
 
@@ -20,19 +20,19 @@ MOST_BYTES = 64 << 20
 """The most bytes of a list of files."""
 
 
-def usage(asked: Asked) -> None:
+def usage(options: CheckOptions) -> None:
     """Raise a usage error for options that do not go together."""
-    if asked.mask is None and not asked.targets and asked.files_from is None:
+    if options.mask is None and not options.targets and options.files_from is None:
         help = "name a file, as in `subdiv check four-point.toml`, or set paths in [tool.subdiv] of pyproject.toml"
         raise click.UsageError(f"nothing to check: {help}")
-    if asked.mask is not None and (asked.targets or asked.files_from is not None):
+    if options.mask is not None and (options.targets or options.files_from is not None):
         raise click.UsageError("--mask checks one mask from the command line: leave out the files, or --mask")
-    belongs_to_mask(asked.mask, asked.start, asked.arity, asked.targets)
-    if asked.quiet and asked.verbose:
+    belongs_to_mask(options.mask, options.start, options.arity, options.targets)
+    if options.quiet and options.verbose:
         raise click.UsageError("-q and -v contradict each other")
-    if asked.statistics and asked.form not in ("text", "json"):
-        raise click.UsageError(f"--statistics is text or json, not {asked.form}: other formats go to files, with -o")
-    if asked.files_from == "-" and "-" in asked.targets:
+    if options.statistics and options.form not in ("text", "json"):
+        raise click.UsageError(f"--statistics is text or json, not {options.form}: other formats go to files, with -o")
+    if options.files_from == "-" and "-" in options.targets:
         raise click.UsageError("standard input is either a list of files or a mask, not both")
 
 
@@ -66,15 +66,15 @@ def required(properties: Sequence[str]) -> tuple[Expectation, ...]:
     from subdiv_cli.maskfile import MaskFileError
     from subdiv_cli.maskfile.option import parse_property
 
-    found: list[Expectation] = []
+    expectations: list[Expectation] = []
     problems: list[Problem] = []
     for text in properties:
         try:
-            found.append(parse_property(text))
+            expectations.append(parse_property(text))
         except MaskFileError as error:
             problems += (replace(problem, key="--require") for problem in error.problems)
     _end(problems)
-    return tuple(dict.fromkeys(found))
+    return tuple(dict.fromkeys(expectations))
 
 
 def _end(problems: Sequence[Problem]) -> None:
@@ -83,20 +83,20 @@ def _end(problems: Sequence[Problem]) -> None:
         raise click.exceptions.Exit(ExitCode.ERROR)
 
 
-def targets(asked: Asked, names: Collection[str]) -> list[str | MaskFile] | Result:
+def targets(options: CheckOptions, names: Collection[str]) -> list[str | MaskFile] | Result:
     """The files and masks to check; an invalid Result where --mask cannot be read.
 
     `names` are those of -p, which a mask may use.
     """
-    if asked.mask is None:
-        listed = () if asked.files_from is None else _listed(asked.files_from)
-        return [*asked.targets, *listed]
+    if options.mask is None:
+        listed = () if options.files_from is None else _listed(options.files_from)
+        return [*options.targets, *listed]
     from subdiv_cli.kinds.option import from_given
     from subdiv_cli.maskfile import MaskFileError
     from subdiv_cli.maskfile.option import Given
 
     try:
-        return [from_given(asked.mask, Given(asked.start, asked.arity, tuple(names)))]
+        return [from_given(options.mask, Given(options.start, options.arity, tuple(names)))]
     except MaskFileError as error:
         return Result(file="--mask", status="invalid", problems=tuple(error.problems))
 

@@ -16,7 +16,7 @@ from subdiv_cli.report import FORMATS
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-class Asked(NamedTuple):
+class CheckOptions(NamedTuple):
     """The options of the command line, under their names."""
 
     targets: tuple[str, ...]

@@ -146,19 +146,19 @@ def _drawings(family: Sequence[single.One], given: set[str], suffix: str) -> lis
     """The sorts of pictures for each mask, all of one name. Raises a usage error for options that do not go with it."""
     from subdiv_cli.kinds import kind_of
 
-    found: list[Drawings] = []
+    chosen: list[Drawings] = []
     for one in family:
         sorts = kind_of(one.scheme).drawings or ()
         meant = next((sort for sort in sorts if suffix in sort.suffixes and sort.needs <= given), None)
         if meant is None:
             raise click.UsageError(_nowhere(one, sorts, suffix))
         single.refuse_others(given, meant.options)
-        found.append(meant)
-    if len(names := sorted({sort.name for sort in found})) > 1:
+        chosen.append(meant)
+    if len(names := sorted({sort.name for sort in chosen})) > 1:
         raise click.UsageError(f"{' and '.join(names)} are not drawn into one picture")
-    if (most := found[0].most) is not None and len(family) > most:
-        raise click.UsageError(f"these are {len(family)} {found[0].name}, and one picture takes {most} at most")
-    return found
+    if (most := chosen[0].most) is not None and len(family) > most:
+        raise click.UsageError(f"these are {len(family)} {chosen[0].name}, and one picture takes {most} at most")
+    return chosen
 
 
 def _nowhere(one: single.One, sorts: Sequence[Drawings], suffix: str) -> str:
@@ -189,7 +189,7 @@ def _drawn(
     from subdiv_cli.pipeline import draw
     from subdiv_cli.plot.panels import Drawn
 
-    found: list[Drawn] = []
+    drawn: list[Drawn] = []
     for one, sort in zip(family, drawings, strict=True):
         try:
             drawing = draw(one.scheme, sort, options, Effort(effort))
@@ -197,11 +197,10 @@ def _drawn(
             raise click.ClickException(f"not drawn: {error}") from None
         if not drawing.blocks:
             return _nothing(one, drawing)
-        told = bool(found)
-        blocks = tuple(b for b in drawing.blocks if not (told and isinstance(b, Polygon) and b.control))
-        found.append(Drawn(one.title(family if len(family) > 1 else ()), one.title(family), blocks))
+        blocks = tuple(b for b in drawing.blocks if not (drawn and isinstance(b, Polygon) and b.control))
+        drawn.append(Drawn(one.title(family if len(family) > 1 else ()), one.title(family), blocks))
         options = options | {"levels": None}  # those of the first mask are enough
-    return found
+    return drawn
 
 
 def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
@@ -212,13 +211,13 @@ def _nothing(one: single.One, drawing: Drawing) -> ExitCode:
 
     assert drawing.result is not None, "what is missing rests on a verdict"
     assert drawing.question is not None
-    found = answering(drawing.result.findings, drawing.question)
-    if found is None or found.verdict is Verdict.SKIPPED:  # there is no φ to ask of
-        found = answering(drawing.result.findings, CONVERGENCE)
-    refuted = found is not None and found.verdict is Verdict.REFUTED
+    finding = answering(drawing.result.findings, drawing.question)
+    if finding is None or finding.verdict is Verdict.SKIPPED:  # there is no φ to ask of
+        finding = answering(drawing.result.findings, CONVERGENCE)
+    refuted = finding is not None and finding.verdict is Verdict.REFUTED
     at = ", ".join(f"{name} = {rational(value)}" for name, value in one.parameters.items())
     name = f"{one.mask.name or one.mask.file}{f' at {at}' if at else ''}"
-    why = found.statement if found is not None and refuted else _UNPROVED[drawing.question.name]
+    why = finding.statement if finding is not None and refuted else _UNPROVED[drawing.question.name]
     emit(f"{name}: nothing to draw, {why}\n", sys.stderr)
     return ExitCode.FAILED if refuted else ExitCode.UNDECIDED
 

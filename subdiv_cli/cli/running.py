@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from subdiv_cli.catalog.spool import Spool
-from subdiv_cli.cli.options import Asked
+from subdiv_cli.cli.options import CheckOptions
 from subdiv_cli.cli.progress import Progress
 from subdiv_cli.cli.streams import complain, emit, put
 from subdiv_cli.model import Problem, Result
@@ -27,16 +27,16 @@ if TYPE_CHECKING:
 class Run:
     """A run: its results so far, and how it ended."""
 
-    def __init__(self, asked: Asked, look: Look) -> None:
-        self.asked, self.look = asked, look
+    def __init__(self, options: CheckOptions, look: Look) -> None:
+        self.options, self.look = options, look
         self.results = Spool[Result]()
         self.problems: list[Problem] = []
         self.interrupted = False
         self.ended = False
         """Whether --maxfail has ended the run before all masks were checked."""
         self.printed = True
-        self.forms = {asked.form, *(output.format or asked.form for output in asked.outputs)}
-        self.baseline = _baseline(asked.baseline)
+        self.forms = {options.form, *(output.format or options.form for output in options.outputs)}
+        self.baseline = _baseline(options.baseline)
         self.unproved: list[str] = []
         """What certificates that were asked for leave out, a sentence for each mask."""
         self.unwritten: dict[str, str] = {}
@@ -45,31 +45,31 @@ class Run:
         self._trouble: str | None = None
         self._progress = Progress()
 
-    def go(self, targets: list[str | MaskFile] | Result, told: Mapping[str, Any]) -> None:
+    def go(self, targets: list[str | MaskFile] | Result, arguments: Mapping[str, Any]) -> None:
         """Check all targets; afterwards the results are there, and what is streamed is written."""
-        stream = self._checked(targets, told)
+        stream = self._checked(targets, arguments)
         with self._progress.watching():
             try:
                 for result in stream:
                     self._take(result)
-                    if self._failing == self.asked.maxfail:
+                    if self._failing == self.options.maxfail:
                         stream.close()
             except KeyboardInterrupt:
                 self.interrupted = True
                 self._take_rest(stream)
         left = self._progress.total - len(self.results)
-        if self._failing == self.asked.maxfail and left > 0 and not self.interrupted:
+        if self._failing == self.options.maxfail and left > 0 and not self.interrupted:
             self.ended = True
             count = f"{left} mask{'' if left == 1 else 's'}"
-            emit(f"stopped by --maxfail {self.asked.maxfail}: {count} not checked\n", sys.stderr)
+            emit(f"stopped by --maxfail {self.options.maxfail}: {count} not checked\n", sys.stderr)
         if self._trouble is not None:
             emit(f"note: results cannot be kept in the cache: {self._trouble}\n", sys.stderr)
-        if self.asked.verbose:
+        if self.options.verbose:
             self._progress.tell()
 
     def missing(self) -> tuple[str, ...]:
         """The masks of the baseline that a whole run has not."""
-        partial = self.interrupted or self.ended or self.asked.shard is not None
+        partial = self.interrupted or self.ended or self.options.shard is not None
         return () if self.baseline is None or partial else self.baseline.missing()
 
     def _take_rest(self, stream: Generator[Result, None, None]) -> None:
@@ -83,7 +83,7 @@ class Run:
                 self._take(result)
 
     def _checked(
-        self, targets: list[str | MaskFile] | Result, told: Mapping[str, Any]
+        self, targets: list[str | MaskFile] | Result, arguments: Mapping[str, Any]
     ) -> Generator[Result, None, None]:
         """The results in order."""
         if isinstance(targets, Result):
@@ -93,21 +93,21 @@ class Run:
         from subdiv_cli.catalog.run import check_all
 
         try:
-            yield from check_all(targets, **told, **self._listeners())
+            yield from check_all(targets, **arguments, **self._listeners())
         except ClusterError as error:
             raise click.ClickException(str(error)) from None
         except OSError as error:
             raise click.ClickException(f"certificates cannot be written: {error}") from None
 
     def _listeners(self) -> dict[str, Any]:
-        told: dict[str, Any] = {"on_total": self._progress.begin, "on_done": self._hear}
-        if self.asked.certificates is not None:
-            told["on_unwritten"] = self.unwritten.setdefault
-        if self.asked.verbose:
-            told["on_skipped"] = _tell_skipped
-        if "html" in self.forms or ("text" in self.forms and self.asked.verbosity > 0):
-            told["sections"] = True
-        return told
+        listeners: dict[str, Any] = {"on_total": self._progress.begin, "on_done": self._hear}
+        if self.options.certificates is not None:
+            listeners["on_unwritten"] = self.unwritten.setdefault
+        if self.options.verbose:
+            listeners["on_skipped"] = _tell_skipped
+        if "html" in self.forms or ("text" in self.forms and self.options.verbosity > 0):
+            listeners["sections"] = True
+        return listeners
 
     def _hear(self, done: Done) -> None:
         self._progress.step(done)
@@ -117,13 +117,13 @@ class Run:
         """Hold a result to the baseline, write it where lines are streamed, and keep what the report will need."""
         if self.baseline is not None:
             result = self.baseline.judge(result)
-        if self.asked.form == "jsonl" and not self.asked.statistics:
+        if self.options.form == "jsonl" and not self.options.statistics:
             self._progress.close()
             self.printed &= put(renderer("jsonl")([result], self.look), encoding="utf-8")
-        if self.asked.certificates is not None and result.status != "invalid" and result.file not in self.unwritten:
+        if self.options.certificates is not None and result.status != "invalid" and result.file not in self.unwritten:
             self.unproved += _left_out(result)
         self.problems += result.problems
-        allowed = result.status == "undecided" and self.asked.allow_undecided
+        allowed = result.status == "undecided" and self.options.allow_undecided
         self._failing += result.status != "passed" and not allowed
         self.results.append(result)
 
@@ -134,7 +134,7 @@ def _left_out(result: Result) -> Iterator[str]:
         yield f"there is no certificate of {result.file}: nothing is proved of it"
         return
     for reason in UNCERTIFIED:
-        codes = dict.fromkeys(found.code for found in result.findings if found.reason == reason)
+        codes = dict.fromkeys(finding.code for finding in result.findings if finding.reason == reason)
         if codes:
             yield f"{result.certificate} leaves out {', '.join(codes)}: {reason}"
 

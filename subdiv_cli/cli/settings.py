@@ -61,10 +61,10 @@ def with_settings(ctx: click.Context, given: Mapping[str, Any]) -> dict[str, Any
     Raises SettingsError.
     """
     values = dict(given)
-    found = find(given["targets"])
-    if found is None:
+    settings = find(given["targets"])
+    if settings is None:
         return values
-    file, text, table = found
+    file, text, table = settings
     parameters = {parameter.name: parameter for parameter in ctx.command.params}
     for key, value in table.items():
         converted = _checked(file, text, key, value)

@@ -119,8 +119,8 @@ def _page(one: single.One, form: str, tolerance: Fraction, effort: int, certific
         from subdiv_cli.plot.panels import Drawn, panels, rows
 
         width = min(look.width - 2, _WIDEST)
-        found = panels([Drawn("", "", (block,))])
-        return [row for panel in found for row in rows(panel, width=width, unicode=look.unicode, height=_HEIGHT)]
+        drawn = panels([Drawn("", "", (block,))])
+        return [row for panel in drawn for row in rows(panel, width=width, unicode=look.unicode, height=_HEIGHT)]
 
     return renderer(form)(_labelled(one, checked, certificate), portrait, draw, look)
 

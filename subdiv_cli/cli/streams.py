@@ -43,8 +43,8 @@ def look_of(stream: TextIO, **settings: int | bool) -> Look:
 def columns(stream: TextIO, elsewhere: int = Look().width) -> int:
     """The width: COLUMNS if it is set, else the terminal's up to a pleasant one; in pipes and files `elsewhere`."""
     with suppress(ValueError):
-        if (told := int(os.environ.get("COLUMNS", ""))) > 0:
-            return told
+        if (width := int(os.environ.get("COLUMNS", ""))) > 0:
+            return width
     with suppress(OSError, ValueError, AttributeError):
         if (seen := os.get_terminal_size(stream.fileno()).columns) > 0:
             return min(seen, WIDEST)

@@ -28,9 +28,9 @@ class Quantity(click.ParamType[T]):
         """The parsed value; a number out of a file of settings is parsed as it would be spelled."""
         if not isinstance(value, str | int | float):
             return value
-        if (found := self._parse(str(value))) is None:
+        if (parsed := self._parse(str(value))) is None:
             self.fail(f"{value!r} is {self._wanted}", param, ctx)
-        return found
+        return parsed
 
 
 def _whole(text: str) -> int | None:

@@ -66,14 +66,14 @@ def command(
     """
     if not certificates:
         raise click.UsageError("nothing to verify: name a certificate, as in `subdiv verify four_point.json`")
-    asked = None if mask is None else _asked(mask, parameters)
+    subject = None if mask is None else _subject(mask, parameters)
     names = [name for target in certificates for name in _files(target)]
     if not names:
         emit("error: no *.json files there\n", sys.stderr)
         return ExitCode.ERROR
     counts = dict.fromkeys(_Outcome, 0)
     shown: list[dict[str, object]] = []
-    for verification in _verifications(names, partial(_verify, work=work, mask=mask, asked=asked), jobs):
+    for verification in _verifications(names, partial(_verify, work=work, mask=mask, subject=subject), jobs):
         counts[verification.outcome] += 1
         if verification.outcome is _Outcome.UNREADABLE:
             emit(f"error: {verification.line}\n", sys.stderr)
@@ -129,8 +129,8 @@ def _put_line(verification: _Verification, *, several: bool) -> None:
 def _summary(counts: Mapping[_Outcome, int]) -> str:
     """The last line: `40 certificates: 38 VERIFIED, 2 NOT VERIFIED`."""
     words = {_Outcome.VERIFIED: "VERIFIED", _Outcome.NOT_VERIFIED: "NOT VERIFIED", _Outcome.UNREADABLE: "unreadable"}
-    told = ", ".join(f"{count} {words[outcome]}" for outcome, count in counts.items() if count)
-    return f"{sum(counts.values())} certificates: {told}\n"
+    counted = ", ".join(f"{count} {words[outcome]}" for outcome, count in counts.items() if count)
+    return f"{sum(counts.values())} certificates: {counted}\n"
 
 
 def _verifications(names: Sequence[str], verify: Callable[[str], _Verification], jobs: int) -> Iterator[_Verification]:
@@ -150,7 +150,7 @@ def _verifications(names: Sequence[str], verify: Callable[[str], _Verification],
             raise click.ClickException("a process was killed; --jobs 1 works in this one") from None
 
 
-def _verify(name: str, *, work: int | None, mask: str | None, asked: _Asked | None) -> _Verification:
+def _verify(name: str, *, work: int | None, mask: str | None, subject: _Subject | None) -> _Verification:
     from subdiv_cli.checker import check_file
     from subdiv_cli.checker.core import MAX_WORK
     from subdiv_cli.checker.plain import certified_mask
@@ -161,22 +161,22 @@ def _verify(name: str, *, work: int | None, mask: str | None, asked: _Asked | No
         return _Verification(name, _Outcome.UNREADABLE, f"{name} cannot be read: {error.strerror or error}")
     if not outcome.verified:
         return _Verification(name, _Outcome.NOT_VERIFIED, outcome.line, outcome.claim)
-    if asked is None:
+    if subject is None:
         return _Verification(name, _Outcome.VERIFIED, outcome.line)
-    if certified_mask(text) == asked.mask:
-        return _Verification(name, _Outcome.VERIFIED, f"{outcome.line} ({asked.how})")
+    if certified_mask(text) == subject.mask:
+        return _Verification(name, _Outcome.VERIFIED, f"{outcome.line} ({subject.how})")
     line = f"NOT VERIFIED mask: the certificate is about another mask than {mask}"
     return _Verification(name, _Outcome.NOT_VERIFIED, line)
 
 
-class _Asked(NamedTuple):
+class _Subject(NamedTuple):
     """The mask that certificates are to be about, and how it was read."""
 
     mask: PlainMask | None
     how: str
 
 
-def _asked(file: str, parameters: Sequence[str]) -> _Asked:
+def _subject(file: str, parameters: Sequence[str]) -> _Subject:
     """The mask of a file: a plain one by the checker's own reader; else parameters and symbols are expanded first."""
     from subdiv_cli.checker.plain import mask_of, plain_mask
     from subdiv_cli.kinds import kind_of
@@ -191,7 +191,7 @@ def _asked(file: str, parameters: Sequence[str]) -> _Asked:
     except MaskFileError as error:
         raise click.exceptions.Exit(complain(error.problems)) from None
     if (plain := plain_mask(read.source.text)) is not None:
-        return _Asked(plain, f"the mask of {file}")
-    return _Asked(
+        return _Subject(plain, f"the mask of {file}")
+    return _Subject(
         mask_of(kind_of(scheme).canonical(scheme)), f"the mask of {file}, its parameters and symbol expanded by subdiv"
     )

@@ -67,11 +67,11 @@ def _answered(family: Family, radius: Radius | None, effort: Effort) -> FamilyRa
     )
 
 
-def _best(found: Radius | None, rough: Radius | None) -> Radius | None:
+def _best(radius: Radius | None, rough: Radius | None) -> Radius | None:
     """The radius with the smaller bound, and the product of the first where it has one."""
-    if found is None or rough is None:
-        return found or rough
-    return found if found.ceiling <= rough.ceiling else rough._replace(word=found.word or rough.word)
+    if radius is None or rough is None:
+        return radius or rough
+    return radius if radius.ceiling <= rough.ceiling else rough._replace(word=radius.word or rough.word)
 
 
 def _primitive(word: tuple[int, ...]) -> tuple[int, ...]:

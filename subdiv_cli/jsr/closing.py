@@ -93,7 +93,7 @@ class _Closing:
         self._look = look
         self._family, self._leaders, self._body = family, leaders, grown.body
         self._ties = Ties(family, leaders, grown.body, self._smaller)
-        self._found: dict[tuple[int, int], Tie | None] = {}
+        self._known_ties: dict[tuple[int, int], Tie | None] = {}
         self._kind = arb_mat if leaders.is_real else acb_mat
         self._sigma = leaders.sigma()
         self._matrices = [self._kind(m) for m in family.matrices]
@@ -175,9 +175,9 @@ class _Closing:
         weights = self._weights(image)
         if image.value > _CLOSE and self._leaders.is_real:
             key = image.vertex, image.letter
-            if key not in self._found:
-                self._found[key] = self._ties.tie(image.vertex, image.letter, weights)
-            if (tie := self._found[key]) is not None:
+            if key not in self._known_ties:
+                self._known_ties[key] = self._ties.tie(image.vertex, image.letter, weights)
+            if (tie := self._known_ties[key]) is not None:
                 return tie
         return self._inside(image, weights, bits)
 

@@ -22,17 +22,17 @@ Covered = tuple[float, tuple[int, ...], tuple[float, ...]]
 class Dominations:
     """Gauges of M targets in a monotone hull: each target is below Σ weights · columns, its gauge at most `value`."""
 
-    def __init__(self, found: list[Covered]) -> None:
-        self._found = found
-        self.value: Array = np.array([value for value, _, _ in found])
+    def __init__(self, covered: list[Covered]) -> None:
+        self._covered = covered
+        self.value: Array = np.array([value for value, _, _ in covered])
 
     def chosen(self, targets: Integers) -> Dominations:
         """The rows of `targets` in this batch."""
-        return Dominations([self._found[k] for k in targets])
+        return Dominations([self._covered[k] for k in targets])
 
     def shares(self, k: int) -> tuple[tuple[int, ...], tuple[float, ...]]:
         """The columns and the weights of target k."""
-        return self._found[k][1], self._found[k][2]
+        return self._covered[k][1], self._covered[k][2]
 
 
 def domination(columns: Array, target: Array, look: Look = no_clock) -> Covered:

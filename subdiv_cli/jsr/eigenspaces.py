@@ -54,14 +54,14 @@ _ROUNDING = 1e-6
 
 
 def surrounding(
-    family: Family, found: Leaders, body_of: Callable[[Sequence[Start]], Polytope], effort: Effort
+    family: Family, leading: Leaders, body_of: Callable[[Sequence[Start]], Polytope], effort: Effort
 ) -> Leaders | None:
     """More leaders where an eigenspace has several dimensions; None where none has, or where no hulls are reached."""
     groups: dict[Candidate, list[Leader]] = {}
-    for leader in found.each:
+    for leader in leading.each:
         groups.setdefault(leader.candidate, []).append(leader)
-    several = any(len(group) > 1 for group in groups.values()) and len(found.each) < MOST_LEADERS
-    if not several or not found.is_real or found.has_both_signs:
+    several = any(len(group) > 1 for group in groups.values()) and len(leading.each) < MOST_LEADERS
+    if not several or not leading.is_real or leading.has_both_signs:
         return None
     with ctx.workprec(256):
         if any(_slope(group[0]).contains(0) for group in groups.values()):  # a Jordan block: norms grow
@@ -70,7 +70,7 @@ def surrounding(
         spaces = [_Eigenspace(family, group) for group in groups.values()]
         with np.errstate(all="ignore"):
             if _surround(spaces, body_of, margin, effort):
-                return found._replace(each=tuple(x for space in spaces for x in space.leaders(_SPENT * margin)))
+                return leading._replace(each=tuple(x for space in spaces for x in space.leaders(_SPENT * margin)))
     return None
 
 
@@ -197,7 +197,7 @@ def _ways(spaces: Sequence[_Eigenspace], body: Polytope) -> list[_Way]:
     """The ways by the words in the tree of a body, and in a symmetric family their reversals."""
     numbers = [k for k, space in enumerate(spaces) for _ in space.corners.T]
     images: list[tuple[int, Array] | None] = []
-    found: list[_Way | None] = []
+    ways: list[_Way | None] = []
     for u, parent in enumerate(body.parents):
         if parent is None:
             start, image = numbers[u], spaces[numbers[u]].frame
@@ -206,11 +206,11 @@ def _ways(spaces: Sequence[_Eigenspace], body: Polytope) -> list[_Way]:
             continue
         else:
             start, image = before[0], body.scaled[parent[1]] @ before[1]
-            found += [_way(spaces, start, end, image) for end in range(len(spaces))]
+            ways += [_way(spaces, start, end, image) for end in range(len(spaces))]
         images.append((start, image))
         if body.symmetric:
-            found += [_way(spaces, start, end, image[::-1]) for end in range(len(spaces))]
-    return [way for way in found if way is not None]
+            ways += [_way(spaces, start, end, image[::-1]) for end in range(len(spaces))]
+    return [way for way in ways if way is not None]
 
 
 def _way(spaces: Sequence[_Eigenspace], start: int, end: int, image: Array) -> _Way | None:

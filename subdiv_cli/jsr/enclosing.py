@@ -119,15 +119,15 @@ class _Enclosing:
 
         Weights of images over σ are multiplied by `shrink` = σ/x.
         """
-        found = []
+        weights = []
         for u in range(self._body.size):
             look()
             for letter in range(self._family.letters):
                 flat = tuple(self._flat(u, letter, shrink))
                 if not self._is_inside(u, letter, flat, x):
                     return None
-                found.append(flat)
-        return found
+                weights.append(flat)
+        return weights
 
     def _flat(self, u: int, letter: int, shrink: float) -> list[int]:
         if (u, letter) in self._body.images:

@@ -71,18 +71,18 @@ def _closed(family: Family, attempts: list[_Attempt], effort: Effort) -> Radius 
 
     Raises ClockStruckError.
     """
-    found = _affordable(family, candidates(family, _QUICK, effort=effort)[1])
-    shortest = [candidate for candidate in found if len(candidate.word) == len(found[0].word)]
-    for some in (shortest, found) if len(shortest) < len(found) else (found,) if found else ():
+    shallow = _affordable(family, candidates(family, _QUICK, effort=effort)[1])
+    shortest = [candidate for candidate in shallow if len(candidate.word) == len(shallow[0].word)]
+    for some in (shortest, shallow) if len(shortest) < len(shallow) else (shallow,) if shallow else ():
         quick = effort.limited(_QUICK_WORK, HALF)
         attempts.append(_Attempt(family, some, effort.look))
         if (radius := quick.in_time(partial(attempts[-1].closed, quick))) is not None:
             return radius
-    if not found:
+    if not shallow:
         return None
     last = attempts[-1]
     deep = _affordable(family, candidates(family, _DEEP, effort=effort)[1])
-    if deep != found or (last.leaders is not None and last.leaders.has_both_signs):
+    if deep != shallow or (last.leaders is not None and last.leaders.has_both_signs):
         attempts.append(_Attempt(family, deep, effort.look, squared=True))
     elif last.has_closed:  # more of the same effort would find the same
         return None
@@ -114,13 +114,13 @@ def _best_bound(family: Family, states: Sequence[tuple[Fraction, Grown]], effort
 
     Where the clock strikes at one of them, it is the turn of those with at most half as many vertices.
     """
-    measuring, found = effort.limited(effort.work, HALF), list[tuple[Fraction, Grown]]()
+    measuring, polytopes = effort.limited(effort.work, HALF), list[tuple[Fraction, Grown]]()
     for sigma, state in sorted(states, key=lambda pair: len(pair[1].left)):
         if (known := measuring.in_time(partial(measured, state, measuring.look))) is not None:
-            found.append((sigma, known))
-    found.sort(key=lambda pair: float(pair[0]) * max(1.0, pair[1].value))
-    largest = max((state.body.size for _, state in found), default=0)
-    for sigma, state in found:
+            polytopes.append((sigma, known))
+    polytopes.sort(key=lambda pair: float(pair[0]) * max(1.0, pair[1].value))
+    largest = max((state.body.size for _, state in polytopes), default=0)
+    for sigma, state in polytopes:
         if state.body.size <= largest:
             part = effort.limited(effort.work, HALF)
             if (bound := part.in_time(partial(enclose, family, state, sigma, part.look))) is not None:
@@ -134,10 +134,10 @@ def closed_radius(family: Family, effort: Effort) -> Radius | None:
 
     The products are then bounded by powers of the radius, which that of diagonal blocks does not tell.
     """
-    if not family.size or family.order > LARGEST_BLOCK or not (found := candidates(family, _QUICK)[1]):
+    if not family.size or family.order > LARGEST_BLOCK or not (contenders := candidates(family, _QUICK)[1]):
         return None
     brief = effort.limited(_BRIEF_WORK)
-    return brief.in_time(lambda: _Attempt(family, _affordable(family, found), brief.look).closed(brief))
+    return brief.in_time(lambda: _Attempt(family, _affordable(family, contenders), brief.look).closed(brief))
 
 
 def _of_distinct(family: Family, effort: Effort) -> Radius | None:
@@ -156,10 +156,10 @@ def _of_distinct(family: Family, effort: Effort) -> Radius | None:
     return radius._replace(word=word, proof=proof)
 
 
-def _affordable(family: Family, found: Sequence[Candidate]) -> Sequence[Candidate]:
+def _affordable(family: Family, contenders: Sequence[Candidate]) -> Sequence[Candidate]:
     """The candidates whose exact products have no very long numbers; if none, the letter of largest radius."""
-    if not found or any(len(candidate.word) * family.bits <= LONGEST_PRODUCT for candidate in found):
-        return [candidate for candidate in found if len(candidate.word) * family.bits <= LONGEST_PRODUCT]
+    if not contenders or any(len(candidate.word) * family.bits <= LONGEST_PRODUCT for candidate in contenders):
+        return [candidate for candidate in contenders if len(candidate.word) * family.bits <= LONGEST_PRODUCT]
     sizes = np.abs(np.linalg.eigvals(family.floats)).max(axis=1)
     return (Candidate((int(sizes.argmax()),)),)
 
@@ -176,10 +176,10 @@ def bounded(family: Family, limit: tuple[int, Fraction], effort: Effort) -> Radi
         family.floats, float(sigma / family.unit), symmetric=bool(family.symmetry), starts=[Start((), start)]
     )
     grown = grow(body, effort.limited(_QUICK_WORK))
-    found = effort.in_time(partial(enclose, family, grown, sigma, effort.look)) if grown.closed else None
-    if found is None or found.upper**length > bound:
+    enclosed = effort.in_time(partial(enclose, family, grown, sigma, effort.look)) if grown.closed else None
+    if enclosed is None or enclosed.upper**length > bound:
         return None
-    return Radius(None, None, (1, found.upper), False, {"length": 1, "bound": found.upper, **found.witness})
+    return Radius(None, None, (1, enclosed.upper), False, {"length": 1, "bound": enclosed.upper, **enclosed.witness})
 
 
 def _leading_vector(family: Family) -> Array:
@@ -198,9 +198,9 @@ def zero_radius() -> Radius:
 class _Attempt:
     """The polytopes that grow from one set of candidates."""
 
-    def __init__(self, family: Family, found: Sequence[Candidate], look: Look, *, squared: bool = False) -> None:
+    def __init__(self, family: Family, contenders: Sequence[Candidate], look: Look, *, squared: bool = False) -> None:
         self.family = family
-        self.leaders = leaders(family, found, squared=squared, look=look)
+        self.leaders = leaders(family, contenders, squared=squared, look=look)
         if self.leaders is not None:
             with ctx.workprec(128):
                 self.sigma = to_fraction_of_ball(self.leaders)
@@ -279,19 +279,19 @@ class _Attempt:
         """
         assert self.leaders is not None
         real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
-        found: list[tuple[Fraction, Grown]] = []
+        polytopes: list[tuple[Fraction, Grown]] = []
         closes: bool | None = None
         slack, left = _SLACK, 2 * effort.work
         while left > 0 and _SLACK**3 <= slack <= 1:
             scaled = self.sigma * (1 + slack)
             grown = grow(self._body(real, scaled), effort.limited(left, HALF))
-            found += [(scaled, state) for state in ((grown,) if grown.closed else grown.states)]
+            polytopes += [(scaled, state) for state in ((grown,) if grown.closed else grown.states)]
             left -= grown.spent
             closes = grown.closed if closes is None else closes
             if grown.closed is not closes or not effort.allows(0):
                 break
             slack = slack / 4 if grown.closed else slack * 4
-        return found
+        return polytopes
 
 
 def _is_long(root: Root) -> bool:
@@ -299,9 +299,9 @@ def _is_long(root: Root) -> bool:
     return max(abs(c).bit_length() for c in root.coefficients) > _LONGEST_ROOT
 
 
-def to_fraction_of_ball(found: Leaders) -> Fraction:
+def to_fraction_of_ball(leading: Leaders) -> Fraction:
     """The candidate σ as a rational, for the float side: the midpoint of its ball."""
-    low, high = bounds(found.sigma())
+    low, high = bounds(leading.sigma())
     return (low + high) / 2
 
 
@@ -320,7 +320,7 @@ def _is_nonnegative(vector: Numbers) -> bool:
     return not np.iscomplexobj(vector) and bool(vector.min() >= -_ROUNDING * np.abs(vector).max())
 
 
-def _exactly(family: Family, found: Leaders, root: tuple[int, Root], witness: RadiusProof) -> Radius:
+def _exactly(family: Family, leading: Leaders, root: tuple[int, Root], witness: RadiusProof) -> Radius:
     length, number = root
-    word = family.full_word(found.each[0].candidate)
+    word = family.full_word(leading.each[0].candidate)
     return Radius(word, root, (length, number.high), True, {**witness, "length": length, "root": root_data(number)})

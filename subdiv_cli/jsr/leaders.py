@@ -88,10 +88,10 @@ def leaders(
     length = lcm(*(len(candidate.word) for candidate in candidates))
     if not _is_affordable(family, length):
         candidates, length = candidates[:1], len(candidates[0].word)
-    found = _of_length(family, candidates, length, look)
-    if squared and found is not None and found.has_both_signs and _is_affordable(family, 2 * length):
+    leading = _of_length(family, candidates, length, look)
+    if squared and leading is not None and leading.has_both_signs and _is_affordable(family, 2 * length):
         return _of_length(family, candidates, 2 * length, look)
-    return found
+    return leading
 
 
 def _is_affordable(family: Family, length: int) -> bool:

@@ -26,9 +26,9 @@ def least_combinations(
     array = np.array(columns, dtype=np.float64).T
     goals = np.array([[float(x) for x in target] for target in targets])
     numbers = np.tile(np.array(basis, dtype=np.int64), (len(goals), 1))
-    found = gauges(array, goals, Bases(numbers, np.ones(numbers.shape)), inside=0.0, outside=float("inf"))
+    least = gauges(array, goals, Bases(numbers, np.ones(numbers.shape)), inside=0.0, outside=float("inf"))
     result: list[Combination] = []
-    for target, best in zip(targets, found.bases.numbers.tolist(), strict=True):
+    for target, best in zip(targets, least.bases.numbers.tolist(), strict=True):
         solved = combinations(columns, [target], best)
         if solved is None:
             solved = combinations(columns, [target], basis)

@@ -35,9 +35,9 @@ class Balanced:
         """
         columns = self._body.columns
         bases = self._best(columns, targets) if like is None else like.bases
-        found = gauges(columns, targets, bases, inside=inside, outside=outside, look=self._look)
-        self._remember(found.bases)
-        return found
+        measures = gauges(columns, targets, bases, inside=inside, outside=outside, look=self._look)
+        self._remember(measures.bases)
+        return measures
 
     def _best(self, columns: Numbers, targets: Numbers) -> Bases:
         """The remembered bases in which the targets have the smallest weights, one for each of the M rows."""

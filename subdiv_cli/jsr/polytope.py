@@ -180,16 +180,16 @@ def _absorb(body: Polytope, memory: Balanced | Monotone, pairs: list[tuple[int, 
         return []
     fresh: list[int] = []
     targets = np.array([body.image(*pair) for pair in pairs])
-    found = None
+    measures = None
     while pairs:
-        found = memory.measure(targets, found, inside=within * _INSIDE, outside=within + 10 * PRECISION)
-        outside = found.value > within + PRECISION
+        measures = memory.measure(targets, measures, inside=within * _INSIDE, outside=within + 10 * PRECISION)
+        outside = measures.value > within + PRECISION
         for k in np.flatnonzero(~outside):
-            _record(body, pairs[k], found, int(k))
-        order = np.flatnonzero(outside)[np.argsort(-found.value[outside], kind="stable")]
+            _record(body, pairs[k], measures, int(k))
+        order = np.flatnonzero(outside)[np.argsort(-measures.value[outside], kind="stable")]
         chosen, others = np.split(order, [max(1, int(_SHARE * len(order)))] if len(order) else [0])
         fresh += [body.add(targets[k], pairs[k]) for k in chosen]
-        pairs, targets, found = [pairs[k] for k in others], targets[others], found.chosen(others)
+        pairs, targets, measures = [pairs[k] for k in others], targets[others], measures.chosen(others)
     return fresh
 
 
@@ -209,9 +209,9 @@ def _coincidences(body: Polytope, pairs: list[tuple[int, int]]) -> list[tuple[in
     return rest
 
 
-def _record(body: Polytope, pair: tuple[int, int], found: Gauges | Dominations, k: int) -> None:
-    columns, weights = found.shares(k)
-    body.images[pair] = Image(*pair, columns, weights, float(found.value[k]))
+def _record(body: Polytope, pair: tuple[int, int], measures: Gauges | Dominations, k: int) -> None:
+    columns, weights = measures.shares(k)
+    body.images[pair] = Image(*pair, columns, weights, float(measures.value[k]))
 
 
 def measured(grown: Grown, look: Look = no_clock) -> Grown:
@@ -225,7 +225,7 @@ def measured(grown: Grown, look: Look = no_clock) -> Grown:
         for start in range(0, len(grown.left), _CHUNK):
             chunk = grown.left[start : start + _CHUNK]
             targets = np.array([body.image(*pair) for pair in chunk])
-            found = memory.measure(targets)
+            measures = memory.measure(targets)
             for k, pair in enumerate(chunk):
-                _record(body, pair, found, k)
+                _record(body, pair, measures, k)
     return grown._replace(left=[])

@@ -48,9 +48,9 @@ def rough_radius(family: Family, effort: Effort) -> Radius | None:
     """
     if not effort.allows(family.order**2):
         return None
-    found = candidates(family, 2)[1] if family.order <= LARGEST_BLOCK else ()
+    contenders = candidates(family, 2)[1] if family.order <= LARGEST_BLOCK else ()
     bound = by_columns(family)
-    word = family.full_word(found[0]) if found else None
+    word = family.full_word(contenders[0]) if contenders else None
     return Radius(word, None, (1, bound.upper), False, {"length": 1, "bound": bound.upper, **bound.witness})
 
 
@@ -92,7 +92,7 @@ def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
     its columns may have one that is small.
     """
     seems = [_logarithm(candidates(part, _SHORT)[0]) + _logarithm(part.unit) for part in parts]
-    found: dict[int, Radius] = {}
+    radii: dict[int, Radius] = {}
     top: Radius | None = None
     costs = [max(part.order, _LEAST_ORDER) ** 3 for part in parts]
     cost = sum(costs)
@@ -105,10 +105,10 @@ def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
             radius = rough_radius(parts[k], UNHURRIED)
             if radius is None or top is None or not _at_most(radius.upper, _floor(top)):
                 return None
-        found[k] = radius
+        radii[k] = radius
         if top is None or radius.ceiling > top.ceiling:
             top = radius
-    return [found[k] for k in range(len(parts))]
+    return [radii[k] for k in range(len(parts))]
 
 
 def _rate(blocks: Blocks, word: Word) -> float:

@@ -37,11 +37,11 @@ def decomposed(family: Family, look: Look = no_clock) -> Blocks | None:
     basis, sizes = _flag(family.matrices, look)
     if len(sizes) == 1:
         return None
-    found = _blocks(family, basis, sizes)
+    blocks = _blocks(family, basis, sizes)
     look()
-    turns = [reversing(part) for part in found.parts]
+    turns = [reversing(part) for part in blocks.parts]
     if all(turn is None for turn in turns):
-        return found
+        return blocks
     bases = [identity(size) if turn is None else turn for turn, size in zip(turns, sizes, strict=True)]
     return _blocks(family, basis * _diagonal_sum(bases), sizes)
 

@@ -34,14 +34,14 @@ def candidates(
     matrices = family.floats
     products: Array = matrices
     words: Integers = np.arange(family.letters)[:, None]
-    best, found = 0.0, []
+    best, rated = 0.0, []
     for length in range(1, longest + 1):
         radii = np.abs(np.linalg.eigvals(products)).max(axis=1)
         rates = radii ** (1 / length)
         top = float(rates.max())
         best = max(best, top)
         near = rates >= best * (1 - _TIE)
-        found += [(float(rate), tuple(map(int, word))) for rate, word in zip(rates[near], words[near], strict=True)]
+        rated += [(float(rate), tuple(map(int, word))) for rate, word in zip(rates[near], words[near], strict=True)]
         if length == longest or not effort.allows(0):
             break
         kept = _front(products, best, length, front)
@@ -50,7 +50,7 @@ def candidates(
         products, words = _children(matrices, products[kept], words[kept])
     if best == 0.0:
         return 0.0, ()
-    classes = {representative(word, family) for rate, word in found if rate >= best * (1 - _TIE)}
+    classes = {representative(word, family) for rate, word in rated if rate >= best * (1 - _TIE)}
     return best, tuple(sorted(classes, key=lambda candidate: (len(candidate.word), candidate)))
 
 

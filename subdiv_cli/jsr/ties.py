@@ -102,18 +102,18 @@ class Ties:
         columns = [self._times(power, self._vector(k)) for power, k in zip(powers[1:], given, strict=True)]
         rounded = [(k, arb(weight * _NEARLY)) for k, weight in given.items()]
         tight = [i for i in range(len(left)) if not self._smaller(vertex, letter, rounded, i)]
-        found = solve([[column[i] for i in tight] for column in columns], [left[i] for i in tight], self._modulus)
-        if found is None:
+        solution = solve([[column[i] for i in tight] for column in columns], [left[i] for i in tight], self._modulus)
+        if solution is None:
             return None
-        balls = [self._at(c) for c in found]
+        balls = [self._at(c) for c in solution]
         signs = [1 if c > 0 else -1 if c < 0 else 0 for c in balls]
-        excess = sum((c * sign for c, sign in zip(found, signs, strict=True)), fmpq_poly([-1])) % self._modulus
+        excess = sum((c * sign for c, sign in zip(solution, signs, strict=True)), fmpq_poly([-1])) % self._modulus
         bounded = all(signs) and (not excess or bool(self._at(excess) < 0))
         loose = set(range(len(left))) - set(tight)
         exact = list(zip(given, balls, strict=True))
         if not bounded or not all(self._smaller(vertex, letter, exact, i) for i in loose):
             return None
-        return Tie(vertex, letter, tuple(zip(given, found, strict=True)), step == 1 and self._leaders.length > 1)
+        return Tie(vertex, letter, tuple(zip(given, solution, strict=True)), step == 1 and self._leaders.length > 1)
 
     def _at(self, x: fmpq_poly) -> arb:
         """The value of a polynomial at γ, by Horner's rule."""

@@ -97,7 +97,7 @@ Stage = Callable[[Any, Facts], tuple[Finding, ...]]
 TIME_ENDED = "the time budget ended"
 
 
-def asking(*asked: tuple[Rule[Any], str]) -> Callable[[Stage], Stage]:
+def asking(*questions: tuple[Rule[Any], str]) -> Callable[[Stage], Stage]:
     """A decorator of a stage whose numbers have an `effort`: what the clock leaves undecided says so.
 
     Where it strikes in the middle, the stage finds that each of the rules leaves its question undecided.
@@ -109,7 +109,7 @@ def asking(*asked: tuple[Rule[Any], str]) -> Callable[[Stage], Stage]:
             try:
                 findings = stage(numbers, facts)
             except ClockStruckError:
-                return tuple(rule.undecided(question, TIME_ENDED) for rule, question in asked)
+                return tuple(rule.undecided(question, TIME_ENDED) for rule, question in questions)
             if not numbers.effort.struck:
                 return findings
             return tuple(replace(f, reason=TIME_ENDED) if f.verdict is Verdict.UNDECIDED else f for f in findings)
@@ -213,13 +213,15 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         dimension=degree(questions.DIMENSION),
         well_defined=verdict(questions.WELL_DEFINED),
         polynomials=degree(questions.POLYNOMIALS),
+        spectral=verdict(questions.SPECTRAL),
+        derivatives=degree(questions.DERIVATIVES),
         findings=findings,
     )
 
 
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
-    "generation", "reproduction", "dimension", "well_defined", "polynomials",
+    "generation", "reproduction", "dimension", "well_defined", "polynomials", "spectral", "derivatives",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 

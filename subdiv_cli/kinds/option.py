@@ -119,28 +119,28 @@ def _list(text: str, names: Collection[str]) -> Nested:
     if opening < 0:
         return _scaled_rows(_values(Parser(text, names), text, 0, "end"), _Scale())
     front = text[:opening].strip()
-    said = f"{front}1" if front in ("-", "+") else front.removesuffix("*").rstrip()
+    lead = f"{front}1" if front in ("-", "+") else front.removesuffix("*").rstrip()
     before: list[Factor] = []
     if front:
-        parser = Parser(said, names, at=text.index(front))
+        parser = Parser(lead, names, at=text.index(front))
         before = [Factor(parser.factor(), False, parser.token.at), *_more_factors(parser, "* or / or a list")]
     parser = Parser(text[opening:], names, at=opening)
     rows = _rows(parser, text, 1)
     start = parser.token.at
     behind = _more_factors(parser, "* or / or the end")
-    return _scaled_rows(rows, _Scale(f"{said}*" if front else "", tuple(before), text[start:].strip(), tuple(behind)))
+    return _scaled_rows(rows, _Scale(f"{lead}*" if front else "", tuple(before), text[start:].strip(), tuple(behind)))
 
 
 def _more_factors(parser: Parser, expected: str) -> list[Factor]:
     """The factors up to the end by the grammar: { ("*" | "/") factor }."""
-    found = []
+    factors = []
     while parser.token.kind in ("*", "/"):
         divides = parser.advance().kind == "/"
         at = parser.token.at
-        found.append(Factor(parser.factor(), divides, at))
+        factors.append(Factor(parser.factor(), divides, at))
     if parser.token.kind != "end":
         raise parser.unexpected(expected)
-    return found
+    return factors
 
 
 class _Span(NamedTuple):

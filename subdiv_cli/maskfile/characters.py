@@ -35,9 +35,9 @@ def mended(text: str) -> str:
     return "".join(c for c in plain if c not in QUOTES)
 
 
-def _power(found: re.Match[str]) -> str:
+def _power(match: re.Match[str]) -> str:
     """A power as typography writes it, in plain characters."""
-    return "^" + ("-" if found[1] == "⁻" else "") + "".join(MENDS[c][1] for c in found[2])
+    return "^" + ("-" if match[1] == "⁻" else "") + "".join(MENDS[c][1] for c in match[2])
 
 
 def stray(text: str, i: int, at: int) -> Fault:
@@ -62,8 +62,8 @@ def stray(text: str, i: int, at: int) -> Fault:
     help = 'an expression has numbers, names, + - * / ^ and parentheses: "1/2 + w"'
     if c in "{}":
         help = "write parentheses in place of braces"
-        if text[i - 1 : i] == "^" and (found := _BRACED.match(text, i)):
+        if text[i - 1 : i] == "^" and (braced := _BRACED.match(text, i)):
             base = _BASE.search(text[max(0, i - 30) : i])
             power_of = shown(base[0]) if base else "^"
-            help = f"write {power_of}{found[1]} or {power_of}({found[1]})"
+            help = f"write {power_of}{braced[1]} or {power_of}({braced[1]})"
     return Fault(faults.BAD_EXPRESSION, f"the character {named(c)} cannot stand in an expression", help, at)

@@ -1,6 +1,7 @@
 """Closed forms in expectations: numbers, logarithms to one base gathered into one `Log`, roots, and their order.
 
-A logarithm of a root of a polynomial is one `RootLog`; it is divided, and its root multiplied, by numbers. Which root
+A logarithm of a root of a polynomial is one `RootLog`; it is divided, and its root multiplied, by numbers;
+an integer may be added. Which root
 is meant is decided without floats and without floating algebra, by Vincent, Collins & Akritas: the roots of f in (0, 1)
 are at most as many as (1+t)^n f(1/(1+t)) has changes of sign (Descartes), and where that is 0 or 1 exactly as many;
 otherwise the interval is halved.
@@ -29,6 +30,8 @@ from subdiv_cli.model.closed import (
     Root,
     RootLog,
     logarithm,
+    multiplied,
+    plus,
     unpowered,
 )
 
@@ -76,15 +79,6 @@ def _shifted(f: Sequence[int], start: Fraction, length: Fraction) -> list[int]:
 def _changes(f: Sequence[int]) -> int:
     signs = [c > 0 for c in f if c]
     return sum(x is not y for x, y in pairwise(signs))
-
-
-def multiplied(root: Root, factor: Fraction) -> Root:
-    """The root times a number that is not zero."""
-    n = len(root.coefficients) - 1
-    p, q = factor.as_integer_ratio()
-    coefficients = tuple(c * q**i * p ** (n - i) for i, c in enumerate(root.coefficients))
-    ends = sorted((root.low * factor, root.high * factor))
-    return Root(coefficients, ends[0], ends[1])
 
 
 def inverse(root: Root) -> Root:
@@ -244,10 +238,13 @@ def _times(x: _Value, factor: Fraction, at: int) -> _Value:
 def _plus(x: _Value, y: _Value, at: int) -> _Value:
     if isinstance(x, Fraction) and isinstance(y, Fraction):
         return _bounded(x + y, at)
-    if isinstance(x, Root | RootLog) or isinstance(y, Root | RootLog):
-        raise Fault(faults.BAD_EXPECTATION, "a sum with a root in it is no closed form", _LOG, at)
     if isinstance(x, Fraction):
         x, y = y, x
+    if isinstance(x, RootLog) and isinstance(y, Fraction) and y.denominator == 1:
+        _power(Fraction(x.base), abs(y.numerator) * x.divisor, at)
+        return plus(x, int(y))
+    if isinstance(x, Root | RootLog) or isinstance(y, Root | RootLog):
+        raise Fault(faults.BAD_EXPECTATION, "a sum with a root in it is no closed form", _LOG, at)
     assert isinstance(x, Log)
     if isinstance(y, Fraction):  # y = log_base(base^numerator) / denominator
         y = Log(base=x.base, argument=_power(Fraction(x.base), y.numerator, at), divisor=y.denominator)

@@ -81,18 +81,18 @@ class Table:
             return None
         value = self.data.get(key, default)
         if isinstance(value, bool) or not isinstance(value, int):
-            said = f'the string "{shown(value)}"' if isinstance(value, str) else described(value)
+            given = f'the string "{shown(value)}"' if isinstance(value, str) else described(value)
             if isinstance(value, str) and _INTEGER.fullmatch(plain := mended(value.strip())):
                 help = f"write it without quotes: {key} = {plain}"
             elif isinstance(value, Decimal) and (whole := _WHOLE.fullmatch(value.text)):
                 help = f"write it without a point: {key} = {whole[1]}"
             self.problems.add(
-                Fault(faults.WRONG_TYPE, f"{key} must be an integer, not {said}", help), (*self.path, key)
+                Fault(faults.WRONG_TYPE, f"{key} must be an integer, not {given}", help), (*self.path, key)
             )
             return None
         if not lowest <= value <= highest:
-            said = str(value) if value.bit_length() < 64 else "a long number"
-            fault = Fault(faults.OUT_OF_BOUNDS, f"{key} must be between {lowest} and {highest}, not {said}", help)
+            given = str(value) if value.bit_length() < 64 else "a long number"
+            fault = Fault(faults.OUT_OF_BOUNDS, f"{key} must be between {lowest} and {highest}, not {given}", help)
             self.problems.add(fault, (*self.path, key))
             return None
         return value
@@ -168,7 +168,7 @@ def read_symbol(table: Table, names: Collection[str], help: str) -> Expression |
 
 def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expression | None]:
     """The defaults by name, in order of declaration: a number, an expression in earlier parameters, or None for ""."""
-    found: dict[str, Expression | None] = {}
+    defaults: dict[str, Expression | None] = {}
     for name, value in table.data.items() if table else ():
         path = ("parameters", name)
         if fault := fault_of_name(name):
@@ -176,11 +176,11 @@ def read_parameters(table: Table | None, problems: Collector) -> dict[str, Expre
             continue
         expression = None
         try:
-            expression = read_expression(value, path, found) if value != "" else None
+            expression = read_expression(value, path, defaults) if value != "" else None
         except Fault as wrong:
             problems.add(_out_of_order(wrong, name, table.data if table else ()) or wrong, path)
-        found[name] = expression
-    return found
+        defaults[name] = expression
+    return defaults
 
 
 def fault_of_name(name: str) -> Fault | None:

@@ -158,7 +158,7 @@ def quotient(a: BoundedLaurent, b: BoundedLaurent, work: Work) -> BoundedLaurent
     box = [(low - below, high - above) for (low, high), (below, above) in zip(_box(a), _box(b), strict=True)]
     rest = dict(a.numerators)
     waiting = sorted(rest)  # a heap of the exponents in `rest`
-    found: dict[int, int] = {}
+    numerators: dict[int, int] = {}
     while waiting:
         k = heappop(waiting)
         if not (n := rest.pop(k)):
@@ -166,18 +166,18 @@ def quotient(a: BoundedLaurent, b: BoundedLaurent, work: Work) -> BoundedLaurent
         factor, remainder = divmod(n, divisor[lowest])
         if remainder or any(not low <= e <= high for e, (low, high) in zip(exponents(k - lowest), box, strict=True)):
             return None
-        if len(found) >= MAX_MASK_LENGTH:
+        if len(numerators) >= MAX_MASK_LENGTH:
             raise TooLargeError(f"a Laurent polynomial of more than {MAX_MASK_LENGTH} terms")
         if factor.bit_length() > MAX_BITS:
             raise TooLargeError(f"numbers of more than {MAX_DIGITS} digits come up")
         work.charge(30 + len(divisor), factor.bit_length(), b.bits)
-        found[k - lowest] = factor
+        numerators[k - lowest] = factor
         for j, m in divisor.items():
             if j != lowest:
                 if (at := k - lowest + j) not in rest:
                     heappush(waiting, at)
                 rest[at] = rest.get(at, 0) - factor * m
-    return BoundedLaurent({k: n * b.denominator for k, n in found.items()}, a.denominator * content)
+    return BoundedLaurent({k: n * b.denominator for k, n in numerators.items()}, a.denominator * content)
 
 
 def _box(a: BoundedLaurent) -> list[tuple[int, int]]:

@@ -34,28 +34,28 @@ _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
 
 def parse_override(text: str) -> tuple[str, Fraction]:
     """The name and the value that `-p w=1/20` gives, any expression in numbers. Raises MaskFileError."""
-    name, equals, value = text.partition("=")
-    said = name.strip()
+    left, equals, value = text.partition("=")
+    name = left.strip()
     try:
         if not equals:
-            help = f"write NAME=VALUE: -p {shown(said) if is_name(said) else 'w'}=1/20"
+            help = f"write NAME=VALUE: -p {shown(name) if is_name(name) else 'w'}=1/20"
             raise Fault(faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', help, len(text))
-        if not is_name(said):
+        if not is_name(name):
             raise Fault(
-                faults.BAD_PARAMETER, f'"{shown(said)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20"
+                faults.BAD_PARAMETER, f'"{shown(name)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20"
             )
         if not value.strip():
             raise Fault(
-                faults.BAD_PARAMETER, f"no value for {shown(said)}", f"write a number: -p {shown(said)}=1/20", len(text)
+                faults.BAD_PARAMETER, f"no value for {shown(name)}", f"write a number: -p {shown(name)}=1/20", len(text)
             )
         if len(text) > MAX_FILE_BYTES:
             raise Fault(faults.OUT_OF_BOUNDS, "the value is too long", "use a shorter number")
-        node = parse(value, (), at=len(name) + 1)
+        node = parse(value, (), at=len(left) + 1)
         number = evaluate(node, {}, Work()).constant()
     except Fault as fault:
         raise _of_option(text, fault, "-p") from None
     assert number is not None, "z is not declared here"
-    return said, number
+    return name, number
 
 
 def parse_expectation(key: str, value: object) -> Expectation:
@@ -83,9 +83,9 @@ def _property(text: str) -> Expectation:
     if len(body) > 10_000:
         raise Fault(faults.OUT_OF_BOUNDS, "the property is too long", "write for instance holder>=1.5")
     at = len(text) - len(text.lstrip())
-    if found := ORDER.fullmatch(body):
-        order = 1 if found[1] else 2
-        return comparison("smoothness", f">={found[order]}", at + found.start(order) - 2)
+    if match := ORDER.fullmatch(body):
+        order = 1 if match[1] else 2
+        return comparison("smoothness", f">={match[order]}", at + match.start(order) - 2)
     parts = _PROPERTY.fullmatch(body)
     if parts is None:
         raise Fault(

@@ -64,8 +64,8 @@ def plain(text: str) -> str:
     return _Separators(text).placed()
 
 
-def _blank(found: re.Match[str]) -> str:
-    return " " * len(found[0])
+def _blank(match: re.Match[str]) -> str:
+    return " " * len(match[0])
 
 
 def _unwrapped(text: str) -> str:
@@ -163,10 +163,10 @@ class _Separators:
             nested = self._nested(0, len(self.text), rows, inner)
             help = f"put one list in brackets; a mask in two variables is {nested}"
             raise Fault(faults.BAD_EXPRESSION, message, help, rows[0])
-        if found := _DIVIDED_LAST.fullmatch(self.text):
-            numbers, divisor = found[1], found[2]
+        if divided := _DIVIDED_LAST.fullmatch(self.text):
+            numbers, divisor = divided[1], divided[2]
             help = f"write [{shown(numbers, 80)}]{divisor} or [{shown(numbers + divisor, 80)}]"
-            raise Fault(faults.BAD_EXPRESSION, "is the list divided, or its last number?", help, found.start(2))
+            raise Fault(faults.BAD_EXPRESSION, "is the list divided, or its last number?", help, divided.start(2))
         self._put(rows or inner)
 
     def _nested(self, start: int, end: int, rows: list[int], inner: list[int]) -> str:

@@ -42,39 +42,39 @@ def read_net(file: str) -> Net:
 
 def points(text: str, file: str) -> Points:
     """The points in a text."""
-    found: list[tuple[Fraction, Fraction]] = []
+    polygon: list[tuple[Fraction, Fraction]] = []
     for line, cells in _rows(text, file, _POINT):
         x, y = _numbers(cells, 2, "a point: two numbers in a row", _POINT, file, line)
-        found.append((x, y))
-        if len(found) > MAX_POINTS:
+        polygon.append((x, y))
+        if len(polygon) > MAX_POINTS:
             raise _bad(file, f"there are more than {MAX_POINTS} points", "draw a piece of the polygon", line)
-    if len(found) < 2:
+    if len(polygon) < 2:
         raise _bad(file, "there are fewer than two points", "write one point in a line: 0.5, 1")
-    return tuple(x for x, _ in found), tuple(y for _, y in found)
+    return tuple(x for x, _ in polygon), tuple(y for _, y in polygon)
 
 
 def net(text: str, file: str) -> Net:
     """The net in a text: its rows in any order, its places a rectangle."""
-    found: Net = {}
+    vertices: Net = {}
     for line, cells in _rows(text, file, _VERTEX):
         numbers = _numbers(cells, 5, "a point of a net: i, j, x, y, z", _VERTEX, file, line)
         wrong = next((cell for cell in cells[:2] if not _INTEGER.fullmatch(cell)), None)
         if wrong is not None:
             raise _bad(file, f'"{shown(wrong)}" is no place in a net: i and j are integers', _VERTEX, line)
         place = int(cells[0]), int(cells[1])
-        if place in found:
+        if place in vertices:
             raise _bad(file, f"the place {place[0]}, {place[1]} has a point already", "leave one out", line)
-        found[place] = tuple(numbers[2:])
-        if len(found) > MAX_NET:
+        vertices[place] = tuple(numbers[2:])
+        if len(vertices) > MAX_NET:
             raise _bad(file, f"there are more than {MAX_NET} points", "write a piece of the net", line)
-    if not found:
+    if not vertices:
         raise _bad(file, "there are no points", _VERTEX)
-    rows, columns = (range(min(side), max(side) + 1) for side in zip(*found, strict=True))
-    if len(rows) * len(columns) > len(found):
-        i, j = next(place for place in product(rows, columns) if place not in found)
+    rows, columns = (range(min(side), max(side) + 1) for side in zip(*vertices, strict=True))
+    if len(rows) * len(columns) > len(vertices):
+        i, j = next(place for place in product(rows, columns) if place not in vertices)
         size = f"{rows[0]} … {rows[-1]} by {columns[0]} … {columns[-1]}"
         raise _bad(file, f"the net has no point at {i}, {j}", f"give one to every place of the rectangle {size}")
-    return found
+    return vertices
 
 
 def _text(file: str, limit: int) -> str:

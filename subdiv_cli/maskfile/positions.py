@@ -98,9 +98,9 @@ class _Scanner:
                 raise stuck.after_value(self.text, start, self._peek())
 
     def _skip(self, pattern: re.Pattern[str]) -> bool:
-        found = pattern.match(self.text, self.i)
-        self.i = found.end() if found else self.i
-        return found is not None
+        match = pattern.match(self.text, self.i)
+        self.i = match.end() if match else self.i
+        return match is not None
 
     def _peek(self) -> int:
         """The offset of the next character that is not blank."""
@@ -149,9 +149,9 @@ class _Scanner:
     def _key(self) -> tuple[str, int]:
         start = self._peek()
         for pattern in (_BARE_KEY, _BASIC, _LITERAL):
-            if found := pattern.match(self.text, start):
-                self.i = found.end()
-                raw = found.group()
+            if match := pattern.match(self.text, start):
+                self.i = match.end()
+                raw = match.group()
                 if raw[0] == '"':
                     return _ESCAPE.sub(_unescaped, raw[1:-1]), start
                 return (raw if pattern is _BARE_KEY else raw[1:-1]), start
@@ -204,8 +204,8 @@ class _Scanner:
         pattern = _STRINGS[quote * 3 if long else quote]
         if not self._skip(pattern):
             raise stuck.string(self.text, start, quote * 3 if long else quote)
-        if quote == '"' and (found := _BAD_ESCAPE.match(self.text, start, self.i)):
-            raise stuck.escape(self.text, found.end() - 2)
+        if quote == '"' and (escape := _BAD_ESCAPE.match(self.text, start, self.i)):
+            raise stuck.escape(self.text, escape.end() - 2)
 
     def _scalar(self) -> None:
         start = self.i
@@ -264,11 +264,11 @@ class _Scanner:
         self.i += 1
 
 
-def _unescaped(found: re.Match[str]) -> str:
-    code = found.group(1) or found.group(2) or found.group(3)
+def _unescaped(match: re.Match[str]) -> str:
+    code = match.group(1) or match.group(2) or match.group(3)
     if code is None:
-        return _ESCAPED.get(found.group(4), found.group(4))
-    return chr(int(code, 16)) if int(code, 16) < 0x110000 else found.group()
+        return _ESCAPED.get(match.group(4), match.group(4))
+    return chr(int(code, 16)) if int(code, 16) < 0x110000 else match.group()
 
 
 _CONTINUATION = re.compile(r"\\[ \t]*\r?\n[ \t\r\n]*")
@@ -327,8 +327,8 @@ def inner_offset(raw: str, n: int) -> int:
     if len(quote) == 3:
         i += raw.startswith("\n", i) + 2 * raw.startswith("\r\n", i)
     while i < end:
-        if raw[0] == '"' and len(quote) == 3 and (found := _CONTINUATION.match(raw, i)):
-            i = found.end()
+        if raw[0] == '"' and len(quote) == 3 and (continuation := _CONTINUATION.match(raw, i)):
+            i = continuation.end()
             continue
         if n <= 0:
             break

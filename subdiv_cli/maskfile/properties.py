@@ -24,8 +24,8 @@ from subdiv_cli.model.properties import BY_KEY, EXPECTED
 
 KEYS = EXPECTED
 TRUTHS = tuple(key for key in KEYS if BY_KEY[key].form == "verdict")
-ORDER = re.compile(r"\s*[Cc]\s*\^?\s*(?:([0-9]+)|\(([0-9]+)\))\s*")
-"""An order of smoothness as `C1`, `C^1` or `C^(1)`."""
+ORDER = re.compile(r"\s*H?[Cc]\s*\^?\s*(?:([0-9]+)|\(([0-9]+)\))\s*")
+"""An order of smoothness as `C1`, `C^1` or `C^(1)`; `HC1` of Hermite schemes."""
 _AT_LEAST = re.compile(r"(?:≥|=>|>)\s*([^\s<>=≤≥].*)", re.DOTALL)
 ORDERS = tuple(key for key in KEYS if BY_KEY[key].form in ("smoothness", "order", "degree", "dimension"))
 
@@ -43,9 +43,9 @@ def expectation(key: str, value: object) -> Expectation:
     if key in TRUTHS:
         if isinstance(value, bool):
             return Expectation(key=key, text=str(value).lower(), lower=value, upper=value)
-        said = f'"{shown(value)}"' if isinstance(value, str) else described(value)
+        given = f'"{shown(value)}"' if isinstance(value, str) else described(value)
         raise Fault(
-            faults.WRONG_TYPE, f"{key} must be true or false, not {said}", f"write {key} = true, without quotes"
+            faults.WRONG_TYPE, f"{key} must be true or false, not {given}", f"write {key} = true, without quotes"
         )
     if isinstance(value, bool) or not isinstance(value, int | str | Decimal):
         what = "an integer or a string" if key in ORDERS else "a number or a string"
@@ -142,19 +142,19 @@ def contradictions(expectations: Sequence[Expectation]) -> list[tuple[str, Fault
     """The pairs of expectations that no scheme can meet, each with the key of the later one."""
     given = {e.key: e for e in expectations}
     order = list(given)
-    found = []
+    pairs = []
     for first, second, law in _LAWS:
         if first in given and second in given and (why := law(given[first], given[second])):
-            said = [
+            sides = [
                 shown(f"{k} {'' if given[k].text.startswith('>') else '= '}{given[k].text}") for k in (first, second)
             ]
             fault = Fault(
                 faults.BAD_EXPECTATION,
-                f"{said[0]} contradicts {said[1]}: {why}",
+                f"{sides[0]} contradicts {sides[1]}: {why}",
                 "correct one of the two, or leave it out",
             )
-            found.append((max(first, second, key=order.index), fault))
-    return found
+            pairs.append((max(first, second, key=order.index), fault))
+    return pairs
 
 
 def _above(x: Expectation, y: Expectation, why: str) -> str | None:

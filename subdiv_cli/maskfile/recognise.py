@@ -42,8 +42,8 @@ def is_mask(data: bytes) -> bool:
         if code.startswith(b"[") and code.endswith(b"]") and b"=" not in code:
             table = _lower(header) if header else ""
             top.add(table)
-        elif found := _KEY.match(line):
-            name = _lower(found)
+        elif key := _KEY.match(line):
+            name = _lower(key)
             if table is None:
                 if name == "kind" or _OWN.fullmatch(name):
                     return True
@@ -53,5 +53,5 @@ def is_mask(data: bytes) -> bool:
     return empty or (bool(top & _SHARED) and top <= _SHARED | _BESIDE)
 
 
-def _lower(found: re.Match[bytes]) -> str:
-    return found[1].decode("ascii").lower()
+def _lower(match: re.Match[bytes]) -> str:
+    return match[1].decode("ascii").lower()

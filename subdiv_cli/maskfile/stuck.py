@@ -98,8 +98,8 @@ _COMMENTS = (*_BESIDE_VALUES, "--", "%")
 
 def _element(text: str, start: int) -> str:
     """The unquoted text of a value, as far as it goes."""
-    found = _ELEMENT.match(text, start)
-    return shown(found.group().strip()) if found else ""
+    match = _ELEMENT.match(text, start)
+    return shown(match.group().strip()) if match else ""
 
 
 def _here(text: str, at: int) -> str:

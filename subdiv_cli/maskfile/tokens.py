@@ -45,8 +45,8 @@ def tokens(text: str, at: int = 0) -> Iterator[Token]:
                 help = f"write ^ for a power: {shown(own)}"
                 raise Fault(faults.BAD_EXPRESSION, '"**" is not the power here', help, at + position)
             kind, end = c, position + 1
-        elif found := _NUMBER.match(text, position):
-            kind, end = "number", found.end()
+        elif number := _NUMBER.match(text, position):
+            kind, end = "number", number.end()
         elif end := _name_end(text, position):
             kind = "name"
         else:
@@ -64,8 +64,8 @@ def is_name(text: str) -> bool:
 
 def _name_end(text: str, start: int) -> int:
     """The offset at which the name at `start` ends; 0 where there is none."""
-    if found := _ASCII_NAME.match(text, start):
-        end = found.end()
+    if name := _ASCII_NAME.match(text, start):
+        end = name.end()
     elif text[start].isidentifier():
         end = start + 1
     else:

@@ -41,18 +41,18 @@ def _problems(source: Source, error: Exception) -> list[Problem]:
     from subdiv_cli.maskfile.positions import Positions, line_and_column
 
     positions = Positions(source)
-    found = []
+    problems = []
     for path, offset in positions.scan.duplicates:
         line = line_and_column(source.text, positions.scan.spots[path].key)[0]
-        said = shown_path(path)
-        fault = Fault(faults.DUPLICATE_KEY, f"{said} is given twice, first on line {line}")
-        found.append(positions.at(offset, fault, said))
+        key = shown_path(path)
+        fault = Fault(faults.DUPLICATE_KEY, f"{key} is given twice, first on line {line}")
+        problems.append(positions.at(offset, fault, key))
     stuck = positions.scan.stuck
     if stuck is not None:
-        found.append(positions.at(stuck.at, stuck, shown_path(positions.scan.where) or None))
-    elif not found:
-        found.append(_as_tomllib_says(source, error))
-    return found
+        problems.append(positions.at(stuck.at, stuck, shown_path(positions.scan.where) or None))
+    elif not problems:
+        problems.append(_as_tomllib_says(source, error))
+    return problems
 
 
 def _as_tomllib_says(source: Source, error: Exception) -> Problem:

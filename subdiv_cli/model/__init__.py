@@ -121,6 +121,9 @@ class Result:
     """The dimension of the space of constants of a mask of matrices."""
     well_defined: Verdict = Verdict.SKIPPED
     polynomials: int | None = None
+    spectral: Verdict = Verdict.SKIPPED
+    derivatives: int | None = None
+    """The number of derivatives of the limit that a Hermite scheme converges to, beside the limit itself."""
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None

@@ -128,6 +128,25 @@ def logarithm(base: int, argument: Fraction, divisor: int = 1) -> LogForm:
     return Log(base=base, argument=argument, divisor=divisor)
 
 
+def plus(x: FiniteForm, n: int) -> FiniteForm:
+    """The number x + n, n an integer: of a root that of the root times a power of the base, spelled as a sum."""
+    if isinstance(x, Fraction):
+        return x + n
+    scale = Fraction(x.base) ** (-n * x.divisor)
+    if isinstance(x, Log):
+        return logarithm(x.base, x.argument / scale, x.divisor)
+    return RootLog(x.base, multiplied(x.root, scale), x.divisor, f"{x.text}{n:+d}" if n else x.text)
+
+
+def multiplied(root: Root, factor: Fraction) -> Root:
+    """The root times a number that is not zero."""
+    n = len(root.coefficients) - 1
+    p, q = factor.as_integer_ratio()
+    coefficients = [c * q**i * p ** (n - i) for i, c in enumerate(root.coefficients)]
+    low, high = sorted((root.low * factor, root.high * factor))
+    return Root(tuple(c // math.gcd(*coefficients) for c in coefficients), low, high)
+
+
 def unpowered(base: int, divisor: int) -> tuple[int, int]:
     """The pair (b, d) with log_base(x)/divisor = log_b(x)/d for all x, b no perfect power."""
     for e in range(base.bit_length(), 1, -1):

@@ -10,9 +10,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
+from math import inf, nextafter
 from typing import Any, Generic, NamedTuple, NoReturn, TypeVar, cast
 
-from subdiv_cli.model.closed import ClosedForm
+from subdiv_cli.model.closed import ClosedForm, plus
 
 Data = None | bool | int | str | Fraction | tuple["Data", ...] | Mapping[str, "Data"]
 """Exact plain data, as facts and witnesses hold it. Floats are left out on purpose."""
@@ -66,6 +67,28 @@ class Exponent(NamedTuple):
     estimate: str | None = None
     """An estimate of an exponent that is only enclosed, extrapolated from norms: it proves nothing."""
 
+    def of_derivative(self, n: int) -> Exponent:
+        """The exponent of the n-th derivative of functions that have this one, which is less by n; bounds outward."""
+        return Exponent(
+            lower=None if self.lower is None else _outward(Fraction(self.lower) - n, -inf),
+            upper=None if self.upper is None else _outward(Fraction(self.upper) - n, inf),
+            exact=self.exact if self.exact is None or isinstance(self.exact, float) else plus(self.exact, -n),
+            attained=self.attained,
+            digits=None if self.digits is None else _digits_less(self.digits, n),
+        )
+
+
+def _digits_less(digits: str, n: int) -> str | None:
+    """The decimals `2.83007…` of a positive number less n, where that is positive; None for powers of ten."""
+    whole, point, rest = digits.partition(".")
+    return None if "e" in digits or int(whole) < n else f"{int(whole) - n}{point}{rest}"
+
+
+def _outward(x: Fraction, towards: float) -> float:
+    """The double next to x in a direction, x itself where it is one."""
+    nearest = float(x)
+    return nearest if (nearest >= x if towards > 0 else nearest <= x) else nextafter(nearest, towards)
+
 
 class Question(NamedTuple):
     """A question about a scheme."""
@@ -109,11 +132,15 @@ WELL_DEFINED = Question("well_defined")
 """Do the ends of the pieces meet, so that there is one curve? Answered by a verdict."""
 POLYNOMIALS = Question("polynomials")
 """The degree of the polynomials among the components of the curve; None where there is no curve."""
+SPECTRAL = Question("spectral")
+"""Has a Hermite scheme the spectral condition, up to the order of its derivatives? Answered by a verdict."""
+DERIVATIVES = Question("derivatives")
+"""The number of derivatives of the limit that a Hermite scheme converges to, beside the limit itself: an integer."""
 QUASI_INTERPOLATION = Question("quasi_interpolation")
 """The operator Q with S^∞ Q = 1 on the polynomials that are generated. Answered by a verdict."""
 
 _EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV))
-_DEGREES = frozenset(q.name for q in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION, POLYNOMIALS))
+_DEGREES = frozenset(q.name for q in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION, POLYNOMIALS, DERIVATIVES))
 
 Answer = Verdict | int | Smoothness | Exponent | None
 

@@ -27,7 +27,7 @@ def worded(block: Block, result: Result) -> Iterator[Block]:
     if isinstance(block, Words):
         yield from [Text(", ".join(words.facts(result)))] if block.about == "facts" else _exponents(result)
     elif isinstance(block, Statements):
-        yield from (Text(_sentence(found), marks.of_finding(result, found).role) for found in block.findings)
+        yield from (Text(_sentence(finding), marks.of_finding(result, finding).role) for finding in block.findings)
     elif isinstance(block, Grid):
         yield from _narrow(block)
     else:
@@ -43,18 +43,18 @@ def tabled(block: Block, result: Result) -> Iterator[Block]:
 def _exponents(result: Result) -> Iterator[Text]:
     bounds = (answering(result.findings, question) for question in (HOLDER_LOWER, HOLDER_UPPER))
     if (holder := words.holder(result)) is not None:
-        yield Text(f"Hölder exponent {holder} ({', '.join(found.code for found in bounds if found is not None)})")
-    found = answering(result.findings, SOBOLEV)
-    if found is not None and result.sobolev is not None and (sobolev := interval(result.sobolev)) is not None:
-        yield Text(f"Sobolev exponent {sobolev} ({found.code})")
+        yield Text(f"Hölder exponent {holder} ({', '.join(bound.code for bound in bounds if bound is not None)})")
+    finding = answering(result.findings, SOBOLEV)
+    if finding is not None and result.sobolev is not None and (sobolev := interval(result.sobolev)) is not None:
+        yield Text(f"Sobolev exponent {sobolev} ({finding.code})")
     yield from (Text(line, "quiet") for line in words.figures(result, digits=True))
 
 
-def _sentence(found: Finding) -> str:
+def _sentence(finding: Finding) -> str:
     """The statement of a finding, with verdict and code behind it."""
-    asks = found.verdict in (Verdict.UNDECIDED, Verdict.SKIPPED)
-    why = f" {found.reason}" if asks and found.reason else ""
-    return f"{found.statement}{why} ({found.verdict.value}, {found.code})"
+    asks = finding.verdict in (Verdict.UNDECIDED, Verdict.SKIPPED)
+    why = f" {finding.reason}" if asks and finding.reason else ""
+    return f"{finding.statement}{why} ({finding.verdict.value}, {finding.code})"
 
 
 def _narrow(grid: Grid) -> Iterator[Block]:
@@ -69,8 +69,8 @@ def _narrow(grid: Grid) -> Iterator[Block]:
             own = slice(used[0], used[-1] + 1)
             yield from _narrow(Grid(grid.corner, grid.nodes[own], ((name, numbers[own]),)))
         else:
-            told = ", ".join(f"{grid.nodes[i]}: {numbers[i]}" for i in used) or "0"
-            yield Text(f"{name}  {told}".lstrip())
+            entries = ", ".join(f"{grid.nodes[i]}: {numbers[i]}" for i in used) or "0"
+            yield Text(f"{name}  {entries}".lstrip())
 
 
 def has_grids(section: Section) -> bool:

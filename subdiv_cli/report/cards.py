@@ -56,9 +56,9 @@ def card(number: int, result: Result, look: Look) -> str:
         f"<p>{maths(words.headline(result))}</p>",
         f'<p class="quiet">{_about(result)}</p>',
     ]
-    told = list(notices(result, look))
-    if told:
-        items = (f'<li class="{_LEVELS[n.level]}">{maths(n.message)} <code>{text(n.code)}</code></li>' for n in told)
+    remarks = list(notices(result, look))
+    if remarks:
+        items = (f'<li class="{_LEVELS[n.level]}">{maths(n.message)} <code>{text(n.code)}</code></li>' for n in remarks)
         parts.append(f"<ul>{''.join(items)}</ul>")
     if result.status != "invalid":
         parts.append('<div class="two"><div>')
@@ -98,10 +98,10 @@ def _properties(result: Result) -> str:
 def _expectations(result: Result) -> str:
     rows = []
     for judged in result.expectations:
-        instead = words.found_instead(result, judged)
-        found = f" — found {maths(instead)}" if instead else ""
-        asked = maths(words.asked(judged.expectation))
-        rows.append(f"<tr><th>{asked}</th><td>{_verdict(marks.of_verdict(judged.verdict))}{found}</td></tr>")
+        instead = words.actual_unless_proved(result, judged)
+        ending = f" — found {maths(instead)}" if instead else ""
+        expected = maths(words.expected(judged.expectation))
+        rows.append(f"<tr><th>{expected}</th><td>{_verdict(marks.of_verdict(judged.verdict))}{ending}</td></tr>")
     return f"<h3>expected</h3>{_table(rows)}" if rows else ""
 
 
@@ -176,18 +176,18 @@ def _stencil(nodes: Sequence[str], numbers: Sequence[str], used: Sequence[int]) 
 def _findings(result: Result, look: Look) -> str:
     findings = look.shown(result.findings)
     items = [
-        f"<li><code>{found.code}</code> {text(found.name)} {_verdict(marks.of_finding(result, found))}"
-        + f"<br>{maths(found.statement)}"
-        + (f" (because {maths(found.reason)})" if found.reason else "")
-        + f'<br><span class="quiet">{text(found.source)}</span>{_witness(found) if look.verbosity > 1 else ""}</li>'
-        for found in findings
+        f"<li><code>{finding.code}</code> {text(finding.name)} {_verdict(marks.of_finding(result, finding))}"
+        + f"<br>{maths(finding.statement)}"
+        + (f" (because {maths(finding.reason)})" if finding.reason else "")
+        + f'<br><span class="quiet">{text(finding.source)}</span>{_witness(finding) if look.verbosity > 1 else ""}</li>'
+        for finding in findings
     ]
-    meanings = words.legend(found.statement for found in findings)
+    meanings = words.legend(finding.statement for finding in findings)
     legend = f'<p class="quiet">{text(meanings)}</p>' if meanings else ""
     shown = f"<summary>{len(items)} findings</summary>{legend}<ol>{''.join(items)}</ol>"
     return f"<details>{shown}</details>" if items else ""
 
 
-def _witness(found: Finding) -> str:
-    shown = (f"<br><code>{text(key)}: {text(data(value))}</code>" for key, value in found.witness.items())
+def _witness(finding: Finding) -> str:
+    shown = (f"<br><code>{text(key)}: {text(data(value))}</code>" for key, value in finding.witness.items())
     return "".join(shown)

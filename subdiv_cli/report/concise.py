@@ -33,8 +33,8 @@ def _text(lines: Iterable[str], look: Look) -> str:
 
 def _lines(result: Result, look: Look) -> Iterator[str]:
     yield from _problems(result)
-    for found in look.shown(result.findings):
-        yield f"{words.place(result)}: {_finding(found)}"
+    for finding in look.shown(result.findings):
+        yield f"{words.place(result)}: {_finding(finding)}"
     yield from _judged(result, result.expectations)
     yield from _regressions(result)
     yield from _notes(result)
@@ -76,10 +76,10 @@ def _notes(result: Result) -> Iterator[str]:
         yield f"{words.place(result)}: hint: {hint}"
 
 
-def _finding(found: Finding) -> str:
-    text = f"{found.code} {found.name} {found.verdict.value}: {found.statement}"
-    asks = found.verdict in (Verdict.UNDECIDED, Verdict.SKIPPED)
-    return f"{text} ({found.reason})" if asks and found.reason else text
+def _finding(finding: Finding) -> str:
+    text = f"{finding.code} {finding.name} {finding.verdict.value}: {finding.statement}"
+    asks = finding.verdict in (Verdict.UNDECIDED, Verdict.SKIPPED)
+    return f"{text} ({finding.reason})" if asks and finding.reason else text
 
 
 def problem_line(problem: Problem, file: str) -> str:

@@ -39,19 +39,19 @@ def show(page: Page, result: Result, findings: Sequence[Finding]) -> None:
 
 def blocks(findings: Sequence[Finding]) -> Iterator[Block]:
     """The findings without repetition; a block of skipped ones stands where the first of them stands."""
-    told: set[str] = set()
-    for _, run in groupby(findings, lambda found: found.code):
+    reasons: set[str] = set()
+    for _, run in groupby(findings, lambda finding: finding.code):
         members = list(run)
         if len(members) > LONG:
-            for _, equal in groupby(members, lambda found: found.verdict):
+            for _, equal in groupby(members, lambda finding: finding.verdict):
                 yield from _ends(list(equal))
             continue
-        for found in members:
-            alike = _alike(found, findings)
+        for finding in members:
+            alike = _alike(finding, findings)
             if len(alike) < 2:
-                yield found
-            elif found.reason and found.reason not in told:
-                told.add(found.reason)
+                yield finding
+            elif finding.reason and finding.reason not in reasons:
+                reasons.add(finding.reason)
                 yield alike
 
 
@@ -65,11 +65,11 @@ def _ends(run: list[Finding]) -> Iterator[Block]:
     yield from run[-ENDS:]
 
 
-def _alike(found: Finding, findings: Sequence[Finding]) -> list[Finding]:
+def _alike(finding: Finding, findings: Sequence[Finding]) -> list[Finding]:
     """All findings that were skipped for the reason of this one; empty where it was not skipped, or has no reason."""
-    if found.verdict is not Verdict.SKIPPED or not found.reason:
+    if finding.verdict is not Verdict.SKIPPED or not finding.reason:
         return []
-    return [other for other in findings if other.verdict is Verdict.SKIPPED and other.reason == found.reason]
+    return [other for other in findings if other.verdict is Verdict.SKIPPED and other.reason == finding.reason]
 
 
 def _indent(page: Page) -> int:
@@ -79,24 +79,24 @@ def _indent(page: Page) -> int:
 def _skipped(page: Page, findings: Sequence[Finding]) -> None:
     """Put several findings skipped for the same reason on the page: their codes and the reason."""
     indent = _indent(page)
-    codes = dict.fromkeys(found.code for found in findings)
+    codes = dict.fromkeys(finding.code for finding in findings)
     mark = marks.of_verdict(Verdict.SKIPPED)
     lead = [(" " * INDENT, ""), (page.say(mark.text).ljust(indent - INDENT - 1), mark.role), (" ", "")]
     page.lines += led(lead, page.say(f"{', '.join(codes)}: {findings[0].reason}"), page.look.width, hanging=indent)
 
 
-def _finding(page: Page, found: Finding, mark: marks.Shown) -> None:
+def _finding(page: Page, finding: Finding, mark: marks.Shown) -> None:
     indent, role = _indent(page), mark.role
     verdict = page.say(mark.text).ljust(indent - INDENT)
-    title = f"{found.code} {page.say(found.name)}"
+    title = f"{finding.code} {page.say(finding.name)}"
     if page.look.width >= NARROW:
         page.lines.append([(" " * INDENT, ""), (verdict, role), (title, "code")])
     else:
         page.lines += stacked(("", ""), [[Cell(verdict, role), Cell(title, "code")]], page.look.width - INDENT, INDENT)
-    page.put(found.statement, indent=indent, hanging=2)
-    if found.reason:
-        page.put(f"because {found.reason}", indent=indent, hanging=2)
+    page.put(finding.statement, indent=indent, hanging=2)
+    if finding.reason:
+        page.put(f"because {finding.reason}", indent=indent, hanging=2)
     if page.look.verbosity > 1:
-        for key, value in found.witness.items():
+        for key, value in finding.witness.items():
             page.put(f"{key}: {data(value)}", indent=indent, hanging=2)
-    page.put(found.source, "quiet", indent=indent, hanging=2)
+    page.put(finding.source, "quiet", indent=indent, hanging=2)

@@ -39,11 +39,11 @@ class Annotation(NamedTuple):
 
 def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     """The annotations of all results, errors first."""
-    told: dict[str, list[Annotation]] = {level: [] for level in _COMMANDS}
+    by_level: dict[str, list[Annotation]] = {level: [] for level in _COMMANDS}
     for result in results:
         for notice in notices(result, look):
-            told[notice.level].append(Annotation(result.file, words.name(result), notice, _place(result, notice)))
-    for level, several in told.items():
+            by_level[notice.level].append(Annotation(result.file, words.name(result), notice, _place(result, notice)))
+    for level, several in by_level.items():
         for group in _groups(several):
             title, lines = _joined(group)
             rest = [f"and {len(lines) - MOST_LINES} more"] if len(lines) > MOST_LINES else []

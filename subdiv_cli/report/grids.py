@@ -36,7 +36,7 @@ def put_planes(page: Page, planes: Sequence[Plane]) -> None:
         pieces = _drawn(page, cells, room)
         if pieces is None:
             _flush(page, row)
-            page.put(f"{title}: {_told(cells)}", indent=2 * INDENT, hanging=2)
+            page.put(f"{title}: {_listed(cells)}", indent=2 * INDENT, hanging=2)
             continue
         for k, piece in enumerate(pieces):
             block = [*wrap(page.say(title) if k == 0 else "...", room), *piece]
@@ -56,13 +56,13 @@ def tables(planes: Planes) -> Iterator[Text | Grid]:
             continue
         columns, rows = _axes(cells)
         if len(columns) > _WIDE or len(columns) * len(rows) > _LARGEST:
-            yield Text(_told(cells))
+            yield Text(_listed(cells))
         else:
             lines = ((str(y), tuple(cells.get((x, y), "·") for x in columns)) for y in rows)
             yield Grid("", tuple(map(str, columns)), tuple(lines))
 
 
-def _told(cells: Mapping[Place, str]) -> str:
+def _listed(cells: Mapping[Place, str]) -> str:
     return ", ".join(f"{point(place)}: {text}" for place, text in sorted(cells.items()))
 
 

@@ -55,14 +55,14 @@ def _asset(name: str) -> str:
 
 
 def _remarks(look: Look) -> str:
-    told = []
+    remarks = []
     if look.interrupted:
-        told.append("The run was interrupted: not all masks were checked.")
+        remarks.append("The run was interrupted: not all masks were checked.")
     if look.shard is not None:
-        told.append(f"Part {look.shard[0]} of {look.shard[1]}.")
+        remarks.append(f"Part {look.shard[0]} of {look.shard[1]}.")
     if look.missing:
-        told.append(f"Of the baseline, not checked: {', '.join(look.missing)}.")
-    return "".join(f'<p class="open">{text(remark)}</p>' for remark in told)
+        remarks.append(f"Of the baseline, not checked: {', '.join(look.missing)}.")
+    return "".join(f'<p class="open">{text(remark)}</p>' for remark in remarks)
 
 
 def _find() -> str:
@@ -95,5 +95,5 @@ def _row(number: int, result: Result) -> str:
         f'<td data-label="{title}" data-sort="{text(key)}">{cell}</td>'
         for title, (cell, key) in zip(_TITLES, cells, strict=True)
     )
-    found = text(f"{name} {result.file}".lower())
-    return f'<tr data-card="mask-{number}" data-status="{result.status}" data-text="{found}">{shown}</tr>\n'
+    searchable = text(f"{name} {result.file}".lower())
+    return f'<tr data-card="mask-{number}" data-status="{result.status}" data-text="{searchable}">{shown}</tr>\n'

@@ -13,7 +13,7 @@ from subdiv_cli.model.closed import rational, spelled
 from subdiv_cli.model.properties import PROPERTIES, Property
 from subdiv_cli.report.look import Look
 from subdiv_cli.report.numbers import finite
-from subdiv_cli.report.words import found, summary
+from subdiv_cli.report.words import actual, summary
 
 _PLACE = "results of subdiv"
 """What stands for the results while the rest of the report is spelled."""
@@ -79,6 +79,7 @@ def as_data(result: Result, look: Look) -> dict[str, Any]:
         "reference": result.reference,
         "refinable_function": _smoothness(result.refinable),
         "hints": list(result.hints),
+        "derivatives": _derivatives(result),
         "regressions": None if result.regressions is None else [worse.message for worse in result.regressions],
     }
 
@@ -94,6 +95,15 @@ def _property(result: Result, row: Property) -> Any:
             return _exponent(given, attained=row.key == "holder")
         case "order" | "degree" | "dimension":
             return given
+
+
+def _derivatives(result: Result) -> list[dict[str, Any]] | None:
+    """The exponents of the derivatives that a Hermite scheme converges to: that of the limit less their orders."""
+    if result.derivatives is None:
+        return None
+    holder = result.holder or Exponent()
+    orders = range(1, result.derivatives + 1)
+    return [{"order": j, "holder": _exponent(holder.of_derivative(j), attained=True)} for j in orders]
 
 
 def _smoothness(smooth: Smoothness) -> dict[str, Any]:
@@ -130,7 +140,7 @@ def _expectation(result: Result, judged: Judgement) -> dict[str, Any]:
         "key": expectation.key,
         "expected": expectation.text,
         "verdict": judged.verdict.value,
-        "found": found(result, expectation),
+        "found": actual(result, expectation),
         "line": judged.line,
     }
 

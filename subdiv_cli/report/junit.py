@@ -92,7 +92,7 @@ def _cases(result: Result, look: Look) -> Iterator[Case]:
         )
         return
     for judged in result.expectations:
-        name = words.asked(judged.expectation)
+        name = words.expected(judged.expectation)
         if judged.verdict is Verdict.PROVED:
             yield Case(name)
         else:

@@ -56,9 +56,9 @@ def transliterate(text: str) -> str:
     return text if text.isascii() else "".join(map(_fallback, text))
 
 
-def _part(found: re.Match[str]) -> str:
+def _part(match: re.Match[str]) -> str:
     """A fraction in ASCII, ½ as 1/2; in parentheses before a factor, and apart from a whole number."""
-    whole, part, factor = found.groups()
+    whole, part, factor = match.groups()
     text = f"({_PARTS[part]})" if factor else _PARTS[part]
     return f"{whole} {text}" if whole else text
 

@@ -44,7 +44,7 @@ class Look(NamedTuple):
         if not self.select and not self.ignore:
             return tuple(findings)
         return tuple(
-            found
-            for found in findings
-            if (not self.select or found.code.startswith(self.select)) and not found.code.startswith(self.ignore)
+            finding
+            for finding in findings
+            if (not self.select or finding.code.startswith(self.select)) and not finding.code.startswith(self.ignore)
         )

@@ -53,8 +53,8 @@ def _row(result: Result) -> str:
     if result.status == "invalid":
         cells = [_text(words.name(result)), words.errors(result), "", ""]
     else:
-        told = (words.convergence(result), words.smoothness_or_that_of_phi(result), words.holder(result))
-        cells = [_text(words.name(result)), *(_text(text or "") for text in told)]
+        properties = (words.convergence(result), words.smoothness_or_that_of_phi(result), words.holder(result))
+        cells = [_text(words.name(result)), *(_text(text or "") for text in properties)]
     return f"| {MARKS[result.status].picture} {result.status} | " + " | ".join(cells) + " |\n"
 
 

@@ -66,23 +66,23 @@ def of_status(status: str) -> Shown:
     return Shown(status, status)
 
 
-def of_finding(result: Result, found: Finding) -> Shown:
+def of_finding(result: Result, finding: Finding) -> Shown:
     """The verdict of a finding on a mask: `✗ refuted`, or `○ refuted` where that is its sharpness."""
-    word = found.verdict.value
-    return Shown("sharp" if is_sharpness(result, found) else word, word)
+    word = finding.verdict.value
+    return Shown("sharp" if is_sharpness(result, finding) else word, word)
 
 
-def is_sharpness(result: Result, found: Finding) -> bool:
+def is_sharpness(result: Result, finding: Finding) -> bool:
     """Whether a refuted finding only says that a scheme that converges is not better still.
 
     It answers no question but those that make a property sharp, and refutes no expectation of that property.
     """
-    if found.verdict is not Verdict.REFUTED or result.convergent is not Verdict.PROVED or result.regressions:
+    if finding.verdict is not Verdict.REFUTED or result.convergent is not Verdict.PROVED or result.regressions:
         return False
-    asked = [question for question, _ in found.answers]
-    if not set(asked) <= _SHARPENED.keys():
+    questions = [question for question, _ in finding.answers]
+    if not set(questions) <= _SHARPENED.keys():
         return False
-    keys = {_SHARPENED[question] for question in asked} or {"smoothness"}
+    keys = {_SHARPENED[question] for question in questions} or {"smoothness"}
     return not any(
         judged.verdict is Verdict.REFUTED and judged.expectation.key in keys for judged in result.expectations
     )

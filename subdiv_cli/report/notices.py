@@ -66,13 +66,13 @@ def _missed(result: Result, judged: Judgement, look: Look) -> Notice:
     level: Level = "error" if judged.verdict is Verdict.REFUTED else _open(look)
     key = judged.expectation.key
     message = words.judged(result, judged, judged.verdict.value)
-    return Notice(level, _code(result, key), words.asked(judged.expectation), message, judged.line)
+    return Notice(level, _code(result, key), words.expected(judged.expectation), message, judged.line)
 
 
 def _code(result: Result, key: str) -> str:
     """The code of the finding that an expectation is about; where there is none, one made of the key."""
-    found = answering(result.findings, BY_KEY[key].question)
-    return f"expect-{key}" if found is None else found.code
+    finding = answering(result.findings, BY_KEY[key].question)
+    return f"expect-{key}" if finding is None else finding.code
 
 
 def _open(look: Look) -> Level:

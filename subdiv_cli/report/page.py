@@ -191,8 +191,8 @@ def stacked(header: Sequence[str], rows: Sequence[Sequence[Cell]], columns: int,
             lines[-1] += [(" " * GAP, ""), named.pop(0)[1]]
         for name, (text, its) in named:
             if text:
-                told = f"{name}: {text}" if name else text
-                lines += paragraph(told, columns + indent, role=its, indent=indent + GAP, hanging=GAP)
+                labelled = f"{name}: {text}" if name else text
+                lines += paragraph(labelled, columns + indent, role=its, indent=indent + GAP, hanging=GAP)
     return lines
 
 

@@ -57,17 +57,17 @@ def of_property(result: Result, row: Property) -> Iterator[PropertyRow]:
         yield from _of_holder(result, row)
         yield from _attained(result)
         return
-    found = answering(result.findings, row.question, *row.instead)
+    finding = answering(result.findings, row.question, *row.instead)
     beyond = (answering(result.findings, question) for question in row.more)
     sharp = next((other for other in beyond if other is not None and other.verdict is not Verdict.SKIPPED), None)
     order = result.refinable.order
     if row.form == "smoothness" and sharp is not None and order is not None:
         phi = "" if result.smoothness.order is not None else "φ: "
-        yield from _reason(result, row.title, f"{phi}C^{order}", found)
+        yield from _reason(result, row.title, f"{phi}C^{order}", finding)
         yield from _reason(result, f"C^{order + 1}", None, sharp)
         return
     verdict = getattr(result, row.key) if row.form == "verdict" else None
-    yield from _reason(result, row.title, words.value(result, row), found, verdict=verdict)
+    yield from _reason(result, row.title, words.value(result, row), finding, verdict=verdict)
 
 
 def _of_holder(result: Result, row: Property) -> Iterator[PropertyRow]:
@@ -96,28 +96,28 @@ def _reason(
     result: Result, title: str, value: str | None, *findings: Finding | None, verdict: Verdict | None = None
 ) -> Iterator[PropertyRow]:
     """The row of what findings say, the first of which decides; none where there is nothing to say."""
-    found = [each for each in findings if each is not None]
-    if verdict is None and found:
-        verdict = found[0].verdict
-    if not found and value is None and verdict in (None, Verdict.SKIPPED):
+    present = [each for each in findings if each is not None]
+    if verdict is None and present:
+        verdict = present[0].verdict
+    if not present and value is None and verdict in (None, Verdict.SKIPPED):
         return
     mark = None if verdict is None else marks.of_verdict(verdict)
-    if found and verdict is Verdict.REFUTED:
-        mark = marks.of_finding(result, found[0])
-    why = "; ".join(dict.fromkeys(why for each in found if (why := _why(each, value)) is not None))
-    yield PropertyRow(title, mark, value or "", why, ", ".join(each.code for each in found))
+    if present and verdict is Verdict.REFUTED:
+        mark = marks.of_finding(result, present[0])
+    why = "; ".join(dict.fromkeys(why for each in present if (why := _why(each, value)) is not None))
+    yield PropertyRow(title, mark, value or "", why, ", ".join(each.code for each in present))
 
 
-def _why(found: Finding, value: str | None) -> str | None:
+def _why(finding: Finding, value: str | None) -> str | None:
     """Why a finding is as it is; its whole statement where it has no reason and the row no value."""
-    if found.verdict in (Verdict.SKIPPED, Verdict.UNDECIDED):
-        return None if value is not None else found.reason
-    return found.why if found.why is not None or value is not None else found.statement
+    if finding.verdict in (Verdict.SKIPPED, Verdict.UNDECIDED):
+        return None if value is not None else finding.reason
+    return finding.why if finding.why is not None or value is not None else finding.statement
 
 
 def _once(rows: Iterable[PropertyRow]) -> Iterator[PropertyRow]:
-    told: set[str] = set()
+    reasons: set[str] = set()
     for row in rows:
         skipped = row.mark is not None and row.mark.name == Verdict.SKIPPED.value
-        yield row._replace(why="") if skipped and row.why in told else row
-        told |= {row.why} if skipped else set()
+        yield row._replace(why="") if skipped and row.why in reasons else row
+        reasons |= {row.why} if skipped else set()

@@ -33,8 +33,8 @@ def pieces(results: Sequence[Result], look: Look) -> Iterator[str]:
     }
     head, _, tail = _spelled({"version": "2.1.0", "runs": [run]}).partition(_spelled(_PLACE))
     yield head
-    told = (_result(result, notice, index) for result in results for notice in notices(result, look))
-    for number, shown in enumerate(told):
+    objects = (_result(result, notice, index) for result in results for notice in notices(result, look))
+    for number, shown in enumerate(objects):
         yield (",\n        " if number else "") + _spelled(shown).replace("\n", "\n        ")
     yield tail + "\n"
 
@@ -48,7 +48,7 @@ def _rules(results: Sequence[Result], look: Look) -> list[dict[str, Any]]:
     names: dict[str, str] = {}
     codes: set[str] = set()
     for result in results:
-        names |= {found.code: found.name for found in result.findings}
+        names |= {finding.code: finding.name for finding in result.findings}
         names |= {worse.code: "baseline" for worse in result.regressions or ()}
         codes |= {notice.code for notice in notices(result, look)}
     rules = []

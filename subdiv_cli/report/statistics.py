@@ -65,6 +65,6 @@ def _cause(result: Result, notice: Notice) -> Cause:
         return Cause(notice.code, "", "invalid", "")
     if result.regressions is not None:
         return Cause(notice.code, "baseline", "worse", "")
-    asked, verdict = notice.title.split(" ")[0], "refuted" if notice.level == "error" else "undecided"
-    reasons = (found.reason for found in result.findings if found.code == notice.code and found.reason)
-    return Cause(notice.code, asked, verdict, next(reasons, "") if verdict == "undecided" else "")
+    key, verdict = notice.title.split(" ")[0], "refuted" if notice.level == "error" else "undecided"
+    reasons = (finding.reason for finding in result.findings if finding.code == notice.code and finding.reason)
+    return Cause(notice.code, key, verdict, next(reasons, "") if verdict == "undecided" else "")

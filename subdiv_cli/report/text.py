@@ -75,15 +75,15 @@ class _TextReport(Page):
 
         The text of each mask as soon as it is put.
         """
-        told: list[str] = []
+        sentences: list[str] = []
         for result in results:
             if self.look.verbosity >= 0:
                 self.blank()
-            told += self.failure(result)
+            sentences += self.failure(result)
             yield self.take()
-        if told and self.look.verbosity >= 0:
+        if sentences and self.look.verbosity >= 0:
             self.blank()
-        self.legend(told)
+        self.legend(sentences)
 
     def failure(self, result: Result) -> list[str]:
         """Put why a mask did not pass; returns the lines with symbols in them."""
@@ -93,14 +93,14 @@ class _TextReport(Page):
         self.problems(result)
         self.regressions(result)
         missed = [judged for judged in result.expectations if judged.verdict is not Verdict.PROVED]
-        said = [words.headline(result)]
+        sentences = [words.headline(result)]
         for judged in missed if result.regressions is None else ():
             self.missed(result, judged)
             for reason in reasons.of_missed(result, judged):
-                if not any(reason.why in earlier for earlier in said):
+                if not any(reason.why in earlier for earlier in sentences):
                     self.put(reason.sentence, indent=2 * INDENT, hanging=INDENT)
-                    said.append(reason.sentence)
-        return said
+                    sentences.append(reason.sentence)
+        return sentences
 
     def regressions(self, result: Result) -> None:
         """Put what is worse than in the baseline, in a line each."""
@@ -205,7 +205,7 @@ class _TextReport(Page):
         proved = [judged for judged in result.expectations if judged.verdict is Verdict.PROVED]
         if proved:
             self.items(
-                f"{'expected and proved: ' if judged is proved[0] else ''}{words.asked_briefly(judged.expectation)}"
+                f"{'expected and proved: ' if judged is proved[0] else ''}{words.expected_briefly(judged.expectation)}"
                 for judged in proved
             )
         for judged in result.expectations:

@@ -78,14 +78,14 @@ def _order(smooth: Smoothness) -> str | None:
 
 def facts(result: Result) -> list[str]:
     """The facts of a mask in words, the most telling ones: `support -3 … 3`, `symmetric about 0`, `dilation 2I`."""
-    told = []
+    phrases = []
     if {"lowest", "highest"} <= result.facts.keys():
-        told.append(f"support {data(result.facts['lowest'])} … {data(result.facts['highest'])}")
+        phrases.append(f"support {data(result.facts['lowest'])} … {data(result.facts['highest'])}")
     for key, value in result.facts.items():
         if (phrase := _fact(key, value)) is not None:
-            told.append(phrase)
+            phrases.append(phrase)
     centre = result.facts.get("centre")
-    return [f"{phrase} about {data(centre)}" if phrase.endswith("symmetric") else phrase for phrase in told]
+    return [f"{phrase} about {data(centre)}" if phrase.endswith("symmetric") else phrase for phrase in phrases]
 
 
 def _fact(key: str, value: Data) -> str | None:
@@ -158,13 +158,13 @@ def headline(result: Result) -> str:
         return f"not checked: {errors(result)}"
     if result.convergent is Verdict.PROVED:
         return _convergent(result)
-    asked = answering(result.findings, CONVERGENCE, SUMS)
+    finding = answering(result.findings, CONVERGENCE, SUMS)
     if result.convergent is Verdict.REFUTED:
         smooth = _order(result.refinable)
         verdict = f"φ is {smooth}, but this scheme does not converge" if smooth else "does not converge"
-        return _with(verdict, (asked.why or asked.statement) if asked else None)
+        return _with(verdict, (finding.why or finding.statement) if finding else None)
     if result.convergent is Verdict.UNDECIDED:
-        return _with("convergence undecided", asked.reason if asked else None)
+        return _with("convergence undecided", finding.reason if finding else None)
     return "convergence not asked"
 
 
@@ -191,7 +191,7 @@ def _count(number: int, noun: str) -> str:
     return f"{number} {noun}" + ("" if number == 1 else "s")
 
 
-def asked(expectation: Expectation) -> str:
+def expected(expectation: Expectation) -> str:
     """An expectation as the file spells it: `smoothness = 1`, `holder >= 1.99`, `holder in 1.99 .. 2.01`.
 
     Where it takes lines, only the beginning.
@@ -201,16 +201,16 @@ def asked(expectation: Expectation) -> str:
     return f"{expectation.key} {relation}{text if len(text) <= LONGEST else text[: LONGEST // 3] + '…'}"
 
 
-def asked_briefly(expectation: Expectation) -> str:
-    """An expectation as `asked`, but of a closed form that is not read at a glance its digits: `sobolev = 3.2596…`."""
+def expected_briefly(expectation: Expectation) -> str:
+    """An expectation as `expected`, but of a closed form not read at a glance its digits: `sobolev = 3.2596…`."""
     number = expectation.lower
     if expectation.upper != number or not isinstance(number, RootLog | Log) or is_brief(expectation.text):
-        return asked(expectation)
+        return expected(expectation)
     low, high = enclosure(number, refined=True)
     return f"{expectation.key} = {digits(float(low), float(high))}"
 
 
-def found(result: Result, expectation: Expectation, *, brief: bool = False) -> str | None:
+def actual(result: Result, expectation: Expectation, *, brief: bool = False) -> str | None:
     """The value of the property that an expectation is about; None where the result has none.
 
     `brief`: a closed form that is not read at a glance is left to its digits.
@@ -255,15 +255,15 @@ def _decided(result: Result) -> str | None:
     return convergence(result) if result.convergent in (Verdict.PROVED, Verdict.REFUTED) else None
 
 
-def found_instead(result: Result, judgement: Judgement, *, brief: bool = False) -> str | None:
+def actual_unless_proved(result: Result, judgement: Judgement, *, brief: bool = False) -> str | None:
     """The value of a property whose expectation was not proved."""
-    return None if judgement.verdict is Verdict.PROVED else found(result, judgement.expectation, brief=brief)
+    return None if judgement.verdict is Verdict.PROVED else actual(result, judgement.expectation, brief=brief)
 
 
 def judged(result: Result, judgement: Judgement, verdict: str) -> str:
     """A judged expectation as text: `expected smoothness = 3: refuted, found C^2, not C^3`; `verdict` as given."""
-    instead = found_instead(result, judgement, brief=True)
-    text = f"expected {asked_briefly(judgement.expectation)}: {verdict}"
+    instead = actual_unless_proved(result, judgement, brief=True)
+    text = f"expected {expected_briefly(judgement.expectation)}: {verdict}"
     return f"{text}, found {instead}" if instead else text
 
 

@@ -73,10 +73,10 @@ def invariant_space(family: Sequence[fmpq_mat], vectors: fmpq_mat, look: Look = 
             return None
         to_coordinates = basis.transpose() * (basis * basis.transpose()).inv()
         images = [*(basis * m for m in on_rows), leaves]
-        found = [image * to_coordinates for image in images]
-        if all(x * basis == image for x, image in zip(found, images, strict=True)):
-            matrices = tuple(m.transpose() for m in found[:-1])
-            return InvariantSpace(basis=basis, matrices=matrices, tree=tree, leaves=found[-1], origins=origins)
+        coordinates = [image * to_coordinates for image in images]
+        if all(x * basis == image for x, image in zip(coordinates, images, strict=True)):
+            matrices = tuple(m.transpose() for m in coordinates[:-1])
+            return InvariantSpace(basis=basis, matrices=matrices, tree=tree, leaves=coordinates[-1], origins=origins)
     return None
 
 

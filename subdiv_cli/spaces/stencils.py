@@ -42,6 +42,21 @@ Theorem 4 (attained). With α as in theorem 3, k > α: if all products of L oper
 of order k are O(h^α): f_i is in Lip*(α), which is C^α where α is no integer. For k = α, f_i^(k-1) is Lipschitz. If
 they are not, and α is no integer or is k, the limits are not all in C^α, or not in W^(k,∞).
 
+Theorem 5 (jets). In one variable, m >= 2, let the data be c^n = D^-n S^n c, D = diag(1, 1/p, …, p^-(m-1)), and call S
+Hermite convergent if for all bounded c there is a function f_c in C^(m-1), not 0 for some c, with
+c^n_j(i) - f_c^(j)(p^-n i) -> 0 uniformly for all components j = 0, …, m-1. That is so iff S converges, E_A is spanned
+by e_0, and JSR(T | U_j) < p^-j for j = 1, …, m-1, U_j the smallest space that holds e_j δ - ∇^j w and ∇^(j+1) w and is
+mapped into itself by the T_ε; w the limit stencil with Σ w · e_0 = 1.
+
+  If: V_(j+1)(w) lies in U_j, so that all f_c are C^j by theorem 3, and with h = p^-n the differences h^-j ∇^j f_c tend
+  to f_c^(j), uniformly: f_c is a locally finite sum of shifts of m functions of compact support. These differences are
+  p^jn (∇^j w * S^n c)(i) by theorem 2, and c^n_j(i) = p^jn (e_j δ * S^n c)(i); what is between them has the entries
+  p^jn (T_word(e_j δ - ∇^j w) * c)(a), words of length n, and tends to 0. For j = 0: E_A says that f_c e_0 is the limit.
+  Only if: c^n_j is bounded, so that S^n c tends to f_c e_0: S converges. Constants u in E_A are limits for the data u,
+  hence multiples of e_0. For c = e_l δ the difference above tends to 0, so that T_word(e_j δ - ∇^j w) is o(p^-jn) over
+  the words of length n; T_word ∇^(j+1) w is, as f_c is C^j. Words applied to these two span U_j, whence
+  max ‖T_word | U_j‖ = o(p^-jn), which forces the radius below p^-j.
+
 No hypothesis on the stability of the limits is used anywhere.
 """
 
@@ -129,6 +144,15 @@ class StencilSpaces:
             return None
         orders = list(indices_of_degree(self.operators.lattice.dimension, k))
         return self._space([_convolved(difference(mu), w) for w in self.stencils for mu in orders])
+
+    def jet(self, j: int) -> SequenceSpace | None:
+        """The space U_j of theorem 5; None without one stencil alone, and where it is too large."""
+        if self.stencils is None or len(self.stencils) != 1:
+            return None
+        (w,), zero = self.stencils, (0,) * self.operators.lattice.dimension
+        unit = {zero: [fmpq(int(l == j)) for l in range(self.operators.size)]}
+        between = _combined([fmpq(1), fmpq(-1)], [unit, _convolved(difference((j,)), w)])
+        return self._space([between, _convolved(difference((j + 1,)), w)])
 
     def _space(self, generators: Sequence[VectorSequence]) -> SequenceSpace | None:
         window = self.operators.closed_window((alpha for v in generators for alpha in v), self._look)

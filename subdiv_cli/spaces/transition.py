@@ -57,10 +57,10 @@ class TransitionOperators:
     @cached_property
     def sums(self) -> tuple[fmpq_mat, ...]:
         """The m×m matrices A^ε = Σ_β A_(ε+Mβ), ε the representatives."""
-        found = {self.lattice.coset(epsilon): identity(self.size) * 0 for epsilon in self.lattice.representatives}
+        sums = {self.lattice.coset(epsilon): identity(self.size) * 0 for epsilon in self.lattice.representatives}
         for index, a in self.terms.items():
-            found[self.lattice.coset(index)] += a
-        return tuple(found.values())
+            sums[self.lattice.coset(index)] += a
+        return tuple(sums.values())
 
     @cached_property
     def constants(self) -> fmpq_mat | None:

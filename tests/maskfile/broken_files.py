@@ -30,6 +30,7 @@ class Broken(NamedTuple):
 MASK = "[mask]\nstart = 0\ncoefficients = [1, 1]\n"
 HEAD = "[mask]\nstart = 0\ncoefficients = "
 VECTOR = 'kind = "vector"\n[mask]\nstart = 0\ncoefficients = '
+HERMITE = 'kind = "hermite"\n[mask]\nstart = 0\ncoefficients = '
 W = "[parameters]\nw = 0\n"
 CURVE = 'kind = "matrices"\n'
 LINE = 'matrices = [[[1, 0], ["1/2", "1/2"]], [["1/2", "1/2"], [0, 1]]]\n'
@@ -155,9 +156,9 @@ STRUCTURE = [
         ("SD015", "start and symbol", "mask.start", 2, 1, "keep one"),
         ("SD015", "coefficients and symbol", "mask.coefficients", 3, 1, "keep one"),
     ),
-    one("kind-planned", 'kind = "hermite"\n' + MASK, "SD013", "kind hermite cannot be checked yet", "kind", 1, 9, "scalar"),
+    one("kind-planned", 'kind = "piecewise"\n' + MASK, "SD013", "kind piecewise cannot be checked yet", "kind", 1, 9, "scalar"),
     one("kind-misspelt", 'kind = "scaler"\n' + MASK, "SD013", 'no kind "scaler"', "kind", 1, 9, '"scalar"?'),
-    one("kind-like-a-planned-one", 'kind = "hermit"\n' + MASK, "SD013", 'no kind "hermit"', "kind", 1, 9, "this version reads: scalar, multivariate, matrices, vector; planned: hermite"),
+    one("kind-like-a-planned-one", 'kind = "piecewis"\n' + MASK, "SD013", 'no kind "piecewis"', "kind", 1, 9, "this version reads: scalar, multivariate, matrices, vector, hermite; planned: piecewise"),
     one("kind-number", "kind = 1\n" + MASK, "SD006", "kind must be a string", "kind", 1, 8, 'kind = "scalar"'),
     one("matrices", "matrices = [[[1]]]\n", "SD013", "a family of matrices is a scheme", "matrices", 1, 12, 'add kind = "matrices", or use subdiv jsr'),
     one("matrices-without-kind", HEAD + "[[[1, 0], [0, 1]]]\n", "SD005", "the coefficients are matrices", "mask.coefficients", 3, 16, 'kind = "vector"'),
@@ -185,6 +186,10 @@ STRUCTURE = [
     one("vector-symbol", VECTOR + '[[[1]]]\nsymbol = "1+z"\n', "SD004", 'unknown key "symbol"', "mask.symbol", 5, 1, "no symbol"),
     one("vector-stable", VECTOR + "[[[1]]]\n[expect]\nstable = true\n", "SD004", "masks of kind vector have no property stable", "expect.stable", 6, 1, "convergent, smoothness, holder, generation, dimension"),
     one("scalar-dimension", MASK + "[expect]\ndimension = 1\n", "SD004", "masks of kind scalar have no property dimension", "expect.dimension", 5, 1, "convergent, smoothness"),
+    one("hermite-one-component", HERMITE + "[[[1]]]\n", "SD023", "the matrices are 1×1: a Hermite mask acts on a function", "mask.coefficients", 4, 16, 'kind = "scalar"'),
+    one("hermite-flat", HERMITE + "[1, 2]\n", "SD023", "no matrix; a flat list", "mask.coefficients", 4, 16, "a list of matrices"),
+    one("hermite-sizes", HERMITE + "[[[1, 0], [0, 1]], [[1]]]\n", "SD023", "the first is 2×2, and this one is 1×1", "mask.coefficients[1]", 4, 35, "a list of matrices"),
+    one("vector-spectral", VECTOR + "[[[1, 0], [0, 1]]]\n[expect]\nspectral = true\n", "SD004", "no property spectral", "expect.spectral", 6, 1, "dimension"),
     one("format-2", "format = 2\n" + MASK, "SD006", "format must be 1, not 2", "format", 1, 10, "newer subdiv"),
     one("format-text", 'format = "1"\n' + MASK, "SD006", "format must be 1, not a string", "format", 1, 11, "format = 1"),
     several(

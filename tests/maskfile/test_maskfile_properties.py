@@ -103,6 +103,7 @@ def test_closed_forms_agree_with_floats(x: str, y: str, q: str) -> None:
     ("text", "key", "lower", "upper"),
     [
         ("C1", "smoothness", 1, None),
+        ("HC1", "smoothness", 1, None),
         ("C^2", "smoothness", 2, None),
         ("C0", "smoothness", 0, None),
         ("C(2)", "smoothness", 2, None),

@@ -41,6 +41,8 @@ GOLDEN = "root(x^2-x-1, 1.61, 1.62)"
         ("-log2(root(x^3-3, 1.4, 1.5))", "-log2(3)/3"),
         ("-log2(root(3x-1, 0.3, 1))", "log2(3)"),
         ("-log2(root((2x-1)(x^2-x-1), 1/4, 3/4))", "1"),
+        (f"2-log2({GOLDEN})", "-log2(root(16x^2-4x-1, 0.40, 0.41))"),
+        (f"-log2({GOLDEN})/3-1", f"-log2(8*{GOLDEN})/3"),
         ("log8(root(x^2-x-1, 1.61, 1.62))", f"log2({GOLDEN})/3"),
     ],
 )
@@ -89,7 +91,8 @@ def test_different_numbers_are_told_apart(smaller: str, larger: str) -> None:
         ("log2(root(x^65-2, 1, 2))", "SD010", "too large", 10),
         ("log2(root(x^2-10^999, 1, 10^999))", "SD010", "too long", 25),
         (f"log2({GOLDEN})*3", "SD012", "a multiple", 31),
-        (f"log2({GOLDEN}) + 1", "SD012", "a sum with a root", 0),
+        (f"log2({GOLDEN}) + 1/2", "SD012", "a sum with a root", 0),
+        (f"log2({GOLDEN}) + 1025", "SD010", "too long", 0),
         (f"{GOLDEN}^2", "SD012", "a power of roots", 0),
         (f"log2({GOLDEN})*log2(3)", "SD012", "a product of logarithms", 31),
         (f"1/log2({GOLDEN})", "SD012", "a quotient of logarithms", 2),

@@ -24,8 +24,8 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "dimension", "well_defined", "polynomials", "expectations", "findings"),
-        *("certificate", "reference", "refinable_function", "hints", "regressions"),
+        *("generation", "reproduction", "dimension", "well_defined", "polynomials", "spectral", "expectations"),
+        *("findings", "certificate", "reference", "refinable_function", "hints", "derivatives", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],
     "convergent": ["verdict"],
@@ -36,6 +36,7 @@ KEYS = {
     "stable": ["verdict"],
     "well_defined": ["verdict"],
     "linearly_independent": ["verdict"],
+    "spectral": ["verdict"],
     "expectations": ["key", "expected", "verdict", "found", "line"],
     "findings": ["code", "name", "verdict", "statement", "value", "source", "reason", "why", "witness", "claims"],
     "value": ["exact", "lower", "upper"],

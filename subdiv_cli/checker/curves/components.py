@@ -44,13 +44,13 @@ def components(c: Claim) -> Span:
     any higher degree Ψ would have x^(d+1) too.
     """
     family: RationalFamily = c.about
-    n, p, found = family.order, len(family.matrices), c.witness
+    n, p, witness = family.order, len(family.matrices), c.witness
     m, d = c.statement["dimension"], c.statement["degree"]
-    words, weights, level = found["words"], found["weights"], found["level"]
+    words, weights, level = witness["words"], witness["weights"], witness["level"]
     require(1 <= m <= n and len(words) == m, "the words are not as many as the dimension")
-    require(len(found["annihilator"]) == n - m, "the annihilator has not the complementary dimension")
-    require(0 <= d < m and len(found["polygons"]) == d + 1, "the polygons are not d + 1, or more than the dimension")
-    vectors = [*found["annihilator"], *found["polygons"]]
+    require(len(witness["annihilator"]) == n - m, "the annihilator has not the complementary dimension")
+    require(0 <= d < m and len(witness["polygons"]) == d + 1, "the polygons are not d + 1, or more than the dimension")
+    vectors = [*witness["annihilator"], *witness["polygons"]]
     require(all(len(v) == n for v in vectors), "a vector is of another order")
     longest = max(map(len, words))
     require_few(longest <= MAX_ORDER and level <= MAX_ORDER, "a word or a level is too long")
@@ -61,13 +61,13 @@ def components(c: Claim) -> Span:
     c.count(steps * n**2 + (m + n) ** 3, 2 * bits + bits_of([weights]))
     ends: Ends = c.use("well-defined", holds=True).result
     span = [_image_of_word(family, word, ends.left.entries) for word in words]
-    annihilator = [scaled(v).entries for v in found["annihilator"]]
+    annihilator = [scaled(v).entries for v in witness["annihilator"]]
     independent(span)
     independent(annihilator)
     for v in span:
         for image in (v, *(image_of(family, letter, v) for letter in range(p))):
             require(not any(sum(map(mul, a, image)) for a in annihilator), "the span is not invariant")
-    polygons, denominator = _over_one(found["polygons"])
+    polygons, denominator = _over_one(witness["polygons"])
     require(polygons[0] == [denominator] * n, "the first polygon is not constant")
     for letter in range(p):
         _refines(family, letter, polygons, span)
@@ -133,11 +133,11 @@ def annihilators(c: Claim) -> None:
     k > d.
     """
     family: RationalFamily = c.about
-    n, p, basis, found = family.order, len(family.matrices), c.witness["basis"], c.witness["matrices"]
-    size, shaped = len(basis), len(found.matrices) == p and found.order == len(basis)
+    n, p, basis, restriction = family.order, len(family.matrices), c.witness["basis"], c.witness["matrices"]
+    size, shaped = len(basis), len(restriction.matrices) == p and restriction.order == len(basis)
     require(all(len(row) == n for row in basis), "a vector is of another order")
     require(shaped, "the matrices are not p, or of another order than the basis")
-    bits = family.bits + found.bits + 2 * bits_of(basis) + n.bit_length()
+    bits = family.bits + restriction.bits + 2 * bits_of(basis) + n.bit_length()
     c.count(size * n * (n + p * (n + size)) + n * size**2, bits)
     used = c.use("polynomials")
     known: Span = used.result
@@ -148,16 +148,16 @@ def annihilators(c: Claim) -> None:
     for row in rows:
         for a in (*known.annihilator, *known.polygons):
             require(not sum(map(mul, a, row.entries)), "a vector of the basis is not in the space")
-    _is_on(family, _over_one(basis)[0], found)
-    c.introduce(c.statement["family"], found)
+    _is_on(family, _over_one(basis)[0], restriction)
+    c.introduce(c.statement["family"], restriction)
 
 
-def _is_on(family: RationalFamily, basis: list[list[int]], found: RationalFamily) -> None:
+def _is_on(family: RationalFamily, basis: list[list[int]], restriction: RationalFamily) -> None:
     """Check that B_i b_j = Σ_l M_i[l][j] b_l."""
     columns = list(zip(*basis, strict=True))
-    for letter, matrix in enumerate(found.matrices):
+    for letter, matrix in enumerate(restriction.matrices):
         for b, weights in zip(basis, zip(*matrix, strict=True), strict=True):
-            image = [found.denominator * x for x in image_of(family, letter, b)]
+            image = [restriction.denominator * x for x in image_of(family, letter, b)]
             combined = [family.denominator * sum(map(mul, weights, column)) for column in columns]
             require(image == combined, f"matrix {letter} does not give the image of the basis")
 

@@ -57,12 +57,12 @@ def differences(c: Claim) -> None:
     n = c.about.order
     c.count(len(c.about.matrices) * n**2, c.about.bits + n.bit_length())
     family = refinement(c)
-    found = []
+    induced = []
     for a in family.matrices:
         steps = [[x - y for x, y in zip(row, after, strict=True)] for row, after in pairwise(a)]
         sums = [[sum(step[: i + 1]) for step in steps] for i in range(n - 1)]
-        found.append(sums)
-    c.introduce(c.statement["family"], matrices.family(found, family.denominator))
+        induced.append(sums)
+    c.introduce(c.statement["family"], matrices.family(induced, family.denominator))
 
 
 def contracts(c: Claim) -> None:
@@ -140,14 +140,14 @@ def columns_converge(c: Claim) -> None:
 
 
 def _times(a: Pattern, b: Pattern) -> Pattern:
-    found = []
+    product = []
     for bits in a:
         union = 0
         for j, row in enumerate(b):
             if bits >> j & 1:
                 union |= row
-        found.append(union)
-    return tuple(found)
+        product.append(union)
+    return tuple(product)
 
 
 def _is_bad(pattern: Pattern) -> bool:

@@ -168,8 +168,8 @@ def _decay(c: Claim, used: Statement, n: int = 0) -> tuple[int, Fraction]:
 
 
 def _same(c: Claim, length: int, bound: Fraction) -> None:
-    asked = (c.statement["length"], c.statement["bound"])
-    require((length, bound) == asked, "the radius has another length or bound")
+    stated = (c.statement["length"], c.statement["bound"])
+    require((length, bound) == stated, "the radius has another length or bound")
     require(bound > 0, "the bound is not positive")
 
 

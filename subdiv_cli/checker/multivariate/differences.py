@@ -30,10 +30,10 @@ def differences(c: Claim) -> None:
     Every v in U_k is a finite combination of shifts of them, and T_ε maps shifts to shifts. V is spanned by the rows of
     the basis, zero outside of the window.
     """
-    a, k, found = mask_of(c), c.statement["order"], c.witness
+    a, k, witness = mask_of(c), c.statement["order"], c.witness
     highest = c.use("total-sum-rules").statement["order"]
     require(1 <= k <= highest, f"the sum rules are of order {highest}")
-    window, basis, family = found["window"], found["basis"], found["matrices"]
+    window, basis, family = witness["window"], witness["basis"], witness["matrices"]
     s, m, n = a.dilation.dimension, a.dilation.cosets, len(basis)
     require(n > 0, "the basis is empty")
     require_few(n <= MAX_ORDER, "the basis has too many rows")
@@ -44,15 +44,15 @@ def differences(c: Claim) -> None:
     )
     generators, entry = comb(k + s - 1, s - 1), MAX_ENTRY.bit_length()
     each = (m + 1) * n + len(a.terms) + comb(k + s - 1, s) + generators
-    most = max((fraction_bits(x) for row in found["generators"] for x in row), default=0)
+    most = max((fraction_bits(x) for row in witness["generators"] for x in row), default=0)
     bits = n.bit_length() + entry + max(a.bits + family.bits, INDEX_BITS * k, n * most)
     c.count(n * len(window) * each, bits)
     positions = _positions(window, s)
     _annihilate(basis, window, k)
     dependent = next(iter(dependent_rows(basis)), None)
     require(dependent is None, f"row {dependent} of the basis depends on those before it, modulo 2^61 - 1")
-    _generate(basis, positions, found["generators"], k)
-    _invariant(a, found["cosets"], basis, positions, family)
+    _generate(basis, positions, witness["generators"], k)
+    _invariant(a, witness["cosets"], basis, positions, family)
     c.introduce(c.statement["family"], family)
 
 
@@ -76,9 +76,9 @@ def _annihilate(basis: Rows, window: Sequence[Index], k: int) -> None:
 def _generate(basis: Rows, positions: dict[Index, int], generators: Sequence[Sequence[Fraction]], k: int) -> None:
     """Check that Σ_i c_i b_i = ∇^μ δ, for all |μ| = k in lexicographic order."""
     columns = list(zip(*basis, strict=True))
-    asked = list(monomials(len(next(iter(positions))), k))
-    require(len(generators) == len(asked), "there are not as many generators as monomials of degree k")
-    for mu, coordinates in zip(asked, generators, strict=True):
+    exponents = list(monomials(len(next(iter(positions))), k))
+    require(len(generators) == len(exponents), "there are not as many generators as monomials of degree k")
+    for mu, coordinates in zip(exponents, generators, strict=True):
         require(len(coordinates) == len(basis), "a generator has not as many coordinates as the basis has rows")
         values = [0] * len(positions)
         for index, value in difference(mu).items():

@@ -133,23 +133,23 @@ def _single(c: Claim) -> list[Statement]:
     c.count(1)
     s = mask_of(c).dilation.dimension
     c.use("coset-sums", holds=True)
-    found = [c.use("directional-norm").statement for _ in range(s)]
-    require(abs(determinant([used["direction"] for used in found])) == 1, "the directions are not a basis of Z^s")
-    return found
+    norms = [c.use("directional-norm").statement for _ in range(s)]
+    require(abs(determinant([used["direction"] for used in norms])) == 1, "the directions are not a basis of Z^s")
+    return norms
 
 
 def _pairs(c: Claim) -> list[Statement]:
     """The norms of all pairs of s+1 directions, any s of them a basis of Z^s; the coset sums are 1."""
     s = mask_of(c).dilation.dimension
     c.use("coset-sums", holds=True)
-    found = [c.use("pair-norm").statement for _ in range(s * (s + 1) // 2)]
-    pairs = [used["directions"] for used in found]
+    norms = [c.use("pair-norm").statement for _ in range(s * (s + 1) // 2)]
+    pairs = [used["directions"] for used in norms]
     directions = sorted({x for pair in pairs for x in pair})
     require(sorted(map(sorted, pairs)) == [list(x) for x in combinations(directions, 2)], "they are not all pairs")
     require(len(directions) == s + 1, f"there are not {s + 1} directions")
     c.count((s + 1) * 24)
     require(all(abs(determinant(some)) == 1 for some in combinations(directions, s)), "some are not a basis of Z^s")
-    return found
+    return norms
 
 
 def positive_converges(c: Claim) -> None:

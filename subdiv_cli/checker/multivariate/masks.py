@@ -51,12 +51,12 @@ def multivariate_mask(rows: Sequence[Index], terms: Sequence[tuple[Index, Fracti
     )
     require(all(len(index) == s for index, _ in terms), f"an index is not one of Z^{s}")
     matrix = [list(row) for row in rows]
-    if (found := matrices.inverse(matrix)) is None:
+    if (inverted := matrices.inverse(matrix)) is None:
         raise Rejected("the dilation is singular")
     f = matrices.characteristic_polynomial(matrix)
     require(matrices.roots_lie_inside(f[::-1], Fraction(1)), "the dilation is not expanding")
-    require(abs(found[1]) <= MAX_COSETS, f"the determinant of the dilation is larger than {MAX_COSETS}")
-    return SparseMask(DilationMatrix(matrix, *found), *over_one(terms))
+    require(abs(inverted[1]) <= MAX_COSETS, f"the determinant of the dilation is larger than {MAX_COSETS}")
+    return SparseMask(DilationMatrix(matrix, *inverted), *over_one(terms))
 
 
 def subject(parts: dict[str, Any]) -> Subject:

@@ -113,9 +113,9 @@ def _multiplied(a: Entries, b: Entries) -> Entries:
 
 def _largest_sum(entries: Entries, matrix: matrices.Matrix) -> int:
     """The largest sum of absolute values in a row over a coset modulo the matrix."""
-    if (found := matrices.inverse(matrix)) is None:
+    if (inverted := matrices.inverse(matrix)) is None:
         raise Rejected("the dilation is singular")
-    modulus = DilationMatrix(matrix, *found)
+    modulus = DilationMatrix(matrix, *inverted)
     largest = 0
     for row in entries:
         sums: dict[Index, int] = {}

@@ -110,8 +110,8 @@ def quasi_interpolation(c: Claim) -> None:
     require(q.get((0,) * s) == 1, "the operator does not begin with f")
     own = _moments(t.items(), powers)
     for mu in powers:
-        asked = q.get(mu, Fraction(0)) * prod(map(factorial, mu))
-        require(Fraction(own[mu], denominator) == asked, f"the stencil is not the operator at {mu}")
+        moment = q.get(mu, Fraction(0)) * prod(map(factorial, mu))
+        require(Fraction(own[mu], denominator) == moment, f"the stencil is not the operator at {mu}")
     moved = _moments(((a.dilation.image(j), x) for j, x in t.items()), powers)
     mask = _moments(((tuple(-i for i in delta), x) for delta, x in a.terms.items()), powers)
     total = a.dilation.cosets * a.denominator

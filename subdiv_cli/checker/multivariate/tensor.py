@@ -133,42 +133,42 @@ def _factors(c: Claim) -> Sequence[_Factor]:
 def converges(c: Claim) -> None:
     """Convergence of all factors, or divergence of one."""
     factors, holds = _factors(c), c.statement["holds"]
-    found = [factor.says("convergent", lambda s: s["holds"] == holds) for factor in factors]
-    require(all(found) if holds else any(found), "the factors do not say so")
+    certified = [factor.says("convergent", lambda s: s["holds"] == holds) for factor in factors]
+    require(all(certified) if holds else any(certified), "the factors do not say so")
 
 
 def stable(c: Claim) -> None:
     """S converges; stability of all φ_j, or instability of one. Of a scalar mask: of the mask itself, number 0."""
     factors, holds = _factors(c), c.statement["holds"]
     c.use("convergent", holds=True)
-    found = [factor.says("stable", lambda s: s["holds"] == holds and not s.get("mask", 0)) for factor in factors]
-    require(all(found) if holds else any(found), "the factors do not say so")
+    certified = [factor.says("stable", lambda s: s["holds"] == holds and not s.get("mask", 0)) for factor in factors]
+    require(all(certified) if holds else any(certified), "the factors do not say so")
 
 
 def smooth(c: Claim) -> None:
     """φ is C^n: all φ_j are."""
     n = c.statement["order"]
-    found = [factor.says("smooth", lambda s: s["order"] >= n) for factor in _factors(c)]
-    require(all(found), "a factor is not known to be so smooth")
+    certified = [factor.says("smooth", lambda s: s["order"] >= n) for factor in _factors(c)]
+    require(all(certified), "a factor is not known to be so smooth")
 
 
 def not_smooth(c: Claim) -> None:
     """φ is not C^n: one φ_j is not."""
     n = c.statement["order"]
-    found = [factor.says("not-smooth", lambda s: s["order"] <= n) for factor in _factors(c)]
-    require(any(found), "no factor is known not to be so smooth")
+    certified = [factor.says("not-smooth", lambda s: s["order"] <= n) for factor in _factors(c)]
+    require(any(certified), "no factor is known not to be so smooth")
 
 
 def of_factor(c: Claim) -> None:
     """The exponent of φ, or its bound from below, is that of φ_j: it is positive, and the least."""
-    factors, said = _factors(c), c.statement["statement"]
+    factors, statement = _factors(c), c.statement["statement"]
     factor = _speaker(c, factors)
-    require(said["property"] in _HOLDER + _SOBOLEV, "the statement is not on an exponent, or only from above")
-    require(_is_positive(said), "the exponent is not seen to be positive")
+    require(statement["property"] in _HOLDER + _SOBOLEV, "the statement is not on an exponent, or only from above")
+    require(_is_positive(statement), "the exponent is not seen to be positive")
     others = [other for other in factors if other.certificate != factor.certificate]
     require(bool(others) == ("between" in c.witness), "there is a number between where none is needed, or none")
     if others:
-        _require_least(c, said, factor, others)
+        _require_least(c, statement, factor, others)
 
 
 def at_most_factor(c: Claim) -> None:
@@ -193,12 +193,12 @@ _ABOVE = (
 )  # fmt: skip
 
 
-def _require_least(c: Claim, said: Statement, factor: _Factor, others: Sequence[_Factor]) -> None:
+def _require_least(c: Claim, statement: Statement, factor: _Factor, others: Sequence[_Factor]) -> None:
     """Check that the exponent of the factor is at most r, and those of the others are at least r."""
     r = c.witness["between"]
     require(0 < r <= MAX_BETWEEN and r.denominator <= MAX_BETWEEN, "the number between is out of range")
-    require(_is_at_most(c, said, factor, r), "the exponent is not seen to be at most the number between")
-    kinds = _SOBOLEV if said["property"] in _SOBOLEV else _HOLDER
+    require(_is_at_most(c, statement, factor, r), "the exponent is not seen to be at most the number between")
+    kinds = _SOBOLEV if statement["property"] in _SOBOLEV else _HOLDER
     for other in others:
         bounds = [s for s in other.goal if s["property"] in kinds]
         require(any(_is_at_least(c, s, other, r) for s in bounds), "another factor may have a smaller exponent")

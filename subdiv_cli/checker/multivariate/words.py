@@ -31,8 +31,8 @@ _PHRASES = {
     "sobolev-at-most": "s <= {exponent}",
     "stable": "φ is {holds}stable",
     "tensor-product": "φ is a tensor product in the variables {variables}",
-    "of-factor": "{said}, as for the factor in {variables}",
-    "at-most-factor": "{exponent_of} is at most that of the factor in {variables}, {said}",
+    "of-factor": "{on_factor}, as for the factor in {variables}",
+    "at-most-factor": "{exponent_of} is at most that of the factor in {variables}, {on_factor}",
     "box-spline": "φ is the box spline of {directions}",
     "directional-norm": "‖S_d^{level}‖ = {norm} for the factor in direction {direction}",
     "pair-norm": "‖S_cd^{level}‖ = {norm} for the factors in directions {directions}",
@@ -55,7 +55,7 @@ def in_words(statement: Mapping[str, Any], dilation: DilationMatrix) -> str:
     words["sobolev"] = sobolev(statement, *_base(dilation))
     words["variables"] = _variables(statement)
     if "statement" in statement:
-        words["said"] = _said(statement["statement"], statement["variables"], dilation)
+        words["on_factor"] = _on_factor(statement["statement"], statement["variables"], dilation)
         words["exponent_of"] = "s" if statement["statement"]["property"].startswith("sobolev") else "α"
     words["directions"] = _directions(statement.get("directions", ()))
     words["direction"] = f"({words.get('direction', '')})"
@@ -68,7 +68,7 @@ def _variables(statement: Mapping[str, Any]) -> str:
     return ", ".join(f"({', '.join(f'z{i + 1}' for i in part)})" for part in parts)
 
 
-def _said(statement: Mapping[str, Any], variables: tuple[int, ...], dilation: DilationMatrix) -> str:
+def _on_factor(statement: Mapping[str, Any], variables: tuple[int, ...], dilation: DilationMatrix) -> str:
     """A statement on the exponent of a factor, in the words of one on φ."""
     rows = [[dilation.rows[i][j] for j in variables] for i in variables]
     if len(rows) == 1:

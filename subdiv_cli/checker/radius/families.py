@@ -28,17 +28,17 @@ def blocks(c: Claim) -> None:
     bits = family.bits + basis.bits
     c.count((len(family.matrices) + 1) * order**3, (order.bit_length() + 1) * bits)
     p = basis.matrices[0]
-    if (found := matrices.inverse(p)) is None:
+    if (inverted := matrices.inverse(p)) is None:
         raise Rejected("the basis is not one")
-    changed = [matrices.multiply(found[0], matrices.multiply(m, p)) for m in family.matrices]
+    changed = [matrices.multiply(inverted[0], matrices.multiply(m, p)) for m in family.matrices]
     ends = [sum(sizes[: j + 1]) for j in range(len(sizes))]
     for m in changed:
         for first, end in zip([0, *ends], ends, strict=False):
             require(not any(any(row[first:end]) for row in m[end:]), "a matrix is not block upper triangular")
-    sign = 1 if found[1] > 0 else -1
+    sign = 1 if inverted[1] > 0 else -1
     for number, first, end in zip(parts, [0, *ends], ends, strict=False):
         part = [[[sign * x for x in row[first:end]] for row in m[first:end]] for m in changed]
-        c.introduce(number, matrices.family(part, family.denominator * abs(found[1])))
+        c.introduce(number, matrices.family(part, family.denominator * abs(inverted[1])))
 
 
 def distinct(c: Claim) -> None:
@@ -58,8 +58,8 @@ def of_distinct(c: Claim) -> None:
     """The norms and eigenvalues of products up to sign, and so the bounds, are the same for both families."""
     c.count(1)
     part = c.use("distinct", family=c.statement["family"]).statement["part"]
-    said = {key: value for key, value in c.statement.items() if key != "property"}
-    c.use(c.statement["property"], **{**said, "family": part})
+    bound = {key: value for key, value in c.statement.items() if key != "property"}
+    c.use(c.statement["property"], **{**bound, "family": part})
 
 
 def word(c: Claim) -> None:
@@ -83,11 +83,11 @@ def radius_of_blocks(c: Claim) -> None:
     """JSR^ℓ = Λ: it is that of a part, and all other parts have the same or a radius that is not larger."""
     c.count(1)
     root, s = isolated_root(c), c.statement
-    asked = {key: s[key] for key in ("length", "polynomial", "low", "high")}
+    claimed = {key: s[key] for key in ("length", "polynomial", "low", "high")}
     reached = False
     for part in c.use("blocks", family=s["family"]).statement["parts"]:
         used = c.use(*UPPER, family=part).statement
-        if used["property"] != "radius-upper" and asked.items() <= used.items():
+        if used["property"] != "radius-upper" and claimed.items() <= used.items():
             reached = True
         else:
             require(_powers_fit(c, used, root.low, s["length"]), f"the radius of part {part} may be larger")

@@ -40,8 +40,8 @@ def values(c: Claim) -> None:
     )
     for power in range(j + 1):
         moment = sum(x * (-i) ** power for i, x in enumerate(own.numerators, own.start))
-        asked = factorial(j) * own.denominator if power == j else 0
-        require(moment == asked, f"their moment of order {power} is another")
+        expected = factorial(j) * own.denominator if power == j else 0
+        require(moment == expected, f"their moment of order {power} is another")
     for g in factors:
         require(own.length + g.length <= a.length + h.length, "the values and the factors do not fit")
         c.count(work, own.bits + g.bits)

@@ -33,7 +33,7 @@ def diverges(c: Claim) -> None:
         require(used["dimension"] == 0, "there are constants")
         return
     c.use("family", family=used["family"], order=0)
-    require(_bound_below(used) >= 1, "the radius is not large enough")
+    require(bound_below(used) >= 1, "the radius is not large enough")
 
 
 def continuous(c: Claim) -> None:
@@ -50,7 +50,7 @@ def smooth(c: Claim) -> None:
     c.use("convergent", holds=True)
     used = c.use(*UPPER).statement
     require(_order(c, used) > n, "the differences are not of a higher order")
-    require(_scaled(c, bound_of(used), n * used["length"]) < 1, "the radius is not small enough")
+    require(scaled(c, bound_of(used), n * used["length"]) < 1, "the radius is not small enough")
 
 
 def not_smooth(c: Claim) -> None:
@@ -59,8 +59,8 @@ def not_smooth(c: Claim) -> None:
     c.count(1)
     c.use("convergent", holds=True)
     used = c.use(*LOWER).statement
-    k, bound = _order(c, used), _bound_below(used)
-    x = _scaled(c, bound, min(n, k) * used["length"])
+    k, bound = _order(c, used), bound_below(used)
+    x = scaled(c, bound, min(n, k) * used["length"])
     require(x >= 1 if n < k else x > 1, "the radius is not large enough")
 
 
@@ -71,7 +71,7 @@ def holder_lower(c: Claim) -> None:
     used = c.use(*UPPER).statement
     k, s = _order(c, used), c.statement
     require(used["length"] == s["length"] and bound_of(used) <= s["bound"], "the radius has another length or bound")
-    require(_scaled(c, s["bound"], k * s["length"]) >= 1, f"the differences tell only that α is at least {k}")
+    require(scaled(c, s["bound"], k * s["length"]) >= 1, f"the differences tell only that α is at least {k}")
 
 
 def holder_upper(c: Claim) -> None:
@@ -80,8 +80,8 @@ def holder_upper(c: Claim) -> None:
     c.use("convergent", holds=True)
     used = c.use(*LOWER).statement
     k, s = _order(c, used), c.statement
-    require(used["length"] == s["length"] and _bound_below(used) == s["bound"], "the radius has another bound")
-    require(_scaled(c, s["bound"], k * s["length"]) > 1, f"the differences do not tell an exponent below {k}")
+    require(used["length"] == s["length"] and bound_below(used) == s["bound"], "the radius has another bound")
+    require(scaled(c, s["bound"], k * s["length"]) > 1, f"the differences do not tell an exponent below {k}")
 
 
 def holder_root(c: Claim) -> None:
@@ -89,7 +89,7 @@ def holder_root(c: Claim) -> None:
     c.count(1)
     c.use("convergent", holds=True)
     used = c.use("radius", "bounded", **{key: c.statement[key] for key in _ROOT}).statement
-    require(_scaled(c, used["low"], _order(c, used) * used["length"]) > 1, "the exponent is not seen to be below k")
+    require(scaled(c, used["low"], _order(c, used) * used["length"]) > 1, "the exponent is not seen to be below k")
 
 
 def attained(c: Claim) -> None:
@@ -114,7 +114,7 @@ def not_attained(c: Claim) -> None:
     power = _integer(c, exponent, k)
     if power is not None:
         require(power == k, "α is an integer, and not the order of the differences")
-        require(_scaled(c, used["value"], k * used["length"]) == 1, "the products do not grow like that")
+        require(scaled(c, used["value"], k * used["length"]) == 1, "the products do not grow like that")
         return
     grown = {"polynomial": (-used["value"].numerator, used["value"].denominator), "length": used["length"]}
     require(_same_power(c, grown, exponent), "the products do not grow like that")
@@ -131,7 +131,7 @@ def _integer(c: Claim, exponent: Statement, k: int) -> int | None:
         if root == x:
             return n
         require(root is not None or not low <= x <= high, "the root is not seen to be no power of p")
-    require(_scaled(c, low, k * exponent["length"]) > 1, "the exponent is not below the order of the differences")
+    require(scaled(c, low, k * exponent["length"]) > 1, "the exponent is not below the order of the differences")
     return None
 
 
@@ -146,7 +146,7 @@ def _same_power(c: Claim, one: Statement, other: Statement) -> bool:
 
 def _is_power(c: Claim, radius: Statement, k: int) -> bool:
     root = _rational(radius)
-    return root is not None and _scaled(c, root, k * radius["length"]) == 1
+    return root is not None and scaled(c, root, k * radius["length"]) == 1
 
 
 def _rational(root: Statement) -> Fraction | None:
@@ -162,13 +162,13 @@ def _order(c: Claim, used: Statement) -> int:
     return k
 
 
-def _bound_below(s: Statement) -> Fraction:
+def bound_below(s: Statement) -> Fraction:
     """The bound y with JSR^length >= y, of a claim that bounds a radius from below."""
     bound: Fraction = s["bound" if s["property"] == "radius-lower" else "low"]
     return bound
 
 
-def _scaled(c: Claim, x: Fraction, exponent: int) -> Fraction:
+def scaled(c: Claim, x: Fraction, exponent: int) -> Fraction:
     """The number x p^exponent."""
     c.spend(1, fraction_bits(x) + exponent * c.p.bit_length())
     return x * Fraction(c.p) ** exponent

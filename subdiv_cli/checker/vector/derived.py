@@ -28,9 +28,9 @@ def derived(c: Claim) -> MatrixMask:
     c.count(length * 4 * m**3 + (a.entries + p * m * m) * (r + 1), a.bits + b.bits + (m + 2) * transformation.bits)
     columns = list(zip(*transformation.matrices[0], strict=True))
     check_constants(a, r, [tuple(map(Fraction, column)) for column in columns[:r]])
-    if (found := matrices.inverse(transformation.matrices[0])) is None:
+    if (inverted := matrices.inverse(transformation.matrices[0])) is None:
         raise Rejected("the transformation is singular")
-    inverse, determinant = found
+    inverse, determinant = inverted
     moved = {
         i: matrices.multiply(inverse, matrices.multiply(x, transformation.matrices[0]))
         for i, x in enumerate(a.matrices, a.start)
@@ -93,10 +93,10 @@ def _sum(row: list[Polynomial], column: tuple[Polynomial, ...]) -> Polynomial:
 
 def _magnitudes(f: Polynomial, step: int) -> list[Fraction]:
     """For each class of exponents modulo the step the sum of the moduli of the coefficients."""
-    found = [0] * step
+    sums = [0] * step
     for exponent, x in enumerate(f.numerators, f.start):
-        found[exponent % step] += abs(x)
-    return [Fraction(x, f.denominator) for x in found]
+        sums[exponent % step] += abs(x)
+    return [Fraction(x, f.denominator) for x in sums]
 
 
 def derived_smooth(c: Claim) -> None:

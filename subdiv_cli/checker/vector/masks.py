@@ -62,16 +62,16 @@ class MatrixMask(NamedTuple):
 
     def images(self, v: VectorSequence) -> list[VectorSequence]:
         """The numerators of T_ε v for each ε, of the mask moved to begin at 0, over the mask's denominator."""
-        found: list[VectorSequence] = [{} for _ in range(self.arity)]
+        images: list[VectorSequence] = [{} for _ in range(self.arity)]
         columns = [list(zip(*matrix, strict=True)) for matrix in self.matrices]
         for beta, x in v.items():
             for gamma, transposed in enumerate(columns):
                 alpha, epsilon = divmod(beta + gamma, self.arity)
                 image = [sum(map(mul, column, x)) for column in transposed]
                 if any(image):
-                    old = found[epsilon].get(alpha)
-                    found[epsilon][alpha] = image if old is None else [a + b for a, b in zip(old, image, strict=True)]
-        return found
+                    old = images[epsilon].get(alpha)
+                    images[epsilon][alpha] = image if old is None else [a + b for a, b in zip(old, image, strict=True)]
+        return images
 
 
 def matrix_mask(arity: int, start: int, families: Sequence[RationalFamily]) -> MatrixMask:
@@ -132,11 +132,11 @@ def rank(rows: Sequence[Sequence[int]]) -> int:
     return len(rows) - len(dependent_rows(rows))
 
 
-def plain(arity: int, start: int, matrices: Sequence[Sequence[Sequence[Fraction]]]) -> PlainMask:
+def plain(kind: str, arity: int, start: int, matrices: Sequence[Sequence[Sequence[Fraction]]]) -> PlainMask:
     """The mask in its normal form, without zeros at its ends."""
     rows = [tuple(map(tuple, matrix)) for matrix in matrices]
     support = [i for i, matrix in enumerate(rows) if any(map(any, matrix))] or [0]
-    return PlainMask("vector", (arity, start + support[0], tuple(rows[support[0] : support[-1] + 1])))
+    return PlainMask(kind, (arity, start + support[0], tuple(rows[support[0] : support[-1] + 1])))
 
 
 def of_file(document: Mapping[str, Any]) -> PlainMask | None:
@@ -147,7 +147,7 @@ def of_file(document: Mapping[str, Any]) -> PlainMask | None:
     arity, start, matrices = table.get("arity", 2), table["start"], table["coefficients"]
     if type(arity) is not int or type(start) is not int or not _are_square(matrices):
         return None
-    return plain(arity, start, [[[literal(x) for x in row] for row in matrix] for matrix in matrices])
+    return plain(document["kind"], arity, start, [[[literal(x) for x in row] for row in matrix] for matrix in matrices])
 
 
 def _are_square(matrices: object) -> bool:
@@ -161,7 +161,7 @@ def _are_square(matrices: object) -> bool:
 def of_certificate(mask: Mapping[str, Any]) -> PlainMask:
     """The mask in its normal form, from the part of a verified certificate under `mask`."""
     matrices = [[[Fraction(x) for x in row] for row in matrix] for matrix in mask["coefficients"]]
-    return plain(mask["arity"], mask["start"], matrices)
+    return plain(mask["kind"], mask["arity"], mask["start"], matrices)
 
 
 def lowest_terms(v: VectorSequence, denominator: int) -> tuple[VectorSequence, int]:

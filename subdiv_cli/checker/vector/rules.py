@@ -31,7 +31,7 @@ PROPERTIES: Mapping[str, Fields] = {
     "derived-norm": {"order": "natural", "level": "natural", "norm": "rational"},
     **RADIUS.properties,
 }
-_SPACE = {"start": "start", "basis": "rational[][]", "matrices": "family", "tree": "flat", "leaves": "rational[][]"}
+SPACE = {"start": "start", "basis": "rational[][]", "matrices": "family", "tree": "flat", "leaves": "rational[][]"}
 _ROWS = {"start": "start", "rows": "rational[][]"}
 _SEQUENCES = {"sequences": "rational[][][]", "multipliers": "rational[]", "functional": "rational[]"}
 _DERIVED: Fields = {
@@ -46,8 +46,8 @@ RULES: Mapping[str, Step] = {
     "generation": Step(("generation",), {}, _NONE, sequences.generation),
     "mean-matrix": Step(("mean-matrix",), {}, _NONE, sequences.mean_matrix),
     "limit-stencils": Step(("limit-stencils",), {}, (_ROWS,), sequences.limit_stencils),
-    "decay": Step(("family",), {"order": 0}, ({**_SPACE, "orthogonal": "rational[][]"},), spaces.decay),
-    "stencil-differences": Step(("family",), {}, ({**_SPACE, "words": "flat[]"},), spaces.stencil_differences),
+    "decay": Step(("family",), {"order": 0}, ({**SPACE, "orthogonal": "rational[][]"},), spaces.decay),
+    "stencil-differences": Step(("family",), {}, ({**SPACE, "words": "flat[]"},), spaces.stencil_differences),
     "converges": Step(("convergent",), {"holds": True}, _NONE, conclusions.converges),
     "diverges": Step(("convergent",), {"holds": False}, _NONE, conclusions.diverges),
     "fixed-diverges": Step(("convergent",), {"holds": False}, (_ROWS,), sequences.fixed_diverges),

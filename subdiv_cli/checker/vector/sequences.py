@@ -89,14 +89,14 @@ def eigen_sequences(c: Claim) -> None:
         return
     require(bool(c.witness), "the witness is empty")
     require_few(k <= _MAX_DEGREE, "the order is too large")
-    p, m, found = a.arity, a.size, c.witness["sequences"]
+    p, m, sequences = a.arity, a.size, c.witness["sequences"]
     functional, multipliers = c.witness["functional"], c.witness["multipliers"]
-    bits = max(most_bits(rows) for rows in (*found, [functional, multipliers], basis))
+    bits = max(most_bits(rows) for rows in (*sequences, [functional, multipliers], basis))
     index = max(abs(a.start), abs(a.start + len(a.matrices))).bit_length() + p.bit_length()
     c.count((r + 1) * (k + 1) ** 3 * (p * m * m + len(a.matrices)) + a.entries * (k + 1), a.bits + bits + k * index)
-    require(len(found) == k, "there are not sequences of every degree below the order")
+    require(len(sequences) == k, "there are not sequences of every degree below the order")
     moments = _moments(a, k + 1)
-    for j, rows in enumerate(found):
+    for j, rows in enumerate(sequences):
         require(len(rows) == r and all(len(y) == m * (j + 1) for y in rows), f"those of degree {j} are not r")
         for y in rows:
             for epsilon in range(p):
@@ -119,15 +119,15 @@ def eigen_sequences(c: Claim) -> None:
 def _moments(a: MatrixMask, count: int) -> list[list[Matrix]]:
     """The numerators of Σ_β (-β)^n A_(ε+pβ) for every ε and n < count."""
     zero = [[0] * a.size for _ in range(a.size)]
-    found = [[zero] * count for _ in range(a.arity)]
+    conditions = [[zero] * count for _ in range(a.arity)]
     for i, matrix in enumerate(a.matrices, a.start):
         beta, epsilon = divmod(i, a.arity)
         for n in range(count):
-            found[epsilon][n] = [
+            conditions[epsilon][n] = [
                 [x + (-beta) ** n * y for x, y in zip(*rows, strict=True)]
-                for rows in zip(found[epsilon][n], matrix, strict=True)
+                for rows in zip(conditions[epsilon][n], matrix, strict=True)
             ]
-    return found
+    return conditions
 
 
 def _equation(a: MatrixMask, moments: list[list[Matrix]], epsilon: int, t: int, j: int) -> list[list[Fraction]]:

@@ -54,7 +54,7 @@ def decay(c: Claim) -> None:
         numerators, denominator = scaled(x)
         generators.append(({0: numerators}, denominator))
     require(are_independent([v[0] for v, _ in generators[m:]]), "the vectors are dependent modulo 2^61 - 1")
-    basis = _space(c, a, generators)
+    basis = invariant_space(c, a, generators)
     for number, row in enumerate(basis):
         sums = total(row, m)
         same = not any(sum(map(mul, u, sums), Fraction(0)) for u in constants)
@@ -72,25 +72,25 @@ def stencil_differences(c: Claim) -> None:
     require(k >= 1, "the order is not positive")
     require_few(k <= _MAX_DIFFERENCES, "the order is too large")
     stencils, denominator = c.use("limit-stencils").result
-    generators = [lowest_terms(_difference(w, k), denominator) for w in stencils]
-    _space(c, a, generators)
-    _spanned(c, c.witness["matrices"], c.witness["leaves"], c.witness["words"])
+    generators = [lowest_terms(difference(w, k), denominator) for w in stencils]
+    invariant_space(c, a, generators)
+    check_spanned(c, c.witness["matrices"], c.witness["leaves"], c.witness["words"])
 
 
-def _difference(w: VectorSequence, k: int) -> VectorSequence:
+def difference(w: VectorSequence, k: int) -> VectorSequence:
     """The difference ∇^k w = Σ_i (-1)^i C(k,i) w(· - i), without zeros."""
-    found: VectorSequence = {}
+    total: VectorSequence = {}
     for alpha, x in w.items():
         for i in range(k + 1):
-            old = found.get(alpha + i, [0] * len(x))
-            found[alpha + i] = [a + (-1) ** i * comb(k, i) * b for a, b in zip(old, x, strict=True)]
-    return nonzero(found)
+            old = total.get(alpha + i, [0] * len(x))
+            total[alpha + i] = [a + (-1) ** i * comb(k, i) * b for a, b in zip(old, x, strict=True)]
+    return nonzero(total)
 
 
-def _space(c: Claim, a: MatrixMask, generators: list[Generator]) -> list[VectorSequence]:
+def invariant_space(c: Claim, a: MatrixMask, generators: list[Generator]) -> list[VectorSequence]:
     """The basis of the space of the witness, which is checked, and the family introduced."""
-    found, m = c.witness, a.size
-    basis, family, tree, leaves = found["basis"], found["matrices"], found["tree"], found["leaves"]
+    witness, m = c.witness, a.size
+    basis, family, tree, leaves = witness["basis"], witness["matrices"], witness["tree"], witness["leaves"]
     n = len(basis)
     require(n > 0, "the basis is empty")
     require_few(n <= MAX_ORDER, "the basis has too many rows")
@@ -111,13 +111,13 @@ def _space(c: Claim, a: MatrixMask, generators: list[Generator]) -> list[VectorS
     )
     bits = given + depth * a.bits + entry + max(family.bits, most_bits(leaves)) + n.bit_length()
     work = len(tree) * longest * a.entries + len(leaves) * n * width + n * width * (n * (a.arity + 1) + a.entries // m)
-    more = sum(map(len, found["words"])) * n * n + n**3 if "words" in found else n * m * m
+    more = sum(map(len, witness["words"])) * n * n + n**3 if "words" in witness else n * m * m
     c.count(work + more, bits)
     rows = [[int(x) for x in row] for row in basis]
     require(are_independent(rows), "the basis is dependent modulo 2^61 - 1")
-    sequences = [sequence(found["start"], row, m) for row in rows]
-    _invariant(a, sequences, rows, family, found["start"])
-    _grown(a, generators, tree, leaves, rows, found["start"])
+    sequences = [sequence(witness["start"], row, m) for row in rows]
+    _invariant(a, sequences, rows, family, witness["start"])
+    _grown(a, generators, tree, leaves, rows, witness["start"])
     c.introduce(c.statement["family"], family)
     return sequences
 
@@ -154,8 +154,8 @@ def _invariant(
         for letter, image in enumerate(a.images(v)):
             weights = [line[i] for line in family.matrices[letter]]
             combined = [a.denominator * sum(map(mul, weights, column)) for column in columns]
-            found = _row(image, start, len(columns), a.size)
-            same = found is not None and [family.denominator * x for x in found] == combined
+            row = _row(image, start, len(columns), a.size)
+            same = row is not None and [family.denominator * x for x in row] == combined
             require(same, f"matrix {letter} does not give the image of row {i} of the basis")
 
 
@@ -175,22 +175,22 @@ def _grown(
             waiting += [lowest_terms(nonzero(image), denominator * a.denominator) for image in a.images(v)]
             continue
         numerators, common = scaled(next(left))
-        found = _row(v, start, len(columns), a.size)
-        same = found is not None and all(
+        row = _row(v, start, len(columns), a.size)
+        same = row is not None and all(
             denominator * sum(map(mul, numerators, column)) == common * x
-            for x, column in zip(found, columns, strict=True)
+            for x, column in zip(row, columns, strict=True)
         )
         require(same, f"node {node} of the tree has other coordinates")
 
 
-def _spanned(
+def check_spanned(
     c: Claim, family: RationalFamily, leaves: Sequence[Sequence[Fraction]], words: Sequence[Sequence[int]]
 ) -> None:
     """Check that as many words as the order of the family, a leaf and letters each, give independent vectors."""
     n = family.order
     require(len(words) == n, "there are not as many words as the basis has rows")
     inverse = pow(family.denominator, -1, PRIME)
-    found = []
+    images = []
     for word in words:
         require(len(word) > 0 and 0 <= word[0] < len(leaves), "a word has no leaf")
         require(all(0 <= letter < len(family.matrices) for letter in word[1:]), "a letter is not there")
@@ -199,5 +199,5 @@ def _spanned(
         v = [x * pow(common, -1, PRIME) % PRIME for x in numerators]
         for letter in word[1:]:
             v = [sum(map(mul, row, v)) * inverse % PRIME for row in family.matrices[letter]]
-        found.append(v)
-    require(are_independent(found), "the words do not span the space modulo 2^61 - 1")
+        images.append(v)
+    require(are_independent(images), "the words do not span the space modulo 2^61 - 1")

@@ -191,12 +191,12 @@ class _CurveProof:
         """The claims on the derivatives of some orders that were asked."""
         if not orders:
             return []
-        asked, fit = self.facts.witness(rules.JOINTS)["orders"], self.facts.verdict(rules.JOINTS)
+        decided, fit = self.facts.witness(rules.JOINTS)["orders"], self.facts.verdict(rules.JOINTS)
         proof = proof_of(self.facts[rules.JOINTS], JointsProof)
         made = []
         for order in orders:
-            place = asked.index(order)
-            fits = fit is Verdict.PROVED or order < asked[-1]
+            place = decided.index(order)
+            fits = fit is Verdict.PROVED or order < decided[-1]
             witness = {"left": rationals(proof["left"][place]), "right": rationals(proof["right"][place])}
             work = 2 * (self.p + self.n) * self.n**2
             made.append(
@@ -205,8 +205,8 @@ class _CurveProof:
         return made
 
     def _joints(self) -> list[int]:
-        asked = self.facts.witness(rules.JOINTS)["orders"]
-        return self._derivatives(asked if self.facts.verdict(rules.JOINTS) is Verdict.PROVED else asked[-1:])
+        orders = self.facts.witness(rules.JOINTS)["orders"]
+        return self._derivatives(orders if self.facts.verdict(rules.JOINTS) is Verdict.PROVED else orders[-1:])
 
     def _polynomial(self) -> int:
         statement = {"property": "polynomial-curve", "degree": self._degree}

@@ -85,11 +85,11 @@ def _is_multivariate(table: Table) -> bool:
     mark = next((key for key in ("dilation", "terms", "box_spline", "tensor") if key in table.data), None)
     if mark is None and not (isinstance(nested, list) and nested and all(isinstance(row, list) for row in nested)):
         return False
-    said = "coefficients in lists in lists are" if mark is None else f"{mark} is"
+    keys = "coefficients in lists in lists are" if mark is None else f"{mark} is"
     help = 'write kind = "multivariate" at the top, above [mask]'
     if mark == "dilation" and "arity" not in table.data:
         help += "; a mask in one variable has an arity: arity = 2"
-    fault = Fault(faults.MISSING_KEY, f'kind = "multivariate" is missing: {said} for masks in several variables', help)
+    fault = Fault(faults.MISSING_KEY, f'kind = "multivariate" is missing: {keys} for masks in several variables', help)
     table.problems.add(fault, (*table.path, mark or "coefficients"), of_key=True)
     return True
 

@@ -39,6 +39,7 @@ class MatrixCoefficients(NamedTuple):
     arity: int
     start: int
     matrices: Expressions
+    kind: str = "vector"
 
     def expressions(self) -> Iterable[Expression]:
         """The expressions of the body, each of which may have parameters."""
@@ -46,15 +47,15 @@ class MatrixCoefficients(NamedTuple):
 
     def scheme(self, values: Mapping[str, Fraction], problems: Collector, work: Work) -> VectorScheme | None:
         """The scheme with the values put in; None where something is wrong, which is recorded as SD007 to SD011."""
-        found = numbers_of(self.matrices, values, problems, work)
-        if found is None:
+        matrices = numbers_of(self.matrices, values, problems, work)
+        if matrices is None:
             return None
-        entries = [x for matrix in found for row in matrix for x in row]
+        entries = [x for matrix in matrices for row in matrix for x in row]
         fault = too_precise(entries) if any(entries) else zero_mask(values)
         if fault:
             problems.add(fault, ("mask", "coefficients"))
             return None
-        return VectorScheme(arity=self.arity, start=self.start, coefficients=found)
+        return VectorScheme(arity=self.arity, start=self.start, coefficients=matrices, kind=self.kind)
 
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> MatrixCoefficients | None:
@@ -96,7 +97,7 @@ def _flat(value: object) -> str | None:
 
 def body_of(scheme: VectorScheme) -> MatrixCoefficients:
     """The literal coefficients of a scheme."""
-    return MatrixCoefficients(scheme.arity, scheme.start, literals(scheme.coefficients))
+    return MatrixCoefficients(scheme.arity, scheme.start, literals(scheme.coefficients), scheme.kind)
 
 
 def spell(body: MatrixCoefficients) -> list[str]:

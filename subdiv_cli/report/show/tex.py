@@ -31,7 +31,7 @@ _SCRIPT = re.compile(r"([\^_])(\(([^()]*)\)|(-?\w|∞))")
 def formula(text: str) -> str:
     """A formula for math mode: fractions, exponents and indices set as such."""
     text = _RATIONAL.sub(r"\\tfrac{\1}{\2}", _VARIABLE.sub(r"z_\1", clean(text).replace("_(i)", "_i")))
-    text = _SCRIPT.sub(lambda found: _script(found), _numbers(text))
+    text = _SCRIPT.sub(_script, _numbers(text))
     return "".join(f"{_COMMANDS[c]} " if c in _COMMANDS else c for c in _other(text))
 
 
@@ -40,22 +40,22 @@ def _numbers(text: str) -> str:
     return re.sub(r"([\^_])(-?\d{2,}|-\d)(?!\d)", r"\1(\2)", _PARTIAL.sub(r"_(\1)", text))
 
 
-def _script(found: re.Match[str]) -> str:
+def _script(match: re.Match[str]) -> str:
     """An exponent or an index in TeX; a derivative or a derived mask keeps its parentheses."""
-    inside = found[3] if found[3] is not None else found[4]
-    before = found.string[found.start() - 1 : found.start()]
-    derived = found[1] == "^" and found[3] is not None and inside.isdecimal() and before in ("f", "φ", "a")
-    return f"{found[1]}{{({inside})}}" if derived else f"{found[1]}{{{inside}}}"
+    inside = match[3] if match[3] is not None else match[4]
+    before = match.string[match.start() - 1 : match.start()]
+    derived = match[1] == "^" and match[3] is not None and inside.isdecimal() and before in ("f", "φ", "a")
+    return f"{match[1]}{{({inside})}}" if derived else f"{match[1]}{{{inside}}}"
 
 
 def sentence(text: str) -> str:
     """A sentence for text mode: letters of mathematics in math mode one by one, exponents and indices as such."""
     out, at, text = "", 0, clean(text)
     while at < len(text):
-        if (found := _SCRIPT.match(_numbers(text[at:]))) is not None and at:
+        if (script := _SCRIPT.match(_numbers(text[at:]))) is not None and at:
             source = re.match(r"[\^_](\([^()]*\)|-?\d+|[xyzw]{2,}(?!\w)|-?\w|∞)", text[at:])
-            inside = found[3] if found[3] is not None else found[4]
-            out += f"${{}}{found[1]}{{{formula(inside)}}}$"
+            inside = script[3] if script[3] is not None else script[4]
+            out += f"${{}}{script[1]}{{{formula(inside)}}}$"
             at += len(source[0]) if source else 1
             continue
         c = text[at]

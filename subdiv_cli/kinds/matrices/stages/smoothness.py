@@ -87,14 +87,14 @@ def _unasked(numbers: MatrixNumbers, facts: Facts) -> str | None:
 def jets(numbers: MatrixNumbers) -> tuple[Jet, ...]:
     """The derivatives of order 1, 2, … <= d that a curve has one-sidedly, up to the first ones that do not fit."""
     radius = None if numbers.curve.annihilated is None else numbers.radius
-    asked: list[Jet] = []
+    derivatives: list[Jet] = []
     for order in range(1, numbers.curve.components.degree + 1):
         if radius is None or not radius.is_below(Fraction(1, numbers.p**order)):
             break
-        asked.append(numbers.curve.jet(order))
-        if not asked[-1].fits:
+        derivatives.append(numbers.curve.jet(order))
+        if not derivatives[-1].fits:
             break
-    return tuple(asked)
+    return tuple(derivatives)
 
 
 _JOINTS_QUESTION = "do derivatives fit at the joints?"
@@ -112,12 +112,12 @@ def joints(numbers: MatrixNumbers, facts: Facts) -> tuple[Finding, ...]:
     Witness: `orders`, those asked, the last of which does not fit where it is refuted; `joint`, the first one there.
     `proof`: `left` and `right`, the derivatives of each order at 0 and at 1.
     """
-    asked = jets(numbers) if facts.verdict(DIFFERENCE_RADIUS) is Verdict.PROVED else ()
-    if not asked:
+    derivatives = jets(numbers) if facts.verdict(DIFFERENCE_RADIUS) is Verdict.PROVED else ()
+    if not derivatives:
         return ()
-    last = asked[-1]
-    witness: JointsWitness = {"orders": tuple(jet.order for jet in asked)}
-    proof: JointsProof = {"left": tuple(j.left for j in asked), "right": tuple(j.right for j in asked)}
+    last = derivatives[-1]
+    witness: JointsWitness = {"orders": tuple(jet.order for jet in derivatives)}
+    proof: JointsProof = {"left": tuple(j.left for j in derivatives), "right": tuple(j.right for j in derivatives)}
     if last.joint is None:
         orders = "order 1" if last.order == 1 else f"order 1 to {last.order}"
         return (JOINTS.proved(f"derivatives of {orders} fit at the joints", witness, proof=proof),)
@@ -197,8 +197,8 @@ def _power(p: int, n: int) -> str:
 
 def _unknown(facts: Facts) -> str:
     """The reason why neither ρ nor V nor the joints are of use."""
-    asked = (facts.find(rule) for rule in (DIFFERENCE_RADIUS, COMPONENTS, JOINTS))
-    return next(finding.reason for finding in asked if finding is not None and finding.reason is not None)
+    findings = (facts.find(rule) for rule in (DIFFERENCE_RADIUS, COMPONENTS, JOINTS))
+    return next(finding.reason for finding in findings if finding is not None and finding.reason is not None)
 
 
 _BELOW, _ABOVE = "how regular is the curve at least?", "how regular is the curve at most?"

@@ -79,10 +79,10 @@ class MultivariateNumbers:
     @cached_property
     def _by_coset(self) -> dict[Index, dict[Index, Fraction]]:
         """The terms of each coset that has any, by its key."""
-        found: dict[Index, dict[Index, Fraction]] = {}
+        cosets: dict[Index, dict[Index, Fraction]] = {}
         for alpha, x in self.scheme.terms.items():
-            found.setdefault(self.lattice.coset(alpha), {})[alpha] = x
-        return found
+            cosets.setdefault(self.lattice.coset(alpha), {})[alpha] = x
+        return cosets
 
     @cached_property
     def box(self) -> BoxSpline | None:

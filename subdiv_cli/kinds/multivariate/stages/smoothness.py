@@ -153,8 +153,8 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
         yes, no = "S converges uniformly", "S does not converge uniformly"
         words = yes, no, "its factors do", "its factor in {} does not"
         return (products.follows(CONVERGENCE, _CONVERGENCE_QUESTION, numbers.parts, questions.CONVERGENCE, *words),)
-    asked = decay is not None and decay.verdict is Verdict.PROVED
-    proofs, obstacles = list(_proofs(numbers, facts, asked)), list(_obstacles(numbers, facts, asked))
+    usable = decay is not None and decay.verdict is Verdict.PROVED
+    proofs, obstacles = list(_proofs(numbers, facts, usable)), list(_obstacles(numbers, facts, usable))
     if proofs and obstacles:
         raise ContradictionError(f"S converges and {obstacles[0].why}")
     if several := proofs or obstacles:
@@ -163,9 +163,9 @@ def convergence(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ..
     return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, (decay.reason if decay is not None else None) or reason),)
 
 
-def _proofs(numbers: MultivariateNumbers, facts: Facts, asked: bool) -> Iterator[Finding]:
-    """The findings that S converges; `asked` says whether the radius may be used."""
-    k, radius = numbers.order, numbers.radius if asked else None
+def _proofs(numbers: MultivariateNumbers, facts: Facts, usable: bool) -> Iterator[Finding]:
+    """The findings that S converges; `usable` says whether the radius may be used."""
+    k, radius = numbers.order, numbers.radius if usable else None
     for code, reason in _NORMS.items():
         if code in facts:
             yield _converges(reason, code)
@@ -179,9 +179,9 @@ def _proofs(numbers: MultivariateNumbers, facts: Facts, asked: bool) -> Iterator
         yield _converges(why, SOBOLEV.code, growth_proof(numbers))
 
 
-def _obstacles(numbers: MultivariateNumbers, facts: Facts, asked: bool) -> Iterator[Finding]:
+def _obstacles(numbers: MultivariateNumbers, facts: Facts, usable: bool) -> Iterator[Finding]:
     """The findings that S does not converge."""
-    product = numbers.product if asked else None
+    product = numbers.product if usable else None
     if product is not None and product.compare(Fraction(1)) >= 0:
         witness: MultivariateConvergenceWitness = {"by": DIFFERENCE_RADIUS.code, "word": product.word}
         yield _diverges(f"{product_name(product.word)} keeps ρ_{numbers.order} ≥ 1", witness)

@@ -126,15 +126,15 @@ def _cut_decimals(scheme: ScalarScheme) -> Iterator[str]:
 
 def _irrational(scheme: ScalarScheme) -> Iterator[str]:
     """A hint for the decimals of an irrational filter: a mask so near that these are its digits too, with sum rules."""
-    found = nearby(scheme)
-    if found is None:
+    near = nearby(scheme)
+    if near is None:
         return
-    rules = "1 sum rule holds" if found.rules == 1 else f"{found.rules} sum rules hold"
-    times = "" if found.scale is None else f" times {found.scale}"
+    rules = "1 sum rule holds" if near.rules == 1 else f"{near.rules} sum rules hold"
+    times = "" if near.scale is None else f" times {near.scale}"
     yield (
-        f"decimals of an irrational filter? {rules} to the digits given, {found.exact or 'none'} exactly. All hold for "
-        f"a mask near this one{times}, whose coefficients differ by {truncated(found.distance, 3)} at most; its "
-        f'exponents are those of the filter to some digits only: symbol = "{found.symbol}"'
+        f"decimals of an irrational filter? {rules} to the digits given, {near.exact or 'none'} exactly. All hold for "
+        f"a mask near this one{times}, whose coefficients differ by {truncated(near.distance, 3)} at most; its "
+        f'exponents are those of the filter to some digits only: symbol = "{near.symbol}"'
     )
 
 

@@ -50,11 +50,11 @@ def nearby(scheme: ScalarScheme) -> Nearby | None:
     Every coefficient counts with as many decimals as the longest has; if nothing is near then, with its own.
     """
     own = _places(scheme.coefficients)
-    scale, said = _normalisation(scheme)
+    scale, name = _normalisation(scheme)
     if not own or max(own) < _FEWEST_PLACES or not scale:
         return None
     given = tuple(scale * c for c in scheme.coefficients)
-    order = 0 if said is not None and "√" in said else _order(scheme)
+    order = 0 if name is not None and "√" in name else _order(scheme)
     for places in dict.fromkeys(((max(own),) * len(own), own)):
         units = [scale / 10**d + _DOUBLE for d in places]
         k, nearest = _of_most_rules(given, scheme.arity, order, units)
@@ -65,7 +65,7 @@ def nearby(scheme: ScalarScheme) -> Nearby | None:
                 abs(x - y) <= _UNITS * unit for x, y, unit in zip(mask, given, units, strict=True)
             ):
                 distance = max(abs(x - y) for x, y in zip(mask, given, strict=True))
-                return Nearby(k, order, said, distance, _spelled(scheme, k, cofactor, digits))
+                return Nearby(k, order, name, distance, _spelled(scheme, k, cofactor, digits))
     return None
 
 
@@ -78,11 +78,11 @@ def _of_most_rules(
     nearest, each difference counted in the unit of its coefficient.
     """
     k, nearest = order, given
-    while k < _MOST_RULES and (found := _projected(given, p, k + 1, units)) is not None:
-        off = ((x - y) / unit for x, y, unit in zip(found, given, units, strict=True))
+    while k < _MOST_RULES and (projection := _projected(given, p, k + 1, units)) is not None:
+        off = ((x - y) / unit for x, y, unit in zip(projection, given, units, strict=True))
         if sum((x * x for x in off), Fraction(0)) > len(given):
             break
-        k, nearest = k + 1, found
+        k, nearest = k + 1, projection
     return k, nearest
 
 
@@ -104,9 +104,9 @@ def _normalisation(scheme: ScalarScheme) -> tuple[Fraction, str | None]:
     p = scheme.arity
     sums = [sum(scheme.coefficients[r::p], Fraction(0)) for r in range(p)]
     root = Fraction(isqrt(p * 10 ** (2 * _MOST_PLACES)), 10**_MOST_PLACES)
-    for scale, said in ((Fraction(1), None), (root, f"√{p}"), (Fraction(p), str(p))):
+    for scale, name in ((Fraction(1), None), (root, f"√{p}"), (Fraction(p), str(p))):
         if all(abs(scale * s - 1) < _NEAR for s in sums):
-            return scale, said
+            return scale, name
     return Fraction(0), None
 
 

@@ -271,8 +271,8 @@ def _defect(numbers: ScalarNumbers, nu: int, radius: Fraction) -> _Defect | None
     if not numbers.effort.allows(_WORDS * family.order**3):
         return None
     for word in _words(numbers):
-        if (found := defect(family.product(word), radius ** len(word))) is not None:
-            return (word, *found)
+        if (block := defect(family.product(word), radius ** len(word))) is not None:
+            return (word, *block)
     return None
 
 

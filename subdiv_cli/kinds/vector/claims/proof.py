@@ -29,7 +29,7 @@ class VectorProof:
         self._families: list[None] = []
         self._spaces: dict[int, int] = {}
         self._radii: dict[int, list[tuple[RadiusProof, int]]] = {}
-        """The claims on radii by the order of their spaces, each with the proof that it is made of."""
+        """The claims on radii by those that introduce their spaces, each with the proof that it is made of."""
 
     @property
     def entries(self) -> int:
@@ -62,8 +62,11 @@ class VectorProof:
 
     def radius(self, order: int, space: SequenceSpaceData, radius: RadiusProof) -> list[int]:
         """The claims on a radius, and on the space of this order."""
-        introduced = self.space(order, space)
-        known = self._radii.setdefault(order, [])
+        return self.radius_on(self.space(order, space), space, radius)
+
+    def radius_on(self, introduced: int, space: SequenceSpaceData, radius: RadiusProof) -> list[int]:
+        """The claims on a radius, and the one that introduces its space."""
+        known = self._radii.setdefault(introduced, [])
         claim = next((claim for proof, claim in known if proof == radius), None)
         if claim is None:
             number, n = self._number(introduced), len(space["basis"])
@@ -79,33 +82,50 @@ class VectorProof:
         """The claim that introduces the operators on an invariant space: of order 0 that of what dies out."""
         if order in self._spaces:
             return self._spaces[order]
-        basis, tree, m = space["basis"], space["tree"], self.size
-        n, width = len(basis), len(basis[0])
-        given = order + 2 + self._stencil_width() if order else 2
-        longest = max(self.length, given) + 2
-        work = len(tree) * longest * self.entries + sum(tree) * n * width
-        work += n * width * (n * (self.p + 1) + self.entries // m)
-        witness: Json = {"start": space["start"], "tree": list(tree)}
-        witness |= {"basis": rationals(basis), "matrices": rationals(space["matrices"])}
-        witness["leaves"] = rationals(space["leaves"])
+        statement = {"property": "family", "family": self.new_family(), "order": order}
         if order:
-            words = [list(word) for word in space["words"]]
-            witness["words"], work = words, work + sum(map(len, words)) * n * n + n**3
-            rule, uses = "stencil-differences", [self.stencils()]
+            witness, work = self.spanned(space, order + 2 + self.stencil_width())
+            claim = self.claims.prove("stencil-differences", statement, witness, [self.stencils()], work)
         else:
+            witness, work = self._invariant(space, 2)
             witness["orthogonal"] = rationals(space["orthogonal"])
-            rule, uses, work = "decay", [self.constants()], work + n * m * m
-        statement = {"property": "family", "family": len(self._families), "order": order}
-        self._families.append(None)
-        self._spaces[order] = self.claims.prove(rule, statement, witness, uses, work)
-        return self._spaces[order]
+            work += len(space["basis"]) * self.size**2
+            claim = self.claims.prove("decay", statement, witness, [self.constants()], work)
+        self._spaces[order] = claim
+        return claim
 
-    def _stencil_width(self) -> int:
+    def new_family(self) -> int:
+        """The number of a new family."""
+        self._families.append(None)
+        return len(self._families) - 1
+
+    def spanned(self, space: SequenceSpaceData, given: int) -> tuple[Json, int]:
+        """The witness of an invariant space that words span, and its work; the generators have `given` indices."""
+        witness, work = self._invariant(space, given)
+        words, n = [list(word) for word in space["words"]], len(space["basis"])
+        return {**witness, "words": words}, work + sum(map(len, words)) * n * n + n**3
+
+    def _invariant(self, space: SequenceSpaceData, given: int) -> tuple[Json, int]:
+        """The witness of an invariant space, and its work."""
+        basis, tree = space["basis"], space["tree"]
+        n, width = len(basis), len(basis[0])
+        work = len(tree) * (max(self.length, given) + 2) * self.entries + sum(tree) * n * width
+        work += n * width * (n * (self.p + 1) + self.entries // self.size)
+        witness: Json = {"start": space["start"], "tree": list(tree), "basis": rationals(basis)}
+        witness |= {"matrices": rationals(space["matrices"]), "leaves": rationals(space["leaves"])}
+        return witness, work
+
+    def stencil_width(self) -> int:
+        """The number of indices of the limit stencils."""
         return len(self.facts.witness(rules.LIMIT_STENCILS)["rows"][0]) // self.size
 
     def word(self, order: int, space: SequenceSpaceData, word: Sequence[int], bound: Fraction) -> list[int]:
         """The claims that a product bounds the radius on a space from below, and on that space."""
-        introduced, n = self.space(order, space), len(space["basis"])
+        return self.word_on(self.space(order, space), space, word, bound)
+
+    def word_on(self, introduced: int, space: SequenceSpaceData, word: Sequence[int], bound: Fraction) -> list[int]:
+        """The claims that a product bounds the radius from below, and the one that introduces its space."""
+        n = len(space["basis"])
         statement = {
             "property": "radius-lower",
             "family": self._number(introduced),

@@ -99,13 +99,13 @@ def derived(p: int, terms: Terms, transformation: fmpq_mat, r: int) -> dict[int,
     moved = {i: inverse * a * transformation * p for i, a in terms.items()}
     low, high = min(moved) - 1, max(moved)
     zero = identity(m) * 0
-    found: dict[int, fmpq_mat] = {}
+    image: dict[int, fmpq_mat] = {}
     for i in range(high, low - 1, -1):
         here, above = moved.get(i, zero).tolist(), moved.get(i + 1, zero).tolist()
         rows = [[y - x for x, y in zip(here[k], above[k], strict=True)] if k < r else here[k] for k in range(m)]
-        before = found.get(i + p, zero).tolist()
-        found[i] = fmpq_mat([[before[k][l] - rows[k][l] if l < r else rows[k][l] for l in range(m)] for k in range(m)])
-    return {i: a for i, a in sorted(found.items()) if any(a.entries())}
+        before = image.get(i + p, zero).tolist()
+        image[i] = fmpq_mat([[before[k][l] - rows[k][l] if l < r else rows[k][l] for l in range(m)] for k in range(m)])
+    return {i: a for i, a in sorted(image.items()) if any(a.entries())}
 
 
 def contraction(p: int, terms: Terms, effort: Effort) -> tuple[int, Fraction] | None:

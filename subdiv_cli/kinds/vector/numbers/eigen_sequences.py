@@ -50,14 +50,14 @@ def eigen_sequences(
         system = equations(arity, start, matrices, j)
         kernel = nullspace(system)
         m = matrices[0].nrows()
-        found = [_leading_in(u, kernel, m) for u in constants]
-        if None in found:
+        leading = [_leading_in(u, kernel, m) for u in constants]
+        if None in leading:
             functional = _functional([y[-m:] for y in kernel], constants)
             target = (*(Fraction(0),) * (m * j), *functional)
             weights = solution(system.transpose(), target)
             assert weights is not None, "the functional vanishes on the kernel"
             return EigenSequences(tuple(each), weights, functional)
-        each.append(tuple(y for y in found if y is not None))
+        each.append(tuple(y for y in leading if y is not None))
 
 
 def equations(arity: int, start: int, matrices: Sequence[fmpq_mat], j: int) -> fmpq_mat:

@@ -58,8 +58,8 @@ def stencils(numbers: VectorNumbers, order: int = 0) -> Stencils | None:
     if dual.nrows() != dual.ncols() or dual.rank() < dual.nrows():
         return None
     each = (dual.inv() * kernel).tolist()
-    found = [_derived(operator, _difference(row, m, order), Fraction(1, p**order)) for row in each] if order else each
-    shaped = tuple(fmpq_mat([list(row[i : i + m]) for i in range(0, len(row), m)]) for row in found)
+    rows = [_derived(operator, _difference(row, m, order), Fraction(1, p**order)) for row in each] if order else each
+    shaped = tuple(fmpq_mat([list(row[i : i + m]) for i in range(0, len(row), m)]) for row in rows)
     return Stencils(window[0], shaped)
 
 
@@ -98,7 +98,7 @@ def limit_curves(numbers: VectorNumbers, order: int, points: int) -> tuple[Curve
     level, length = 0, support[1] - support[0]
     while length * p**level < points and length * p ** (level + 1) <= MOST_VALUES:
         level += 1
-    found = []
+    curves = []
     each = [stencils(numbers, j) for j in range(order + 1)]
     for unit in range(m):
         fine, low = refined(numbers, unit, level)
@@ -108,8 +108,8 @@ def limit_curves(numbers: VectorNumbers, order: int, points: int) -> tuple[Curve
             for i, w in enumerate(stencil.each):
                 values = _paired(w, fine) * p ** (j * level)
                 name, label = ("f" if r == 1 else f"f_{i + 1}"), (f"e_{unit + 1}" if m > 1 else "")
-                found.append(_curve(p, level, low + stencil.start, values, j, name, label))
-    return tuple(found)
+                curves.append(_curve(p, level, low + stencil.start, values, j, name, label))
+    return tuple(curves)
 
 
 def _curve(p: int, level: int, low: int, values: fmpq_poly, order: int, name: str, label: str) -> Curve:

@@ -62,8 +62,8 @@ class VectorNumbers:
     @cached_property
     def constants(self) -> tuple[Vector, ...]:
         """A basis of E_A = {u : A^ε u = u for every ε}, r vectors of m entries."""
-        found = self.spaces.constants
-        return () if found is None else rows_of(found)
+        constants = self.spaces.constants
+        return () if constants is None else rows_of(constants)
 
     @cached_property
     def mean(self) -> fmpq_mat:
@@ -117,11 +117,11 @@ class VectorNumbers:
         if window is None or self.sequences is None or self.stencils is None:
             return None
         for k in range(max(1, self.sequences.order), self.size * len(window) + 2):
-            found = self.spaces.differences(k)
-            if found is None or not found.space.dimension:
+            on = self.spaces.differences(k)
+            if on is None or not on.space.dimension:
                 return None
-            if self._seems_below(Family(found.space.matrices), k):
-                return self._growth(k, found)
+            if self._seems_below(Family(on.space.matrices), k):
+                return self._growth(k, on)
         return None
 
     def growth_of(self, k: int) -> SequenceGrowth | None:
@@ -143,17 +143,17 @@ class VectorNumbers:
         rate = candidates(family, 2)[0]
         return rate > 0 and math.log2(rate) + math.log2(family.unit) > -(k - _TIE) * math.log2(self.p)
 
-    def _growth(self, k: int, found: SequenceSpace | None) -> SequenceGrowth | None:
+    def _growth(self, k: int, on: SequenceSpace | None) -> SequenceGrowth | None:
         from subdiv_cli.jsr.radius import joint_spectral_radius  # numpy comes with it
 
-        if found is None or not found.space.dimension:
+        if on is None or not on.space.dimension:
             return None
-        matrices = found.space.matrices
+        matrices = on.space.matrices
         radius = joint_spectral_radius(Family(matrices), self.effort)
         if radius is None:
             return None
         product = None if radius.word is None else WordProduct.of_word(matrices, radius.word)
-        return SequenceGrowth(k, found, radius, product)
+        return SequenceGrowth(k, on, radius, product)
 
     def derivation(self, most: int) -> Derivation:
         """The derived schemes of Moosmüller & Dyn, at most so many, and the norms by which they contract."""

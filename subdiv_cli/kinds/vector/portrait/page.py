@@ -58,15 +58,15 @@ def _rule(numbers: VectorNumbers, epsilon: int) -> Grid:
     return Grid("", tuple(f"c_({shifted('k', j)})" if j else "c_k" for j in offsets), tuple(rows))
 
 
-def _limit(found: Stencils) -> Grid:
+def _limit(stencils: Stencils) -> Grid:
     """The stencils that give the coordinates of the limit at an integer."""
     rows = []
-    used = [i for w in found.each for i, row in enumerate(w.tolist()) if any(row)]
+    used = [i for w in stencils.each for i, row in enumerate(w.tolist()) if any(row)]
     span = range(max(used), min(used) - 1, -1)
-    for number_, w in enumerate(found.each, 1):
+    for number_, w in enumerate(stencils.each, 1):
         cells = tuple(point(map(to_fraction, w.tolist()[i])) for i in span)
-        rows.append(("limit at k" if len(found.each) == 1 else f"limit at k, u_{number_}", cells))
-    offsets = [-(found.start + i) for i in span]
+        rows.append(("limit at k" if len(stencils.each) == 1 else f"limit at k, u_{number_}", cells))
+    offsets = [-(stencils.start + i) for i in span]
     return Grid("", tuple(f"c_({shifted('k', j)})" if j else "c_k" for j in offsets), tuple(rows))
 
 
@@ -101,10 +101,10 @@ class _VectorPage:
     def _sums(self) -> tuple[fmpq_mat, ...]:
         """The A^ε of the mask where it stands, ε = 0 … p-1."""
         numbers = self.numbers
-        found = [numbers.matrices[0] * 0 for _ in range(numbers.p)]
+        sums = [numbers.matrices[0] * 0 for _ in range(numbers.p)]
         for i, a in enumerate(numbers.matrices, numbers.scheme.start):
-            found[i % numbers.p] += a
-        return tuple(found)
+            sums[i % numbers.p] += a
+        return tuple(sums)
 
     def mask(self) -> Iterator[Block]:
         """The blocks of the facts and of the symbol, entry by entry."""
@@ -140,8 +140,8 @@ class _VectorPage:
 
     def polynomials(self) -> Iterator[Block]:
         """The blocks of the eigen-sequences, of each degree one for each vector of the basis of E_A."""
-        found = self.numbers.sequences
-        for j, several in enumerate(found.each if found is not None else ()):
+        sequences = self.numbers.sequences
+        for j, several in enumerate(sequences.each if sequences is not None else ()):
             for y in several:
                 yield Formula(f"y_{j}(i), S y = {_power(self.numbers.p, j)}", _polynomial(y))
 
@@ -158,7 +158,7 @@ class _VectorPage:
 
     def data(self) -> dict[str, Data]:
         """The JSON page: numbers are exact."""
-        numbers, found = self.numbers, self.numbers.sequences
+        numbers, sequences = self.numbers, self.numbers.sequences
         return {
             "mask": {
                 "arity": numbers.p,
@@ -169,7 +169,7 @@ class _VectorPage:
             "constants": numbers.constants,
             "mean": rows_of(numbers.mean),
             "canonical_transformation": None if self.canonical is None else rows_of(self.canonical[0]),
-            "eigen_sequences": () if found is None else found.each,
+            "eigen_sequences": () if sequences is None else sequences.each,
             "limit_stencils": None
             if self.stencils is None
             else {"start": self.stencils.start, "stencils": tuple(map(rows_of, self.stencils.each))},

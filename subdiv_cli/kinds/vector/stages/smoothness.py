@@ -91,12 +91,12 @@ def smoothness(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
         first = _proved(0, "S converges", CONVERGENCE.code)
     else:
         first = _proved(n, f"ρ_{growth.order} < {threshold(p, n)}", STENCIL_RADIUS.code)
-    asked = f"are all limits C^{n + 1}?"
+    question = f"are all limits C^{n + 1}?"
     if growth is None:
-        return (first, NEXT_SMOOTHNESS.undecided(asked, facts[STENCIL_RADIUS].reason or TOO_LARGE))
+        return (first, NEXT_SMOOTHNESS.undecided(question, facts[STENCIL_RADIUS].reason or TOO_LARGE))
     product, k = growth.product, growth.order
     if product is None or not _excludes(product, p, k, n + 1):
-        return (first, NEXT_SMOOTHNESS.undecided(asked, "no product is known that excludes it"))
+        return (first, NEXT_SMOOTHNESS.undecided(question, "no product is known that excludes it"))
     size = f"≥ {threshold(p, n + 1)}" if n + 1 < k else f"> {threshold(p, k)}"
     why = f"{product_name(product.word)} keeps ρ_{k} {size}"
     witness: VectorNextSmoothnessWitness = {"order": n + 1, "by": STENCIL_RADIUS.code, "word": product.word}
