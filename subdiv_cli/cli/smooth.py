@@ -67,7 +67,9 @@ def command(
     time. The coefficients are exact. The new mask, with what it can be held to, goes to stdout or OUT; both schemes are
     checked as `check` does it, and what is proved of them goes to stderr.
 
-    Scalar masks are multiplied by the smoothing factor, vector masks go through procedure 23 of Moosmüller & Dyn 2018.
+    Scalar masks are multiplied by the smoothing factor; vector masks go through procedure 23 of Moosmüller & Dyn 2018,
+    Hermite masks of a function and its derivative through procedure 40. The derived scheme of a Hermite mask is its
+    Taylor scheme, of kind vector.
     """
     if output is not None and (reason := why_not(output) or _taken(output)) is not None:
         raise click.BadParameter(f"{output!r} cannot be written: {reason}", param_hint="-o")
@@ -147,7 +149,7 @@ def _done(steps: Sequence[SmoothingStep]) -> str:
 
 
 def _expectations(result: Result) -> tuple[Expectation, ...]:
-    """What is proved of convergence, smoothness and the exponent, as a file holds a mask to it."""
+    """The answers on convergence, smoothness, exponent and spectral condition that are proved, as expectations."""
     from subdiv_cli.maskfile.properties import expectation
     from subdiv_cli.model.closed import spelled
     from subdiv_cli.pipeline import judged
@@ -160,6 +162,8 @@ def _expectations(result: Result) -> tuple[Expectation, ...]:
         stated["smoothness"] = order if result.smoothness.sharp else f">= {order}"
     if result.holder is not None and result.holder.exact is not None:
         stated["holder"] = spelled(result.holder.exact)
+    if result.spectral in DECIDED:
+        stated["spectral"] = result.spectral is Verdict.PROVED
     wanted = tuple(expectation(key, value) for key, value in stated.items() if value is not None)
     return tuple(each.expectation for each in judged(wanted, result) if each.verdict is Verdict.PROVED)
 

@@ -1,23 +1,39 @@
 """Smoothing and derivation of schemes: what the operators do to data, exponents that grow by exactly 1, supports."""
 
 from fractions import Fraction
+from math import factorial
 
 import pytest
 from flint import fmpq_mat, fmpq_poly
 from hypothesis import given
 from hypothesis import strategies as st
-from matrix_masks import blocked, conjugated, diagonal, scalar, spline, times
+from matrix_masks import (
+    DOUBLE_KNOT_CUBIC,
+    HERMITE_CUBIC,
+    HERMITE_QUINTIC,
+    UNSEEN,
+    blocked,
+    conjugated,
+    de_rham,
+    diagonal,
+    hermite_interpolation,
+    merrien,
+    scalar,
+    spline,
+    times,
+)
 from matrix_masks import scheme as vector_scheme
 from random_masks import random_scalar
 from support import b_spline, cases, scheme, seeded
 
 from subdiv_cli.exact.linalg import identity, matrix, rows_of
+from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.kind import NotSmoothedError
 from subdiv_cli.kinds.smoothing import smoothing_steps
 from subdiv_cli.kinds.vector.numbers.derived import constants_and_mean
 from subdiv_cli.kinds.vector.smoothing import canonical, integrated, terms_of
-from subdiv_cli.model import Effort, Verdict
-from subdiv_cli.pipeline import DisagreementError, check_steps
+from subdiv_cli.model import Effort, Smoothness, Verdict
+from subdiv_cli.pipeline import DisagreementError, check, check_steps
 
 small = st.fractions(min_value=-3, max_value=3, max_denominator=6)
 data = st.dictionaries(st.integers(-4, 4), small, min_size=1, max_size=5)
@@ -185,6 +201,75 @@ def test_exponents_that_do_not_differ_by_the_orders_gained_are_an_internal_error
             check_steps(b_spline(2), [step._replace(orders=orders)], Effort())
 
 
+def taylor_operator(f):
+    """Component i < d - 1: Δ c_i - Σ_(j>i) c_j/(j-i)!; the last one as it is."""
+    found = {}
+    for at, column in f.items():
+        d = len(column)
+        here = [
+            sum((-column[j] / factorial(j - i) for j in range(i, d)), Fraction(0)) if i < d - 1 else column[i]
+            for i in range(d)
+        ]
+        for index, new in ((at, here), (at - 1, [*column[:-1], 0])):
+            found[index] = [x + y for x, y in zip(found.get(index, [0] * d), new, strict=True)]
+    return {i: column for i, column in found.items() if any(column)}
+
+
+JETS = {
+    f"{d} components, arity {p}": vector_scheme(hermite_interpolation(d, p), p, "hermite")
+    for d, p in ((2, 2), (3, 2), (4, 2), (2, 3), (3, 3), (2, 4))
+} | {"de Rham": vector_scheme(de_rham(HERMITE_CUBIC), 2, "hermite"), "sheared": smoothing_steps(
+    vector_scheme(hermite_interpolation(2, 3), 3, "hermite"), 2
+)[1].scheme}  # fmt: skip
+
+
+@pytest.mark.parametrize("mask", JETS.values(), ids=JETS)
+def test_the_taylor_scheme_refines_what_the_taylor_operator_leaves(mask):
+    """T S_A c = p^(1-d) S_B T c on data, indices included, for any number of components."""
+    (step,) = smoothing_steps(mask, 1, inverse=True)
+    rng, d = seeded(mask.size), mask.size
+    assert (step.scheme.kind, step.orders) == ("vector", 1 - d)
+    for _ in range(5):
+        c = {i: [Fraction(rng.randint(-9, 9), rng.randint(1, 4)) for _ in range(d)] for i in range(-2, 3)}
+        left = taylor_operator(refined(mask, c))
+        right = refined(step.scheme, taylor_operator(c))
+        assert {i: [x * mask.arity ** (d - 1) for x in column] for i, column in left.items()} == right
+    before, after = check_steps(mask, [step], Effort())
+    assert before.convergent is after.convergent is Verdict.PROVED
+    assert after.holder.exact is not None
+    assert abs(before.holder.lower - after.holder.lower - (d - 1)) < 1e-12
+
+
+@pytest.mark.parametrize("arity", [2, 3, 4])
+def test_procedure_40_of_any_arity(arity):
+    """α grows by exactly 1, φ falls by 1/2, and the support begins at most 2p + 1 lower, three times over."""
+    mask = vector_scheme(hermite_interpolation(2, arity), arity, "hermite")
+    before = check(mask, (), Effort()).result
+    assert (before.holder.exact, before.facts["interpolatory"]) == (2, True)
+    for n, step in enumerate(smoothing_steps(mask, 3), 1):
+        after = check(step.scheme, (), Effort()).result
+        assert (after.convergent, after.holder.exact) == (Verdict.PROVED, 2 + n)
+        assert (after.smoothness, after.spectral) == (Smoothness(1 + n, True), Verdict.PROVED)
+        assert step.details.endswith(f"φ = {number(Fraction(-n, 2))}")
+        assert mask.start - 2 * arity - 1 <= step.scheme.start
+        assert step.scheme.start + len(step.scheme.coefficients) <= mask.start + len(mask.coefficients)
+        mask = step.scheme
+
+
+def test_procedure_40_raises_exponents_by_exactly_one_on_random_masks():
+    """Merrien's family and de Rham transforms of it, some of them not Hermite convergent."""
+    rng, grown, divergent = seeded(2), 0, 0
+    for _ in range(cases(10)):
+        mask = merrien(Fraction(rng.randint(-16, -4), 80), Fraction(2 * rng.randint(-7, 5) + 1, 8))
+        mask = vector_scheme(de_rham(mask) if rng.random() < 0.5 else mask, 2, "hermite")
+        rising = rises(mask, smoothing_steps(mask, rng.randint(1, 2)), 2000)
+        assert rising is not False
+        grown += bool(rising)
+        divergent += rising is None
+    assert grown >= cases(10) // 2
+    assert divergent
+
+
 HAT = scalar(("1/2", 1, "1/2"), -1)
 NOT_SEMISIMPLE = {i: [[x, x], [0, x]] for i, ((x,),) in HAT.items()}
 UNSEEN_CONSTANT = diagonal(HAT, scalar((2,)))
@@ -211,6 +296,25 @@ def test_hypotheses_are_checked(mask, inverse, why):
     with pytest.raises(NotSmoothedError) as refused:
         smoothing_steps(mask, 1, inverse=inverse)
     assert str(refused.value) == why
+
+
+@pytest.mark.parametrize(
+    ("mask", "inverse", "why"),
+    [
+        (
+            HERMITE_QUINTIC,
+            False,
+            "procedure 40 is for a function with its first derivative, and these jets have 3 comp",
+        ),
+        (UNSEEN, False, "the spectral condition fails: there is no jet y_1 with S y_1 = 2^-1 y_1"),
+        (UNSEEN, True, "the spectral condition fails: there is no jet y_1 with S y_1 = 2^-1 y_1"),
+        (DOUBLE_KNOT_CUBIC, False, "the spectral condition fails: there is no jet y_0 with S y_0 = 2^-0 y_0"),
+    ],
+)
+def test_hypotheses_of_jets_are_checked(mask, inverse, why):
+    with pytest.raises(NotSmoothedError) as refused:
+        smoothing_steps(vector_scheme(mask, 2, "hermite"), 1, inverse=inverse)
+    assert str(refused.value).startswith(why)
 
 
 def test_a_step_that_fails_is_named():

@@ -96,11 +96,11 @@ def terms_of(scheme: VectorScheme) -> dict[int, fmpq_mat]:
     return dict(enumerate(map(matrix, scheme.coefficients), scheme.start))
 
 
-def scheme_of(p: int, terms: Terms) -> VectorScheme:
-    """The scheme of matrices by their indices, not all zero."""
+def scheme_of(p: int, terms: Terms, kind: str = "vector") -> VectorScheme:
+    """The scheme of matrices by their indices, not all zero, of kind vector or one on top of it."""
     zero = identity(next(iter(terms.values())).nrows()) * 0
     matrices = tuple(rows_of(terms.get(i, zero)) for i in range(min(terms), max(terms) + 1))
-    return VectorScheme(arity=p, start=min(terms), coefficients=matrices)
+    return VectorScheme(arity=p, start=min(terms), coefficients=matrices, kind=kind)
 
 
 def conjugated(terms: Terms, transformation: fmpq_mat) -> dict[int, fmpq_mat]:
