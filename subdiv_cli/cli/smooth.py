@@ -63,11 +63,11 @@ def command(
 ) -> ExitCode:
     """Write a mask whose limits are one order smoother, TIMES over.
 
-    Limits of the new scheme are integrals of those of the old one, so that the Hölder exponent grows by exactly 1 each
-    time. The coefficients are exact. The new mask, with what it can be held to, goes to stdout or OUT; both schemes are
+    Limits of the new scheme are integrals of those of the old one, so that their exponent grows by exactly 1 each time.
+    The coefficients are exact. The new mask, with what it can be held to, goes to stdout or OUT; both schemes are
     checked as `check` does it, and what is proved of them goes to stderr.
 
-    Scalar masks are multiplied by the smoothing factor; vector masks go through procedure 23 of Moosmüller & Dyn 2018,
+    Scalar masks are multiplied by the smoothing factor; vector masks go through procedure 23 of Moosmueller & Dyn 2018,
     Hermite masks of a function and its derivative through procedure 40. The derived scheme of a Hermite mask is its
     Taylor scheme, of kind vector.
     """
@@ -95,15 +95,19 @@ def command(
         single.complain(error.problems)
     with Progress().watching():
         before, after = check_steps(one.scheme, steps, Effort(effort))
-    impossible = not inverse and after.convergent is Verdict.REFUTED
-    text = _text(origin, steps, _expectations(after))
-    if not impossible and not (put(text, encoding="utf-8") if output is None else put_file(output, text)):
+    useless = not inverse and after.convergent is Verdict.REFUTED
+    if not useless and not _put(_text(origin, steps, _expectations(after)), output):
         return ExitCode.ERROR
-    _say(f"  {origin.title}: {_found(before)}")
-    _say(f"{of_verdict(after.convergent).sign} {_done(steps)}{', not written' if impossible else ''}: {_found(after)}")
-    if impossible:
+    _say(f"  {origin.title}: {_headline(before)}")
+    _say(f"{of_verdict(after.convergent).sign} {_done(steps)}{', not written' if useless else ''}: {_headline(after)}")
+    if useless:
         return ExitCode.FAILED
     return ExitCode.UNDECIDED if after.convergent is Verdict.UNDECIDED else ExitCode.PASSED
+
+
+def _put(text: str, output: str | None) -> bool:
+    """Whether the new file could be written, to stdout or where -o says."""
+    return put(text, encoding="utf-8") if output is None else put_file(output, text)
 
 
 class Origin(NamedTuple):
@@ -168,7 +172,7 @@ def _expectations(result: Result) -> tuple[Expectation, ...]:
     return tuple(each.expectation for each in judged(wanted, result) if each.verdict is Verdict.PROVED)
 
 
-def _found(result: Result) -> str:
+def _headline(result: Result) -> str:
     """The headline of a result, with the support of the mask."""
     return f"{words.headline(result)}; {words.facts(result)[1]}"
 

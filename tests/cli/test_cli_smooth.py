@@ -55,6 +55,9 @@ holder = "3"
         ("vector/double_knot_cubic", 1, "vector/double_knot_cubic_smoothed"),
         ("vector/double_knot_cubic", 2, "vector/double_knot_cubic_smoothed_twice"),
         ("vector/dghm", 3, None),
+        ("hermite/hermite_cubic", 1, "hermite/hermite_cubic_smoothed"),
+        ("hermite/de_rham_cubic", 1, "hermite/de_rham_cubic_smoothed"),
+        ("hermite/ternary_hermite_cubic", 2, None),
     ],
 )
 def test_a_file_that_check_passes(tmp_path, source, times, target):
@@ -70,7 +73,8 @@ def test_a_file_that_check_passes(tmp_path, source, times, target):
         assert new.scheme() == shipped.scheme()
         same = {e.key: e.lower for e in shipped.expectations}
         assert {e.key: e.lower for e in new.expectations}.items() <= same.items()
-    assert [e.key for e in new.expectations] == ["convergent", "smoothness", "holder"]
+    jets = ["spectral"] if new.kind == "hermite" else []
+    assert [e.key for e in new.expectations] == ["convergent", "smoothness", "holder", *jets]
     assert subdiv("check", out, "--no-cache").returncode == 0
 
 
@@ -96,6 +100,15 @@ def test_the_derived_scheme_may_diverge():
     assert read_text(back.stdout, file="a.toml").scheme() == read_path(FOUR).scheme()
 
 
+def test_the_taylor_scheme_is_a_vector_mask():
+    run = subdiv("smooth", MASKS / "hermite" / "hermite_quintic.toml", "--inverse")
+    assert run.returncode == 0
+    assert "# 1. the Taylor scheme of Moosmüller, Dyn 2018, section 5: φ = 0\n" in run.stdout
+    assert 'kind = "vector"\n' in run.stdout
+    assert 'convergent = true\nsmoothness = 0\nholder = "1"\n' in run.stdout
+    assert subdiv("check", "-", stdin=run.stdout).returncode == 0
+
+
 def test_a_mask_from_the_command_line_and_back_through_a_pipe():
     run = subdiv("smooth", "--mask", "[1, 2, 1]/2", "--start", -1, "-n", 2)
     assert 'name = "[1, 2, 1]/2, smoothed twice"' in run.stdout
@@ -117,6 +130,14 @@ def test_a_mask_from_the_command_line_and_back_through_a_pipe():
             "not smoothed: E_A = 0: no constant vector is reproduced",
         ),
         ([MASKS / "vector/counterexamples/not_semisimple.toml"], "not smoothed: the eigenvalue 1 of M_A"),
+        (
+            [MASKS / "hermite/hermite_septic.toml"],
+            "not smoothed: procedure 40 is for a function with its first derivative",
+        ),
+        (
+            [MASKS / "hermite/unseen_linear.toml", "--inverse"],
+            "there is no derived scheme: the spectral condition fails",
+        ),
         (["--mask", "[2, 0, 0, 0, -1, 1]"], "smoothed, not written: does not converge"),
     ],
 )

@@ -75,9 +75,9 @@ def derived(scheme: VectorScheme) -> SmoothingStep:
     Hypothesis: the spectral condition of order d, with any φ. Raises NotSmoothedError without it.
     """
     phi = _spectral(scheme)
-    found = taylor_scheme(scheme.arity, terms_of(scheme))
+    taylor = taylor_scheme(scheme.arity, terms_of(scheme))
     source = f"the Taylor scheme of {_SOURCE}, section 5"
-    return SmoothingStep(scheme_of(scheme.arity, found), 1 - scheme.size, source, f"φ = {number(phi)}")
+    return SmoothingStep(scheme_of(scheme.arity, taylor), 1 - scheme.size, source, f"φ = {number(phi)}")
 
 
 def _spectral(scheme: VectorScheme) -> Fraction:
@@ -100,18 +100,18 @@ def taylor_scheme(p: int, terms: Terms) -> dict[int, fmpq_mat]:
     zero, low, high = fmpq_mat(d, d), min(terms) - 1, max(terms)
     shift = fmpq_mat(d, d, [int(i == j < d - 1) for i in range(d) for j in range(d)])
     constant = fmpq_mat(d, d, [_constant(d, i, j) for i in range(d) for j in range(d)])
-    found: dict[int, list[list[fmpq]]] = {}
+    by_columns: dict[int, list[list[fmpq]]] = {}
     for index in range(high, low - 1, -1):
         product = (shift * terms.get(index + 1, zero) + constant * terms.get(index, zero)) * p ** (d - 1)
-        later, columns = found.get(index + p, zero.tolist()), list[list[fmpq]]()
+        later, columns = by_columns.get(index + p, zero.tolist()), list[list[fmpq]]()
         for j, column in enumerate(product.transpose().tolist()):
             for i, made in enumerate(columns):
                 column = [x - constant[i, j] * y for x, y in zip(column, made, strict=True)]
             columns.append([y - x for x, y in zip(column, later[j], strict=True)] if j < d - 1 else column)
-        found[index] = columns
-    if any(x for index in range(low, low + p) for column in found.get(index, [])[:-1] for x in column):
+        by_columns[index] = columns
+    if any(x for index in range(low, low + p) for column in by_columns.get(index, [])[:-1] for x in column):
         raise NotSmoothedError("there is no Taylor scheme: the Taylor operator does not divide T A")
-    return nonzero({index: fmpq_mat(columns).transpose() for index, columns in found.items()})
+    return nonzero({index: fmpq_mat(columns).transpose() for index, columns in by_columns.items()})
 
 
 def _constant(d: int, i: int, j: int) -> fmpq:

@@ -51,15 +51,14 @@ def derived(scheme: VectorScheme) -> SmoothingStep:
     """
     p, terms = scheme.arity, terms_of(scheme)
     transformation, r = canonical(p, terms)
-    found = conjugated(derivation.derived(p, terms, transformation, r), transformation.inv())
-    return SmoothingStep(scheme_of(p, found), -1, f"the derived scheme of {_SOURCE}, section 4", f"dim E_A = {r}")
+    back = conjugated(derivation.derived(p, terms, transformation, r), transformation.inv())
+    return SmoothingStep(scheme_of(p, back), -1, f"the derived scheme of {_SOURCE}, section 4", f"dim E_A = {r}")
 
 
 def canonical(p: int, terms: Terms) -> tuple[fmpq_mat, int]:
     """A canonical transformation of a mask and the dimension of E_A. Raises NotSmoothedError where there is none."""
-    found = derivation.canonical_transformation(p, terms)
-    if found is not None:
-        return found
+    if (transformation := derivation.canonical_transformation(p, terms)) is not None:
+        return transformation
     constants, mean = derivation.constants_and_mean(p, terms)
     if not constants:
         raise NotSmoothedError("E_A = 0: no constant vector is reproduced")
@@ -79,16 +78,16 @@ def integrated(p: int, terms: Terms, r: int) -> dict[int, fmpq_mat]:
     """
     m = next(iter(terms.values())).nrows()
     zero, low, high = identity(m) * 0, min(terms) - p, max(terms)
-    found: dict[int, fmpq_mat] = {}
+    integral: dict[int, fmpq_mat] = {}
     above = [[to_fmpq(0)] * m for _ in range(m)]
     for i in range(high, low - 1, -1):
         here, later = terms.get(i, zero).tolist(), terms.get(i + p, zero).tolist()
         rows = [[later[k][l] - here[k][l] if l < r else here[k][l] for l in range(m)] for k in range(m)]
         above = [[above[k][l] - rows[k][l] if k < r else rows[k][l] for l in range(m)] for k in range(m)]
-        found[i] = fmpq_mat(above) / p
+        integral[i] = fmpq_mat(above) / p
     if any(x for row in above[:r] for x in row):
         raise NotSmoothedError("the matrices do not sum to 0 in the rows of E_B and the columns beside it")
-    return nonzero(found)
+    return nonzero(integral)
 
 
 def terms_of(scheme: VectorScheme) -> dict[int, fmpq_mat]:
