@@ -301,16 +301,18 @@ def test_hypotheses_are_checked(mask, inverse, why):
 @pytest.mark.parametrize(
     ("mask", "inverse", "why"),
     [
+        (HERMITE_QUINTIC, False, "procedure 40 is for a function with its first derivative, and these jets have 3"),
+        (merrien("-1/8", 1), False, "limits of the Taylor scheme do not have a vanishing first component: E_B is not"),
+        (merrien("-1/8", 3), False, "after procedure 23 the eigenvalue 2 of B(1) is not simple"),
         (
-            HERMITE_QUINTIC,
-            False,
-            "procedure 40 is for a function with its first derivative, and these jets have 3 comp",
+            {-1: [[1, 0], [0, 0]], 0: [[1, 0], [0, "1/2"]], 1: [[0, "-1/2"], [0, "1/2"]]}, False,
+            "of the Taylor scheme the eigenvalue 1 of M_A = (1/2) Σ A_i has the multiplicity 2, which must be the dim",
         ),
         (UNSEEN, False, "the spectral condition fails: there is no jet y_1 with S y_1 = 2^-1 y_1"),
         (UNSEEN, True, "the spectral condition fails: there is no jet y_1 with S y_1 = 2^-1 y_1"),
         (DOUBLE_KNOT_CUBIC, False, "the spectral condition fails: there is no jet y_0 with S y_0 = 2^-0 y_0"),
     ],
-)
+)  # fmt: skip
 def test_hypotheses_of_jets_are_checked(mask, inverse, why):
     with pytest.raises(NotSmoothedError) as refused:
         smoothing_steps(vector_scheme(mask, 2, "hermite"), 1, inverse=inverse)
