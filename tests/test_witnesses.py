@@ -46,6 +46,7 @@ PROOFS = {
     vector.STENCIL_RADIUS.code: vector.w.SequenceRadiusProof,
     vector.HOLDER_ATTAINED.code: vector.w.VectorAttainedProof,
     vector.DERIVED_SCHEMES.code: vector.w.VectorDerivedProof,
+    hermite.TAYLOR_SCHEME.code: hermite.w.TaylorProof,
     hermite.JET_RADIUS.code: vector.w.SequenceRadiusProof,
 }
 """The forms of further data, of other rules those of mean squares."""

@@ -18,9 +18,14 @@ def derived(c: Claim) -> MatrixMask:
 
     Δ_r = diag(Δ I_r, I), and the first r columns of R are a basis of E_A. Raises Rejected where it is not so.
     """
-    n, r = c.statement["order"], c.witness["dimension"]
+    n = c.statement["order"]
     require(n >= 1, "the order is not positive")
-    a: MatrixMask = mask_of(c) if n == 1 else c.use("derived", order=n - 1).result
+    return derived_from(c, mask_of(c) if n == 1 else c.use("derived", order=n - 1).result)
+
+
+def derived_from(c: Claim, a: MatrixMask) -> MatrixMask:
+    """The mask B of a claim, derived from A. Raises Rejected where it is another."""
+    r = c.witness["dimension"]
     b = matrix_mask(a.arity, c.witness["start"], c.witness["coefficients"])
     transformation, m, p = c.witness["transformation"], a.size, a.arity
     require(b.size == m == transformation.order and 1 <= r <= m, "the sizes do not fit")

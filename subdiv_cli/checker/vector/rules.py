@@ -34,7 +34,7 @@ PROPERTIES: Mapping[str, Fields] = {
 SPACE = {"start": "start", "basis": "rational[][]", "matrices": "family", "tree": "flat", "leaves": "rational[][]"}
 _ROWS = {"start": "start", "rows": "rational[][]"}
 _SEQUENCES = {"sequences": "rational[][][]", "multipliers": "rational[]", "functional": "rational[]"}
-_DERIVED: Fields = {
+DERIVED: Fields = {
     "transformation": "matrix",
     "dimension": "natural",
     "start": "start",
@@ -59,7 +59,7 @@ RULES: Mapping[str, Step] = {
     "holder-root": Step(("holder-root",), {}, _NONE, conclusions.holder_root),
     "attained": Step(("attained",), {"holds": True}, _NONE, conclusions.attained),
     "not-attained": Step(("attained",), {"holds": False}, _NONE, conclusions.not_attained),
-    "derived": Step(("derived",), {}, (_DERIVED,), derived.derived),
+    "derived": Step(("derived",), {}, (DERIVED,), derived.derived),
     "derived-norm": Step(("derived-norm",), {}, _NONE, derived.derived_norm),
     "derived-smooth": Step(("smooth",), {}, _NONE, derived.derived_smooth),
     **RADIUS.rules,

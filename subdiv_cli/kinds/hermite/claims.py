@@ -8,9 +8,11 @@ from typing import Any
 
 from subdiv_cli.certificate.claims import Json, Proofs, proofs
 from subdiv_cli.kinds.hermite import rules
+from subdiv_cli.kinds.hermite.witnesses import TaylorProof
 from subdiv_cli.kinds.kind import Analysis
 from subdiv_cli.kinds.vector import rules as vector
 from subdiv_cli.kinds.vector.claims import CLAIMS as OF_VECTORS
+from subdiv_cli.kinds.vector.claims.conclusions import derived_norm
 from subdiv_cli.kinds.vector.claims.proof import VectorProof
 from subdiv_cli.kinds.vector.text import canonical
 from subdiv_cli.kinds.vector.witnesses import SequenceRadiusProof
@@ -73,11 +75,29 @@ def hermite_convergence(proof: HermiteProof, finding: Finding) -> list[int]:
     return [proof.claims.prove("hermite-diverges", statement, uses=uses, work=d)]
 
 
+def taylor_scheme(proof: HermiteProof, finding: Finding) -> list[int]:
+    """The claims of SD717: the Taylor mask, those derived from it, the norm of the last one, and what follows."""
+    witness, data, d = rules.TAYLOR_SCHEME.witness_of(finding), proof_of(finding, TaylorProof), proof.size
+    length = len(data["taylor"])
+    hints: Json = {"start": data["start"], "coefficients": rationals(data["taylor"])}
+    work = (proof.length + length + proof.p + 2) * 4 * d**3 + 2 * (length * d * d + proof.p * d * d)
+    taylor = proof.claims.prove("taylor", {}, hints, [proof.constants()], work)
+    norm = derived_norm(proof, witness, data, length, "taylor-derived", taylor)
+    statement: Json = {"property": "hermite-convergent", "order": d - 1, "holds": True}
+    smooth: Json = {"property": "smooth", "order": witness["order"]}
+    return [
+        norm,
+        proof.claims.prove("taylor-converges", statement, uses=[norm]),
+        proof.claims.prove("taylor-smooth", smooth, uses=[norm]),
+    ]
+
+
 CLAIMS: dict[str, Callable[[Any, Finding], list[int]]] = {
     **OF_VECTORS,
     rules.SPECTRAL_CONDITION.code: spectral_condition,
     rules.JET_RADIUS.code: HermiteProof.jet_radius,
     rules.HERMITE_CONVERGENCE.code: hermite_convergence,
+    rules.TAYLOR_SCHEME.code: taylor_scheme,
 }
 """For each code what makes the claims of a decided finding."""
 

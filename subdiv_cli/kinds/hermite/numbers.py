@@ -10,6 +10,7 @@ from flint import fmpq, fmpq_mat
 
 from subdiv_cli.exact.linalg import Vector
 from subdiv_cli.exact.rationals import to_fraction
+from subdiv_cli.kinds.hermite.taylor import taylor_mask
 from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
 
 _HIGHEST = 100
@@ -85,6 +86,11 @@ class HermiteNumbers(VectorNumbers):
         if j not in self._jet_growths:
             self._jet_growths[j] = self._growth(j, self.spaces.jet(j)) if self.is_small else None
         return self._jet_growths[j]
+
+    @cached_property
+    def taylor(self) -> dict[int, fmpq_mat] | None:
+        """The Taylor mask; None where there is none."""
+        return taylor_mask(self.p, dict(enumerate(self.matrices, self.scheme.start)))
 
     @cached_property
     def _jet_growths(self) -> dict[int, SequenceGrowth | None]:

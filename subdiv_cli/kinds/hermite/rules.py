@@ -7,7 +7,7 @@ from typing import Any
 
 from subdiv_cli.kinds.hermite import witnesses as w
 from subdiv_cli.kinds.vector import rules as vector
-from subdiv_cli.kinds.vector.witnesses import SequenceRadiusWitness
+from subdiv_cli.kinds.vector.witnesses import SequenceRadiusWitness, VectorDerivedWitness
 from subdiv_cli.model import findings as q
 from subdiv_cli.model.findings import Rule, row, table
 
@@ -35,6 +35,14 @@ HERMITE_CONVERGENCE = row(
     w.HermiteConvergenceWitness,
     answers=(q.CONVERGENCE, q.DERIVATIVES),
     proves="hermite-convergent",
+    holds=True,
+)
+TAYLOR_SCHEME = row(
+    "SD717",
+    "taylor-scheme",
+    "Merrien & Sauer 2012, Theorem 21; Moosmüller & Dyn 2018, Theorem 34 and Lemma 35",
+    VectorDerivedWitness,
+    proves="taylor derived derived-norm hermite-convergent smooth",
     holds=True,
 )
 

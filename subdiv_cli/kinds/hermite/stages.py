@@ -6,17 +6,27 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.hermite.numbers import HermiteNumbers
-from subdiv_cli.kinds.hermite.rules import HERMITE_CONVERGENCE, JET_RADIUS, SPECTRAL_CONDITION
-from subdiv_cli.kinds.hermite.witnesses import HermiteConvergenceWitness, SpectralConditionWitness
+from subdiv_cli.kinds.hermite.rules import HERMITE_CONVERGENCE, JET_RADIUS, SPECTRAL_CONDITION, TAYLOR_SCHEME
+from subdiv_cli.kinds.hermite.witnesses import HermiteConvergenceWitness, SpectralConditionWitness, TaylorProof
 from subdiv_cli.kinds.kind import Analysis, Facts, Stage, asking, run_stages
 from subdiv_cli.kinds.scalar.stages.joint_radius import threshold
 from subdiv_cli.kinds.scalar.stages.wording import product_name
+from subdiv_cli.kinds.vector.numbers.derived import derivation
 from subdiv_cli.kinds.vector.rules import CONSTANTS, CONVERGENCE
 from subdiv_cli.kinds.vector.scheme import VectorScheme
 from subdiv_cli.kinds.vector.stages import convergence, smoothness
 from subdiv_cli.kinds.vector.stages.convergence import TOO_LARGE, radius_finding, space_data
+from subdiv_cli.kinds.vector.stages.smoothness import (
+    NOT_CONTRACTING,
+    contracts,
+    dense,
+    derived_masks,
+    most_derivations,
+)
+from subdiv_cli.kinds.vector.witnesses import VectorDerivedWitness
 from subdiv_cli.model import Data, Effort, Finding, Verdict
 from subdiv_cli.model import findings as questions
 
@@ -127,6 +137,42 @@ def _diverges(witness: HermiteConvergenceWitness, why: str) -> Finding:
     return HERMITE_CONVERGENCE.refuted(f"S is not HC^{witness['order']}: {why}", witness, why=why)
 
 
+_TAYLOR_QUESTION = "does a scheme contract that is derived from the Taylor scheme?"
+
+
+@asking((TAYLOR_SCHEME, _TAYLOR_QUESTION))
+def taylor_scheme(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding, ...]:
+    """SD717: the Taylor scheme, and those derived from it, a second proof of Hermite convergence and smoothness.
+
+    T S_A = p^-(d-1) S_B T for the Taylor mask B (taylor.py, with the theorem). If the n-th scheme that is derived from
+    B contracts, S_B is C^(n-1) (SD713), so that S is HC^(d-1) with functions in C^(d+n-2). Hypotheses: E_A is spanned
+    by e_0, there is a Taylor mask, E_B is spanned by e_(d-1): checked. It is sufficient, so that SD708 may say more.
+
+    Witness: as SD713, `order` d+n-2. `proof`: as SD713, with the Taylor mask, from its `start`, as `taylor`.
+    """
+    d, p = numbers.size, numbers.p
+    if not numbers.is_function:
+        return (TAYLOR_SCHEME.skipped(_TAYLOR_QUESTION, f"E_A is not spanned by {_first(d)}"),)
+    if facts.verdict(HERMITE_CONVERGENCE) is Verdict.REFUTED:
+        return (TAYLOR_SCHEME.skipped(_TAYLOR_QUESTION, f"S is not HC^{d - 1}"),)
+    mask = numbers.taylor
+    if mask is None:
+        return (TAYLOR_SCHEME.undecided(_TAYLOR_QUESTION, "there is no Taylor scheme"),)
+    steps = derivation(p, mask, max(most_derivations(facts) - d + 1, 1), numbers.effort)
+    if not steps.on_line(d - 1):
+        reason = f"E_B is not spanned by e_{d - 1}, or 1 is an eigenvalue of M_B more than once, B the Taylor mask"
+        return (TAYLOR_SCHEME.undecided(_TAYLOR_QUESTION, reason),)
+    n = steps.contracting
+    if not n:
+        return (TAYLOR_SCHEME.undecided(_TAYLOR_QUESTION, NOT_CONTRACTING),)
+    why, (level, norm) = contracts(p, steps, "B")
+    witness: VectorDerivedWitness = {"derivations": n, "level": level, "norm": norm, "order": d + n - 2}
+    taylor = tuple(map(rows_of, dense(mask)))
+    proof: TaylorProof = {**derived_masks(steps), "start": min(mask), "taylor": taylor}
+    statement = f"S is HC^{d - 1}, with functions in C^{d + n - 2}, as {why}, B the Taylor mask"
+    return (TAYLOR_SCHEME.proved(statement, witness, proof=proof, why=why),)
+
+
 def _of_function(stage: Stage) -> Stage:
     """The stage where the exponent of all limits of the scheme of vectors is that of the function component."""
 
@@ -150,6 +196,7 @@ STAGES: tuple[Stage, ...] = (
         _of_function,
         (smoothness.stencil_radius, smoothness.smoothness, smoothness.holder, smoothness.holder_attained),
     ),
+    taylor_scheme,
 )
 
 

@@ -7,6 +7,7 @@
 
 from typing import Required, TypedDict
 
+from subdiv_cli.kinds.vector.witnesses import Rows, VectorDerivedProof
 from subdiv_cli.model.proofs import Integers, Numbers
 
 
@@ -24,3 +25,10 @@ class HermiteConvergenceWitness(TypedDict, total=False):
     by: Required[str]
     derivative: int
     word: Integers
+
+
+class TaylorProof(VectorDerivedProof):
+    """What the certificate needs besides SD717: the Taylor mask, from which the others are derived."""
+
+    start: int
+    taylor: tuple[Rows, ...]

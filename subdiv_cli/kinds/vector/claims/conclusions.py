@@ -14,6 +14,7 @@ from subdiv_cli.kinds.vector.witnesses import (
     SequenceSpaceData,
     VectorAttainedProof,
     VectorDerivedProof,
+    VectorDerivedWitness,
 )
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model.closed import rational, rationals
@@ -118,9 +119,22 @@ def attained(proof: VectorProof, finding: Finding) -> list[int]:
 
 def derived_schemes(proof: VectorProof, finding: Finding) -> list[int]:
     """The claims of SD713: derived schemes one after the other, the norm of the last one, and what follows."""
-    witness, data = rules.DERIVED_SCHEMES.witness_of(finding), proof_of(finding, VectorDerivedProof)
-    m, p = proof.size, proof.p
-    last, before, length = None, proof.length, proof.length
+    witness = rules.DERIVED_SCHEMES.witness_of(finding)
+    norm = derived_norm(proof, witness, proof_of(finding, VectorDerivedProof), proof.length)
+    order = witness["order"]
+    return [norm, proof.claims.prove("derived-smooth", {"property": "smooth", "order": order}, uses=[norm])]
+
+
+def derived_norm(
+    proof: VectorProof,
+    witness: VectorDerivedWitness,
+    data: VectorDerivedProof,
+    length: int,
+    rule: str = "derived",
+    last: int | None = None,
+) -> int:
+    """The claim on the norm of a derived mask; those before are made by a rule, from a mask that the last one has."""
+    m, p, before = proof.size, proof.p, length
     steps = zip(data["transformations"], data["dimensions"], data["starts"], data["masks"], strict=True)
     for n, step in enumerate(steps, 1):
         transformation, r, start, mask = step
@@ -128,12 +142,11 @@ def derived_schemes(proof: VectorProof, finding: Finding) -> list[int]:
         work = (before + length + p + 2) * 4 * m**3 + (before * m * m + p * m * m) * (r + 1)
         hints: Json = {"transformation": rationals(transformation), "dimension": r, "start": start}
         hints["coefficients"] = rationals(mask)
-        last = proof.claims.prove("derived", {"order": n}, hints, [] if last is None else [last], work)
+        statement: Json = {"property": "derived", "order": n}
+        last = proof.claims.prove(rule, statement, hints, [] if last is None else [last], work)
     assert last is not None
     n, level = witness["derivations"], witness["level"]
     size = (length - 1) * (p**level - 1) // (p - 1) + 1
-    statement: Json = {"order": n, "level": level, "norm": rational(witness["norm"])}
+    statement = {"order": n, "level": level, "norm": rational(witness["norm"])}
     work = 2 * m**3 * length * size + m * m * size
-    norm = proof.claims.prove("derived-norm", statement, uses=[last], work=work)
-    order = witness["order"]
-    return [norm, proof.claims.prove("derived-smooth", {"property": "smooth", "order": order}, uses=[norm])]
+    return proof.claims.prove("derived-norm", statement, uses=[last], work=work)

@@ -52,6 +52,13 @@ class Derivation(NamedTuple):
         """The number n of the last scheme that contracts; 0 where none does."""
         return max((n for n, step in enumerate(self.steps, 1) if step.norm is not None), default=0)
 
+    def on_line(self, j: int) -> bool:
+        """Whether the first mask has a canonical transformation, and its constants are the multiples of e_j."""
+        if not self.steps or self.steps[0].constants != 1:
+            return False
+        columns = self.steps[0].transformation
+        return not any(columns[i, 0] for i in range(columns.nrows()) if i != j)
+
 
 def derivation(p: int, terms: Terms, most: int, effort: Effort) -> Derivation:
     """The derived schemes, at most so many, up to the first that is not seen to contract."""

@@ -19,6 +19,7 @@ from subdiv_cli.kinds.radius import shown
 from subdiv_cli.kinds.scalar.stages.holder import defect
 from subdiv_cli.kinds.scalar.stages.joint_radius import threshold
 from subdiv_cli.kinds.scalar.stages.wording import product_name
+from subdiv_cli.kinds.vector.numbers.derived import Derivation
 from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
 from subdiv_cli.kinds.vector.rules import (
     CONVERGENCE,
@@ -279,33 +280,48 @@ def derived_schemes(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]
         return (DERIVED_SCHEMES.skipped(_DERIVED_QUESTION, "there is no derived scheme: E_A = 0"),)
     if facts.verdict(CONVERGENCE) is Verdict.REFUTED:
         return (DERIVED_SCHEMES.skipped(_DERIVED_QUESTION, "S does not converge"),)
-    derivation = numbers.derivation(_most(facts))
+    derivation = numbers.derivation(most_derivations(facts))
     n = derivation.contracting
     if not n:
-        reason = "no norm of it is seen to be below 1" if derivation.steps else "M_A has no canonical transformation"
+        reason = NOT_CONTRACTING if derivation.steps else "M_A has no canonical transformation"
         return (DERIVED_SCHEMES.undecided(_DERIVED_QUESTION, reason),)
-    steps = derivation.steps[:n]
-    norm = steps[-1].norm
-    assert norm is not None
-    proof: VectorDerivedProof = {
-        "transformations": tuple(rows_of(step.transformation) for step in steps),
-        "dimensions": tuple(step.constants for step in steps),
-        "starts": tuple(min(step.terms) for step in steps),
-        "masks": tuple(tuple(map(rows_of, _dense(step.terms))) for step in steps),
-    }
-    operator = f"{numbers.p}^-1 S_(∂^{n} A)" if n > 1 else f"{numbers.p}^-1 S_(∂A)"
-    size = f"‖{operator}‖∞" if norm[0] == 1 else f"‖({operator})^{norm[0]}‖∞"
-    why = f"{size} = {valued(norm[1])} < 1"
-    witness: VectorDerivedWitness = {"derivations": n, "level": norm[0], "norm": norm[1], "order": n - 1}
+    why, (level, norm) = contracts(numbers.p, derivation, "A")
+    witness: VectorDerivedWitness = {"derivations": n, "level": level, "norm": norm, "order": n - 1}
+    proof = derived_masks(derivation)
     return (DERIVED_SCHEMES.proved(f"S is C^{n - 1}, as {why}", witness, proof=proof, why=why),)
 
 
-def _most(facts: Facts) -> int:
+NOT_CONTRACTING = "no norm of it is seen to be below 1"
+
+
+def most_derivations(facts: Facts) -> int:
     """The most derivations that may help: the limits are not C^n if SD709 says so."""
     refuted = facts.verdict(NEXT_SMOOTHNESS) is Verdict.REFUTED
     return facts.witness(NEXT_SMOOTHNESS)["order"] if refuted else _DERIVATIONS
 
 
-def _dense(terms: Mapping[int, fmpq_mat]) -> list[fmpq_mat]:
+def contracts(p: int, derivation: Derivation, mask: str) -> tuple[str, tuple[int, Fraction]]:
+    """The norm of the last scheme that contracts, of those derived from this mask, as text, and itself."""
+    n = derivation.contracting
+    norm = derivation.steps[n - 1].norm
+    assert norm is not None
+    operator = f"{p}^-1 S_(∂^{n} {mask})" if n > 1 else f"{p}^-1 S_(∂{mask})"
+    size = f"‖{operator}‖∞" if norm[0] == 1 else f"‖({operator})^{norm[0]}‖∞"
+    return f"{size} = {valued(norm[1])} < 1", norm
+
+
+def derived_masks(derivation: Derivation) -> VectorDerivedProof:
+    """The derived masks up to the last one that contracts, as certificates need them."""
+    steps = derivation.steps[: derivation.contracting]
+    return {
+        "transformations": tuple(rows_of(step.transformation) for step in steps),
+        "dimensions": tuple(step.constants for step in steps),
+        "starts": tuple(min(step.terms) for step in steps),
+        "masks": tuple(tuple(map(rows_of, dense(step.terms))) for step in steps),
+    }
+
+
+def dense(terms: Mapping[int, fmpq_mat]) -> list[fmpq_mat]:
+    """The matrices of a mask from its first index to its last."""
     zero = next(iter(terms.values())) * 0
     return [terms.get(i, zero) for i in range(min(terms), max(terms) + 1)]
