@@ -310,7 +310,7 @@ def test_hypotheses_are_checked(mask, inverse, why):
         ),
         (UNSEEN, False, "the spectral condition fails: there is no jet y_1 with S y_1 = 2^-1 y_1"),
         (UNSEEN, True, "the spectral condition fails: there is no jet y_1 with S y_1 = 2^-1 y_1"),
-        (DOUBLE_KNOT_CUBIC, False, "the spectral condition fails: there is no jet y_0 with S y_0 = 2^-0 y_0"),
+        (DOUBLE_KNOT_CUBIC, False, "the spectral condition fails: there is no jet y_0 with S y_0 = y_0"),
     ],
 )  # fmt: skip
 def test_hypotheses_of_jets_are_checked(mask, inverse, why):

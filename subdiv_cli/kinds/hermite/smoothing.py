@@ -1,13 +1,9 @@
 """Smoother Hermite schemes, and Taylor schemes, of any arity p.
 
-The source is section 5 of Moosmüller & Dyn 2018, for Taylor schemes of any d Merrien & Sauer 2012. The scheme acts on
-c = (f, h f', …, h^(d-1) f^(d-1)), h = p^-n. The Taylor operator T has the components
-Δ c_i - Σ_(j>i) c_j/(j-i)!, i < d - 1, and c_(d-1). The Taylor scheme B = ∂_t A solves
-
-    T S_A = p^(1-d) S_B T,    B(z) = p^(d-1) T(z) A(z) T(z^p)^-1.
-
-Where S_A is HC^(d-1), all components of T c but the last one are o(h^(d-1)): limits of S_B are (0, …, 0, f^(d-1)), and
-each of these occurs, as T is onto. So the exponent of S_B is α - (d-1).
+The source is section 5 of Moosmüller & Dyn 2018, for Taylor schemes of any d Merrien & Sauer 2012. With the operator T
+of `taylor.py` the Taylor scheme B = ∂_t A solves T S_A = p^(1-d) S_B T. Where S_A is HC^(d-1), all components of T c but
+the last one are o(h^(d-1)): limits of S_B are (0, …, 0, f^(d-1)), and each of these occurs, as T is onto. So the
+exponent of S_B is α - (d-1).
 
 Procedure 40 is for d = 2. There T = U Δ_1 with U = ((1, -1), (0, 1)) and Δ_1 = diag(Δ, 1), so that Lemma 33 is a step
 of kind vector with one difference: I_t B is the mask A with Δ_1 S_A = (1/p) S_(U^-1 B U) Δ_1. From A the procedure goes
@@ -19,9 +15,8 @@ are integrals of those of ∂_t A: f' of S_C is the integral of an f' of S_A, an
 from __future__ import annotations
 
 from fractions import Fraction
-from math import factorial
 
-from flint import fmpq, fmpq_mat
+from flint import fmpq_mat
 
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.exact.text import number
@@ -29,7 +24,7 @@ from subdiv_cli.kinds.hermite.numbers import HermiteNumbers
 from subdiv_cli.kinds.kind import NotSmoothedError, SmoothingStep
 from subdiv_cli.kinds.vector.numbers.derived import Terms
 from subdiv_cli.kinds.vector.scheme import VectorScheme
-from subdiv_cli.kinds.vector.smoothing import canonical, conjugated, integrated, nonzero, scheme_of, terms_of
+from subdiv_cli.kinds.vector.smoothing import canonical, conjugated, integrated, scheme_of
 from subdiv_cli.model import Effort
 
 _SOURCE = "Moosmüller, Dyn 2018"
@@ -48,8 +43,7 @@ def smoother(scheme: VectorScheme) -> SmoothingStep:
         raise NotSmoothedError(
             f"procedure 40 is for a function with its first derivative, and these jets have {d} components"
         )
-    _spectral(scheme)
-    taylor = taylor_scheme(p, terms_of(scheme))
+    _, taylor = _jets(scheme)
     try:
         transformation, r = canonical(p, taylor)
     except NotSmoothedError as error:
@@ -65,7 +59,7 @@ def smoother(scheme: VectorScheme) -> SmoothingStep:
     eta = 1 + total[1, 0] / (total[0, 0] - p)
     imposed = conjugated(smooth, fmpq_mat([[1, 0], [eta, 1]]))
     made = scheme_of(p, integrated(p, conjugated(imposed, _U), 1), "hermite")
-    details = f"ζ = {number(to_fraction(eta + 1))}, φ = {number(_spectral(made))}"
+    details = f"ζ = {number(to_fraction(eta + 1))}, φ = {number(_jets(made)[0])}"
     return SmoothingStep(made, 1, f"procedure 40 of {_SOURCE}", details)
 
 
@@ -74,48 +68,18 @@ def derived(scheme: VectorScheme) -> SmoothingStep:
 
     Hypothesis: the spectral condition of order d, with any φ. Raises NotSmoothedError without it.
     """
-    phi = _spectral(scheme)
-    taylor = taylor_scheme(scheme.arity, terms_of(scheme))
+    phi, taylor = _jets(scheme)
     source = f"the Taylor scheme of {_SOURCE}, section 5"
     return SmoothingStep(scheme_of(scheme.arity, taylor), 1 - scheme.size, source, f"φ = {number(phi)}")
 
 
-def _spectral(scheme: VectorScheme) -> Fraction:
-    """The number φ of the spectral condition. Raises NotSmoothedError where it has not the order d."""
-    jets = HermiteNumbers(scheme, Effort()).jets
-    if jets.order < scheme.size:
-        raise NotSmoothedError(
-            f"the spectral condition fails: there is no jet y_{jets.order} with S y_{jets.order} = "
-            f"{scheme.arity}^-{jets.order} y_{jets.order}"
-        )
-    return jets.shifts[1]
-
-
-def taylor_scheme(p: int, terms: Terms) -> dict[int, fmpq_mat]:
-    """The mask ∂_t A, by columns: (z^-p - 1) B_j = p^(d-1) (T A)_j + Σ_(i<j) B_i/(j-i)!, the last one undivided.
-
-    Hypothesis: T divides, as the spectral condition of order d has it. Raises NotSmoothedError where it does not.
-    """
-    d = next(iter(terms.values())).nrows()
-    zero, low, high = fmpq_mat(d, d), min(terms) - 1, max(terms)
-    shift = fmpq_mat(d, d, [int(i == j < d - 1) for i in range(d) for j in range(d)])
-    constant = fmpq_mat(d, d, [_constant(d, i, j) for i in range(d) for j in range(d)])
-    by_columns: dict[int, list[list[fmpq]]] = {}
-    for index in range(high, low - 1, -1):
-        product = (shift * terms.get(index + 1, zero) + constant * terms.get(index, zero)) * p ** (d - 1)
-        later, columns = by_columns.get(index + p, zero.tolist()), list[list[fmpq]]()
-        for j, column in enumerate(product.transpose().tolist()):
-            for i, made in enumerate(columns):
-                column = [x - constant[i, j] * y for x, y in zip(column, made, strict=True)]
-            columns.append([y - x for x, y in zip(column, later[j], strict=True)] if j < d - 1 else column)
-        by_columns[index] = columns
-    if any(x for index in range(low, low + p) for column in by_columns.get(index, [])[:-1] for x in column):
-        raise NotSmoothedError("there is no Taylor scheme: the Taylor operator does not divide T A")
-    return nonzero({index: fmpq_mat(columns).transpose() for index, columns in by_columns.items()})
-
-
-def _constant(d: int, i: int, j: int) -> fmpq:
-    """The entry of the Taylor operator that takes no difference: component j in row i."""
-    if i == d - 1:
-        return fmpq(int(j == i))
-    return -fmpq(int(j >= i), factorial(max(j - i, 0)))
+def _jets(scheme: VectorScheme) -> tuple[Fraction, Terms]:
+    """The number φ of the spectral condition, and the mask ∂_t A. Raises NotSmoothedError where there are none."""
+    numbers = HermiteNumbers(scheme, Effort())
+    k, shifts = numbers.jets
+    if k < scheme.size:
+        eigen = f"S y_{k} = {scheme.arity}^-{k} y_{k}" if k else "S y_0 = y_0"
+        raise NotSmoothedError(f"the spectral condition fails: there is no jet y_{k} with {eigen}")
+    if numbers.taylor is None:
+        raise NotSmoothedError("there is no Taylor scheme")
+    return shifts[1], numbers.taylor
