@@ -1,8 +1,8 @@
 """Smoother Hermite schemes, and Taylor schemes, of any arity p.
 
 The source is section 5 of Moosmüller & Dyn 2018, for Taylor schemes of any d Merrien & Sauer 2012. With the operator T
-of `taylor.py` the Taylor scheme B = ∂_t A solves T S_A = p^(1-d) S_B T. Where S_A is HC^(d-1), all components of T c but
-the last one are o(h^(d-1)): limits of S_B are (0, …, 0, f^(d-1)), and each of these occurs, as T is onto. So the
+of `taylor.py` the Taylor scheme B = ∂_t A solves T S_A = p^(1-d) S_B T. Where S_A is HC^(d-1), all components of T c
+but the last one are o(h^(d-1)): limits of S_B are (0, …, 0, f^(d-1)), and each of these occurs, as T is onto. So the
 exponent of S_B is α - (d-1).
 
 Procedure 40 is for d = 2. There T = U Δ_1 with U = ((1, -1), (0, 1)) and Δ_1 = diag(Δ, 1), so that Lemma 33 is a step
