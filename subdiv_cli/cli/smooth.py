@@ -174,7 +174,8 @@ def _expectations(result: Result) -> tuple[Expectation, ...]:
 
 def _headline(result: Result) -> str:
     """The headline of a result, with the support of the mask."""
-    return f"{words.headline(result)}; {words.facts(result)[1]}"
+    support = next(fact for fact in words.facts(result) if fact.startswith("support"))
+    return f"{words.headline(result)}; {support}"
 
 
 def _say(line: str) -> None:
