@@ -15,8 +15,19 @@ from subdiv_cli.certificate import Certificate, Proofs, document_text, family_ce
 from subdiv_cli.checker import Outcome, check_document
 from subdiv_cli.exact.closed import compare, digits
 from subdiv_cli.kinds import kind_of
-from subdiv_cli.kinds.kind import Analysis, Drawings, Kind, Options, Scheme, gather
-from subdiv_cli.model import DECIDED, UNHURRIED, Effort, Expectation, Exponent, Finding, Judgement, Result, watch
+from subdiv_cli.kinds.kind import Analysis, Drawings, Kind, Options, Scheme, SmoothingStep, gather
+from subdiv_cli.model import (
+    DECIDED,
+    UNHURRIED,
+    Effort,
+    Expectation,
+    Exponent,
+    Finding,
+    Judgement,
+    Result,
+    Verdict,
+    watch,
+)
 from subdiv_cli.model.family import FamilyRadius
 from subdiv_cli.model.findings import OUT_OF_TIME, TOO_DEAR, UNWRITTEN, uncertified
 from subdiv_cli.model.judge import judge, status
@@ -79,6 +90,25 @@ def draw(scheme: Scheme, drawings: Drawings, options: Options, effort: Effort) -
         return analysis, result
 
     return drawings.make(scheme, effort, options, certify)
+
+
+def check_steps(scheme: Scheme, steps: Sequence[SmoothingStep], effort: Effort) -> tuple[Result, Result]:
+    """The results of a scheme and of what the last of several smoothing steps makes of it, checked independently.
+
+    Raises DisagreementError where the checker says no, and where both converge and their exponents do not differ by the
+    orders that the steps gain.
+    """
+    before, after = check(scheme, (), effort).result, check(steps[-1].scheme, (), effort).result
+    orders, one, other = sum(step.orders for step in steps), before.holder, after.holder
+    both = before.convergent is after.convergent is Verdict.PROVED
+    if both and one and other and not (_reaches(one, orders, other) and _reaches(other, -orders, one)):
+        raise DisagreementError(f"the exponents of two schemes do not differ by {orders}")
+    return before, after
+
+
+def _reaches(one: Exponent, gain: int, other: Exponent) -> bool:
+    """Whether the bounds admit that one exponent with a gain is at most the other."""
+    return one.lower is None or other.upper is None or Fraction(one.lower) + gain <= Fraction(other.upper)
 
 
 def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation], effort: Effort) -> Checked:

@@ -1,8 +1,9 @@
 """Kinds of schemes: one folder each, found by name.
 
 `kind` has the protocol; `reading`, `option` and `writing` are the way from text to masks and back, `radius` is how all
-of them say a joint spectral radius. A kind's module is imported when it is asked for, by the name that a file or a
-scheme has. A kind that does not declare what is asked of it is refused in one sentence for all.
+of them say a joint spectral radius, `smoothing` leads from schemes to others, step by step. A kind's module is imported
+when it is asked for, by the name that a file or a scheme has. A kind that does not declare what is asked of it is
+refused in one sentence for all.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ def kinds_that(capability: str) -> tuple[str, ...]:
     return tuple(name for name in KINDS if getattr(kind_named(name), capability) is not None)
 
 
-_DONE = {"analyse": "checked", "portraits": "taken apart", "drawings": "drawn"}
+_DONE = {"analyse": "checked", "portraits": "taken apart", "drawings": "drawn", "smoothing": "smoothed"}
 
 
 def lacking(name: str, capability: str) -> str | None:

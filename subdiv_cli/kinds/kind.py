@@ -297,6 +297,31 @@ class Drawings(NamedTuple):
     """The most masks that are drawn into one picture."""
 
 
+class NotSmoothedError(ValueError):
+    """Raised where a procedure does not apply to a scheme; the message says which hypothesis fails."""
+
+
+class SmoothingStep(NamedTuple):
+    """A scheme that a procedure makes of another one."""
+
+    scheme: Scheme
+    orders: int
+    """The orders that the limits gain, negative for derived schemes."""
+    procedure: str
+    """The procedure and its source, the same for all schemes of a kind: `procedure 23 of Moosmüller, Dyn 2018`."""
+    details: str
+    """The numbers of this step: `dim E_A = 1`."""
+
+
+class Smoothing(NamedTuple):
+    """The procedures by which a kind makes a scheme smoother, for `smooth`; both raise NotSmoothedError."""
+
+    smoother: Callable[[Any], SmoothingStep]
+    """A scheme whose limits are one order smoother."""
+    derived: Callable[[Any], SmoothingStep]
+    """The derived scheme, whose limits are derivatives."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kind:
     """A kind of scheme: the functions that the rest of the program calls.
@@ -332,3 +357,4 @@ class Kind:
     """The sections of a report beside the findings: stencils, and φ where it is known."""
     portraits: Portraits | None = None
     drawings: tuple[Drawings, ...] | None = None
+    smoothing: Smoothing | None = None

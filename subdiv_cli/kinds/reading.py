@@ -171,7 +171,7 @@ def _kind(document: Mapping[str, object], wanted: str | None, capability: str, p
             where,
         )
     elif wanted is None and (message := lacking(kind, capability)) is not None:
-        problems.add(Fault(faults.KIND_NOT_BUILT, message, f"this version reads: {known}"), where)
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, f"this version does it for kind {known}"), where)
     elif wanted is None and "kind" not in document and kind == "matrices":
         message = "a family of matrices is a scheme where the file says so"
         problems.add(Fault(faults.KIND_NOT_BUILT, message, 'add kind = "matrices", or use subdiv jsr'), where)

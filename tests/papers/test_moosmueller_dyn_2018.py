@@ -1,9 +1,11 @@
 """Moosmüller & Dyn 2018, Increasing the smoothness of vector and Hermite subdivision schemes, sections 2 and 4."""
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from flint import fmpq, fmpq_mat
 from matrix_masks import (
     DGHM,
     DOUBLE_KNOT_CUBIC,
@@ -16,7 +18,11 @@ from matrix_masks import (
     smoothed,
     spline,
 )
+from support import b_spline
 
+from subdiv_cli.catalog import masks_directory
+from subdiv_cli.kinds.reading import read_path
+from subdiv_cli.kinds.smoothing import smoothing_steps
 from subdiv_cli.kinds.vector.numbers.derived import canonical_transformation
 from subdiv_cli.kinds.vector.numbers.vector import VectorNumbers
 from subdiv_cli.model import Effort, Smoothness, Verdict
@@ -68,6 +74,55 @@ def test_example_27_smoothed():
     """32 A_11 = 4z^2+19z+15+4z^-1-2z^-2: the paper has z^-1 for z in one entry of the step before."""
     found = once_smoother(DOUBLE_KNOT_CUBIC)
     assert {i: 32 * a[0][0] for i, a in found.items()} == {2: 4, 1: 19, 0: 15, -1: 4, -2: -2}
+
+
+def step(mask, *, inverse=False):
+    """What `subdiv smooth` makes of a scheme."""
+    return smoothing_steps(mask, 1, inverse=inverse)[0].scheme
+
+
+def test_example_7():
+    """The smoothing operator leads from splines of one degree to those of the next: (1+z)/2 z^-1 times the symbol."""
+    for degree in range(4):
+        spline_of = b_spline(degree)
+        assert step(spline_of) == replace(b_spline(degree + 1), start=-1)
+        assert step(step(spline_of), inverse=True) == spline_of
+
+
+@pytest.mark.parametrize("mask", [DOUBLE_KNOT_CUBIC, DGHM, spline(4, 2), blocked(FOUR_POINT, -3, 2)])
+def test_procedure_23_is_what_smooth_does(mask):
+    """Three times over: (14) by entries, in coordinates of a canonical transformation; the support of corollary 25."""
+    for _ in range(3):
+        smooth = once_smoother(mask)
+        assert step(scheme(mask)) == scheme(smooth)
+        assert min(mask) - 2 <= min(smooth)
+        assert max(smooth) <= max(mask)
+        mask = smooth
+
+
+def test_example_27_in_the_catalog():
+    """The shipped masks are what `smooth` makes of the double-knot cubics, coefficient for coefficient."""
+    names = ("double_knot_cubic", "double_knot_cubic_smoothed", "double_knot_cubic_smoothed_twice")
+    one, two, three = (read_path(masks_directory() / "vector" / f"{name}.toml").scheme() for name in names)
+    assert one == scheme(DOUBLE_KNOT_CUBIC)
+    assert [smooth.scheme for smooth in smoothing_steps(one, 2)] == [two, three]
+
+
+def test_corollary_26_on_example_27():
+    """(27): A(1) has the eigenvalues 2 and 1/8, for (1, 1) and (-2, 3)."""
+    mean = VectorNumbers(step(scheme(DOUBLE_KNOT_CUBIC)), Effort()).mean * 2
+    assert [(Fraction(str(x)), n) for x, n in mean.charpoly().roots()] == [(2, 1), (Fraction(1, 8), 1)]
+    assert mean * fmpq_mat([[1, -2], [1, 3]]) == fmpq_mat([[2, fmpq(-1, 4)], [2, fmpq(3, 8)]])
+
+
+def test_the_derived_scheme_leads_back_where_one_transformation_serves_both():
+    """(16): I ∂ A = A for A = I B, and ∂ I B = B if the canonical transformation of I B is that of B."""
+    b = scheme(DOUBLE_KNOT_CUBIC)
+    a = step(b)
+    assert step(step(a, inverse=True)) == a
+    assert step(a, inverse=True) != b  # the columns are (1, -3/2) and (1, -1)
+    two = scheme(diagonal(scalar(FOUR_POINT, -3), scalar(CHAIKIN)))
+    assert step(step(two), inverse=True) == two
 
 
 def test_example_27_gains_one_order_each_time():

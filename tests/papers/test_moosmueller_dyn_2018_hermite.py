@@ -14,12 +14,17 @@ from matrix_masks import (
     product,
     scheme,
     smoothed_jets,
+    sum_of,
 )
 
+from subdiv_cli.catalog import masks_directory
+from subdiv_cli.exact.text import number
 from subdiv_cli.kinds.hermite.numbers import HermiteNumbers
+from subdiv_cli.kinds.reading import read_path
+from subdiv_cli.kinds.smoothing import smoothing_steps
 from subdiv_cli.model import Effort, Smoothness, Verdict
 from subdiv_cli.model.closed import spelled
-from subdiv_cli.pipeline import check
+from subdiv_cli.pipeline import check, check_steps
 from subdiv_cli.report.json import as_data
 from subdiv_cli.report.look import Look
 
@@ -198,3 +203,59 @@ def test_a_derivative_that_is_0_is_refuted():
     assert result.convergent is Verdict.REFUTED
     (hint,) = result.hints
     assert "zero at all levels" in hint
+
+
+SOME = {
+    "44": HERMITE_CUBIC,
+    "45": DE_RHAM,
+    "Merrien -1/10, -1/2": merrien("-1/10", "-1/2"),
+    "Merrien -1/8, 1/4": merrien("-1/8", "1/4"),
+}
+"""Masks that procedure 40 applies to."""
+
+
+@pytest.mark.parametrize("mask", SOME.values(), ids=SOME)
+def test_procedure_40_is_what_smooth_does(mask):
+    """Formula (43), four times over, with its ζ; lemma 41 and corollary 42."""
+    phi = shifts(mask)[0]
+    for step in smoothing_steps(scheme(mask, kind="hermite"), 4):
+        zeta = 1 + sum(entries(mask, 0, 1).values()) / (2 - sum(entries(mask, 1, 1).values()))
+        smooth, phi = smoothed_jets(mask), phi - Fraction(1, 2)
+        assert step.scheme == scheme(smooth, kind="hermite")
+        assert step.details == f"ζ = {number(zeta)}, φ = {number(phi)}"
+        assert shifts(smooth)[0] == phi
+        assert min(mask) - 5 <= min(smooth)
+        assert max(smooth) <= max(mask)
+        mask = smooth
+
+
+@pytest.mark.parametrize(
+    ("name", "zetas"),
+    [("hermite_cubic", ("1", "14/15", "31/30")), ("de_rham_cubic", ("1", "41/44", "91/88"))],
+)
+def test_examples_44_and_45_in_the_catalog(name, zetas):
+    """The shipped mask is what `smooth` makes of the other one, coefficient for coefficient."""
+    one, two = (read_path(masks_directory() / "hermite" / f"{n}.toml").scheme() for n in (name, f"{name}_smoothed"))
+    steps = smoothing_steps(one, 3)
+    assert steps[0].scheme == two
+    assert tuple(step.details.split(",")[0] for step in steps) == tuple(f"ζ = {zeta}" for zeta in zetas)
+
+
+@pytest.mark.parametrize("mask", SOME.values(), ids=SOME)
+def test_the_taylor_scheme(mask):
+    """(31) to (34), the Taylor conditions of definition 30, and α - 1 (theorem 34)."""
+    (step,) = smoothing_steps(scheme(mask, kind="hermite"), 1, inverse=True)
+    assert (step.scheme.kind, step.orders) == ("vector", -1)
+    b = dict(enumerate(step.scheme.coefficients, step.scheme.start))
+    once, twice = z(d1=1, d0=1), z(d2=1, d0=-1)
+    b11, b12, b21, b22 = (entries(b, r, c) for r in (0, 1) for c in (0, 1))
+    a11, a12, a21, a22 = (scaled(2, entries(mask, r, c)) for r in (0, 1) for c in (0, 1))
+    assert product(twice, b21) == a21
+    assert sum_of(b22, scaled(-1, b21)) == a22
+    assert product(once, sum_of(b11, b21)) == a11
+    assert sum_of(b12, b22, scaled(-1, b11), scaled(-1, b21)) == product(z(d1=1, d0=-1), a12)
+    at = lambda f, x: sum(c * x**i for i, c in f.items())  # noqa: E731
+    assert (at(b12, 1), at(b12, -1), at(b22, 1), at(b22, -1), at(b11, 1) + at(b21, 1)) == (0, 0, 2, 0, 2)
+    before, after = check_steps(scheme(mask, kind="hermite"), [step], Effort())
+    assert abs(before.holder.lower - 1 - after.holder.lower) < 1e-12
+    assert after.smoothness.order == before.smoothness.order - 1

@@ -22,6 +22,7 @@ COMMANDS = [
     ["check", *SOME], ["check", *SOME, "-v"], ["check", *SOME, "-vv"], ["check", *SOME, "-q"],
     ["check", "nowhere.toml"],    ["check", "--require", "C9", *SOME], ["check", "--require", "nonsense", *SOME],
     ["merge", "nowhere.json"],
+    ["smooth", "--help"], ["smooth", SOME[0]], ["smooth", SOME[1]], ["smooth", "nowhere.toml"],
     ["show", "--help"], ["show", SOME[0]], ["show", "nowhere.toml"], ["plot", "--help"], ["plot", SOME[0]],
     ["jsr", "--help"], ["jsr", "nowhere.toml"], ["verify", "nowhere.json"],
     ["completion", "bash"],

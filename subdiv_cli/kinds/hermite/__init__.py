@@ -5,7 +5,7 @@ They have the numbers, the stages and the claims of that kind for the limit itse
 
 from __future__ import annotations
 
-from subdiv_cli.kinds.kind import PICTURES, Drawings, Kind, Portraits, late
+from subdiv_cli.kinds.kind import PICTURES, Drawings, Kind, Portraits, Smoothing, late
 
 _FUNCTIONS = Drawings(
     "functions",
@@ -29,4 +29,8 @@ KIND = Kind(
         late("subdiv_cli.kinds.hermite.portrait:portrait"),
     ),
     drawings=(_FUNCTIONS,),
+    smoothing=Smoothing(
+        late("subdiv_cli.kinds.hermite.smoothing:smoother"),
+        late("subdiv_cli.kinds.hermite.smoothing:derived"),
+    ),
 )

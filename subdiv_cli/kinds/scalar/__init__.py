@@ -6,7 +6,7 @@ prove to the checker, `portrait` shows. FORMAT.md specifies the claims.
 
 from __future__ import annotations
 
-from subdiv_cli.kinds.kind import PICTURES, Drawings, Kind, Portraits, late
+from subdiv_cli.kinds.kind import PICTURES, Drawings, Kind, Portraits, Smoothing, late
 
 _CURVES = Drawings(
     "curves",
@@ -39,4 +39,8 @@ KIND = Kind(
         options=frozenset({"tolerance"}),
     ),
     drawings=(_CURVES, _FUNCTIONS),
+    smoothing=Smoothing(
+        late("subdiv_cli.kinds.scalar.smoothing:smoother"),
+        late("subdiv_cli.kinds.scalar.smoothing:derived"),
+    ),
 )

@@ -6,7 +6,7 @@ data are jets begins with them.
 
 from __future__ import annotations
 
-from subdiv_cli.kinds.kind import PICTURES, Drawings, Kind, Portraits, late
+from subdiv_cli.kinds.kind import PICTURES, Drawings, Kind, Portraits, Smoothing, late
 
 _FUNCTIONS = Drawings(
     "functions",
@@ -30,4 +30,8 @@ KIND = Kind(
         late("subdiv_cli.kinds.vector.portrait.page:portrait"),
     ),
     drawings=(_FUNCTIONS,),
+    smoothing=Smoothing(
+        late("subdiv_cli.kinds.vector.smoothing:smoother"),
+        late("subdiv_cli.kinds.vector.smoothing:derived"),
+    ),
 )

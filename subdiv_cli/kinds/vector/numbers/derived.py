@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 from flint import fmpq_mat, fmpq_poly, fmpz_poly
 
-from subdiv_cli.exact.linalg import identity, matrix, nullspace, reduced
+from subdiv_cli.exact.linalg import Vector, identity, matrix, nullspace, reduced
 from subdiv_cli.model import Effort
 
 Terms = Mapping[int, fmpq_mat]
@@ -74,21 +74,24 @@ def derivation(p: int, terms: Terms, most: int, effort: Effort) -> Derivation:
 
 def canonical_transformation(p: int, terms: Terms) -> tuple[fmpq_mat, int] | None:
     """The transformation R of a mask and the dimension r of E_A; None where r = 0 or 1 has another multiplicity."""
-    m = next(iter(terms.values())).nrows()
-    unit = identity(m)
-    sums = [sum((a for i, a in terms.items() if i % p == epsilon), unit * 0) for epsilon in range(p)]
-    constants = nullspace(fmpq_mat([row for a in sums for row in (a - unit).tolist()]))
-    mean = sum(sums, unit * 0) / p
-    r = len(constants)
-    f = mean.charpoly()
+    constants, mean = constants_and_mean(p, terms)
+    m, r, f = mean.nrows(), len(constants), mean.charpoly()
     for _ in range(r):
         f = divmod(f, fmpq_poly([-1, 1]))[0]
     if not r or f(1) == 0:
         return None
     columns = reduced(_independent(matrix(constants))).tolist()
     if r < m:
-        columns += reduced(_independent((mean - unit).transpose())).tolist()
+        columns += reduced(_independent((mean - identity(m)).transpose())).tolist()
     return fmpq_mat(columns).transpose(), r
+
+
+def constants_and_mean(p: int, terms: Terms) -> tuple[tuple[Vector, ...], fmpq_mat]:
+    """A basis of E_A, and the matrix M_A."""
+    unit = identity(next(iter(terms.values())).nrows())
+    sums = [sum((a for i, a in terms.items() if i % p == epsilon), unit * 0) for epsilon in range(p)]
+    constants = nullspace(fmpq_mat([row for a in sums for row in (a - unit).tolist()]))
+    return constants, sum(sums, unit * 0) / p
 
 
 def _independent(rows: fmpq_mat) -> fmpq_mat:
