@@ -115,4 +115,6 @@ def test_rows_that_are_not_scaled_have_a_hint(components, arity, row):
     (finding,) = (each for each in result.findings if each.code == "SD716")
     assert finding.why.startswith("D^n c^n does not converge: ")
     assert check(scheme(mask, arity, "hermite"), (), Effort()).result.hints == ()
-    assert not any("row" in hint for hint in check(scheme(merrien("-1/8", 2), kind="hermite"), (), Effort()).result.hints)
+    assert not any(
+        "row" in hint for hint in check(scheme(merrien("-1/8", 2), kind="hermite"), (), Effort()).result.hints
+    )
