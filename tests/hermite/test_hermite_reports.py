@@ -2,6 +2,7 @@
 
 import json
 from fractions import Fraction
+from math import comb
 
 import pytest
 from matrix_masks import HERMITE_CUBIC, de_rham, hermite_interpolation, merrien, scheme
@@ -10,6 +11,7 @@ from support import subdiv
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.exact.closed import closed_ball
 from subdiv_cli.kinds.hermite import KIND
+from subdiv_cli.kinds.hermite.numbers import HermiteNumbers
 from subdiv_cli.model import Effort, Exponent, Verdict, logarithm
 from subdiv_cli.model.closed import plus
 from subdiv_cli.pipeline import check, draw, show
@@ -118,3 +120,17 @@ def test_rows_that_are_not_scaled_have_a_hint(components, arity, row):
     assert not any(
         "row" in hint for hint in check(scheme(merrien("-1/8", 2), kind="hermite"), (), Effort()).result.hints
     )
+
+
+def test_jets_of_more_than_a_hundred_degrees_are_counted():
+    spline = [Fraction(comb(105, i), 2**104) for i in range(106)]
+    mask = {i: [[x, 0], [0, x / 2]] for i, x in enumerate(spline)}
+    assert HermiteNumbers(scheme(mask, kind="hermite"), Effort()).jets.order == 105
+
+
+def test_more_degrees_than_the_checker_reads_are_undecided(monkeypatch):
+    monkeypatch.setattr("subdiv_cli.checker.hermite.jets._MAX_DEGREE", 3)
+    result = check(scheme(HERMITE_CUBIC, kind="hermite"), (), Effort()).result
+    assert result.convergent is Verdict.PROVED
+    (finding,) = (each for each in result.findings if each.code == "SD714")
+    assert finding.verdict is Verdict.UNDECIDED
