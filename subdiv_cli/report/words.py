@@ -20,6 +20,7 @@ _SYMBOLS = {
     r"S0?_\(Δ": "S_(Δ^k): the scheme of differences of order k",
     r"T_\d": "T_ε: the transition matrices",
     _RADIUS: "ρ_k: the joint spectral radius of S on differences of order k",
+    r"σ_\d": "σ_j: the joint spectral radius of S on what lies between components and derivatives j",
     r"ρ\(": "ρ: the joint spectral radius",
 }
 """The symbols that findings use, and what they mean."""

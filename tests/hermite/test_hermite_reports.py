@@ -2,15 +2,17 @@
 
 import json
 from fractions import Fraction
+from math import comb
 
 import pytest
-from matrix_masks import HERMITE_CUBIC, de_rham, merrien, scheme
+from matrix_masks import HERMITE_CUBIC, de_rham, hermite_interpolation, merrien, scheme
 from support import subdiv
 
 from subdiv_cli.catalog.shipped import masks_directory
 from subdiv_cli.exact.closed import closed_ball
 from subdiv_cli.kinds.hermite import KIND
-from subdiv_cli.model import Effort, Exponent, logarithm
+from subdiv_cli.kinds.hermite.numbers import HermiteNumbers
+from subdiv_cli.model import Effort, Exponent, Verdict, logarithm
 from subdiv_cli.model.closed import plus
 from subdiv_cli.pipeline import check, draw, show
 
@@ -80,7 +82,55 @@ def test_shown_and_drawn():
     _, portrait = show(mask, Fraction(1, 1000), Effort())
     assert portrait.data["eigen_sequences"][1] == (((0, 1), (1, 0)),)
     drawing = draw(mask, KIND.drawings[0], {"samples": 100, "derivatives": None}, Effort())
-    assert [(curve.order, curve.label) for curve in drawing.blocks] == [(0, "e_1"), (1, "e_1"), (0, "e_2"), (1, "e_2")]
+    assert [(curve.order, curve.label) for curve in drawing.blocks] == [(0, "e_0"), (1, "e_0"), (0, "e_1"), (1, "e_1")]
     for curve in drawing.blocks:  # f(0), f'(0): the jets that are interpolated
         at_0 = curve.values[-curve.start] if 0 <= -curve.start < len(curve.values) else 0
-        assert at_0 == (curve.label == f"e_{curve.order + 1}")
+        assert at_0 == (curve.label == f"e_{curve.order}")
+
+
+def test_the_table_of_a_scheme_that_diverges_says_nothing_twice():
+    found = subdiv("check", MASKS / "counterexamples" / "merrien_8_2.toml", "-v").stdout
+    assert "σ_j: the joint spectral radius" in found
+    assert "φ: C^0: ρ_1 < 1" in found
+    assert "S converges:" not in found
+    assert "✓ proved   shifts 0, 0 " in found
+    found = subdiv("check", MASKS / "counterexamples" / "no_derivative.toml", "-v").stdout
+    assert "no jet of degree 1 is an eigen-sequence" in found
+
+
+def test_components_are_counted_as_derivatives():
+    found = subdiv("show", MASKS / "hermite_cubic.toml").stdout
+    assert "for the data e_0 at 0" in found
+    assert "for the data e_2" not in found
+    assert "(S c)_(2k),0   (1, 0)" in subdiv("check", MASKS / "hermite_cubic.toml", "-v").stdout
+
+
+@pytest.mark.parametrize(
+    ("components", "arity", "row"), [(2, 2, "row 1 times 1/2 "), (2, 3, "row 1 times 1/3 "), (3, 2, "row j times 2^-j")]
+)
+def test_rows_that_are_not_scaled_have_a_hint(components, arity, row):
+    mask = hermite_interpolation(components, arity)
+    rows = {i: [[x * arity**j for x in line] for j, line in enumerate(a)] for i, a in mask.items()}
+    result = check(scheme(rows, arity, "hermite"), (), Effort()).result
+    assert result.convergent is Verdict.REFUTED
+    assert f"with {row}" in result.hints[0]
+    (finding,) = (each for each in result.findings if each.code == "SD716")
+    assert finding.why.startswith("D^n c^n does not converge: ")
+    assert check(scheme(mask, arity, "hermite"), (), Effort()).result.hints == ()
+    assert not any(
+        "row" in hint for hint in check(scheme(merrien("-1/8", 2), kind="hermite"), (), Effort()).result.hints
+    )
+
+
+def test_jets_of_more_than_a_hundred_degrees_are_counted():
+    spline = [Fraction(comb(105, i), 2**104) for i in range(106)]
+    mask = {i: [[x, 0], [0, x / 2]] for i, x in enumerate(spline)}
+    assert HermiteNumbers(scheme(mask, kind="hermite"), Effort()).jets.order == 105
+
+
+def test_more_degrees_than_the_checker_reads_are_undecided(monkeypatch):
+    monkeypatch.setattr("subdiv_cli.checker.hermite.jets._MAX_DEGREE", 3)
+    result = check(scheme(HERMITE_CUBIC, kind="hermite"), (), Effort()).result
+    assert result.convergent is Verdict.PROVED
+    (finding,) = (each for each in result.findings if each.code == "SD714")
+    assert finding.verdict is Verdict.UNDECIDED

@@ -6,15 +6,12 @@ from functools import cached_property
 from math import factorial
 from typing import NamedTuple
 
-from flint import fmpq, fmpq_mat
+from flint import fmpq, fmpq_mat, fmpq_poly
 
 from subdiv_cli.exact.linalg import Vector
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.kinds.hermite.taylor import taylor_mask
 from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
-
-_HIGHEST = 100
-"""The highest degree of jets that are looked for; the windows of masks in files have fewer."""
 
 
 class JetSequences(NamedTuple):
@@ -35,41 +32,26 @@ class HermiteNumbers(VectorNumbers):
 
         With E_j(a) = Σ_β A_(ε+pβ) y_j(a-β) - p^-j y_j(ε+pa) the derivative of E_j is E_(j-1), as that of f_j is
         f_(j-1): given the lower degrees, S y_j = p^-j y_j iff E_j(0) = 0 for all ε, to which φ_j adds
-        (1 - p^-j) φ_j e_0. So all φ are unique.
+        (1 - p^-j) φ_j e_0. So all φ are unique. It ends: y_j on a window is an eigenvector for p^-j of one matrix.
         """
         shifts = [fmpq(1)]
         if any(map(any, self._residuals(shifts, 0))):
             return JetSequences(0, (to_fraction(shifts[0]),))
-        while len(shifts) < _HIGHEST:
+        while True:
             j = len(shifts)
             first, *others = self._residuals(shifts, j)
             if any(first[1:]) or any(row != first for row in others):
-                break
+                return JetSequences(j, tuple(map(to_fraction, shifts)))
             shifts.append(-first[0] / (1 - fmpq(1, self.p**j)))
-        return JetSequences(len(shifts), tuple(map(to_fraction, shifts)))
 
     def _residuals(self, shifts: list[fmpq], j: int) -> list[list[fmpq]]:
         """The E_j(0) for each ε, φ_j = 0 where it is not among the shifts."""
-        p = self.p
-        residuals = [self._jet(shifts, j, epsilon) * fmpq(-1, p**j) for epsilon in range(p)]
+        p, jet = self.p, [_polynomial(shifts, j - i) for i in range(self.size)]
+        residuals = [_values(jet, epsilon) * fmpq(-1, p**j) for epsilon in range(p)]
         for i, a in enumerate(self.matrices, self.scheme.start):
             beta, epsilon = divmod(i, p)
-            residuals[epsilon] += a * self._jet(shifts, j, -beta)
+            residuals[epsilon] += a * _values(jet, -beta)
         return [column.entries() for column in residuals]
-
-    def _jet(self, shifts: list[fmpq], j: int, x: int) -> fmpq_mat:
-        """The column (f_j(x), f_j'(x), …, f_j^(d-1)(x)) at an integer."""
-        values = [
-            sum(
-                (
-                    phi * fmpq(x ** (j - i - l), factorial(j - i - l))
-                    for l, phi in enumerate(shifts[: max(j - i + 1, 0)])
-                ),
-                fmpq(0),
-            )
-            for i in range(self.size)
-        ]
-        return fmpq_mat([[value] for value in values])
 
     @cached_property
     def is_function(self) -> bool:
@@ -95,3 +77,13 @@ class HermiteNumbers(VectorNumbers):
     @cached_property
     def _jet_growths(self) -> dict[int, SequenceGrowth | None]:
         return {}
+
+
+def _polynomial(shifts: list[fmpq], j: int) -> fmpq_poly:
+    """The polynomial f_j, without the φ that are not among the shifts; 0 where j is negative: f_j' is f_(j-1)."""
+    return fmpq_poly([shifts[j - n] / factorial(n) if j - n < len(shifts) else fmpq(0) for n in range(j + 1)])
+
+
+def _values(jet: list[fmpq_poly], x: int) -> fmpq_mat:
+    """The column of the values at an integer."""
+    return fmpq_mat([[f(x)] for f in jet])

@@ -44,10 +44,10 @@ def spectral_condition(numbers: HermiteNumbers, _: Facts) -> tuple[Finding, ...]
     (k, shifts), d = numbers.jets, numbers.size
     witness: SpectralConditionWitness = {"order": k, "shifts": shifts}
     if k >= d:
-        why = f"φ = {', '.join(map(number, shifts[1:]))}"
+        why = f"shifts {', '.join(map(number, shifts[1:]))}"
         statement = f"the spectral condition holds up to degree {k - 1}, and no further: {why}"
         return (SPECTRAL_CONDITION.proved(statement, witness, why=why),)
-    why = f"no φ_{k} makes a jet of degree {k} an eigen-sequence" if k else f"{_first(d)} is not reproduced as constant"
+    why = f"no jet of degree {k} is an eigen-sequence" if k else f"{_first(d)} is not reproduced as constant"
     return (SPECTRAL_CONDITION.refuted(f"the spectral condition does not hold: {why}", witness, why=why),)
 
 
@@ -111,7 +111,8 @@ def hermite_convergence(numbers: HermiteNumbers, facts: Facts) -> tuple[Finding,
     if not numbers.is_function:
         return (_diverges({"order": d - 1, "by": CONSTANTS.code}, f"E_A is not spanned by {_first(d)}"),)
     if facts.verdict(CONVERGENCE) is Verdict.REFUTED:
-        return (_diverges({"order": d - 1, "by": CONVERGENCE.code}, "D^n c^n does not converge"),)
+        why = f"D^n c^n does not converge: {facts[CONVERGENCE].why}"
+        return (_diverges({"order": d - 1, "by": CONVERGENCE.code}, why),)
     radii = facts.all(JET_RADIUS)
     growths = {
         j: growth
@@ -222,14 +223,32 @@ def facts(scheme: VectorScheme) -> Mapping[str, Data]:
 
 
 def hints(numbers: HermiteNumbers, facts: Facts) -> Iterator[str]:
-    """The sentences on components that tend to a multiple of a derivative, or are not scaled by D.
+    """The sentences on rows that are not scaled by D, and on components that tend to a multiple of a derivative."""
+    if facts.verdict(HERMITE_CONVERGENCE) is Verdict.REFUTED:
+        yield from _unscaled(numbers)
+        yield from _multiple(numbers, facts.witness(HERMITE_CONVERGENCE).get("derivative"))
+
+
+def _unscaled(numbers: HermiteNumbers) -> Iterator[str]:
+    """The sentence on a mask A_i that has not the spectral condition where D A_i has it."""
+    scheme, p = numbers.scheme, numbers.p
+    rows = tuple(tuple(tuple(x / p**j for x in row) for j, row in enumerate(a)) for a in scheme.coefficients)
+    scaled = HermiteNumbers(replace(scheme, coefficients=rows), numbers.effort)
+    if numbers.jets.order < scheme.size <= scaled.jets.order:
+        each = f"row 1 times 1/{p}" if scheme.size == 2 else f"row j times {p}^-j, j = 0, …, {scheme.size - 1},"
+        yield (
+            f"with {each} the spectral condition holds: are these rows for derivatives themselves? The matrices act "
+            f"on h^j f^(j), as subdiv explain hermite says"
+        )
+
+
+def _multiple(numbers: HermiteNumbers, j: int | None) -> Iterator[str]:
+    """The sentence on a component j that tends to a multiple of the derivative.
 
     An eigen-sequence S y = p^-j y with y_0 = x^j/j! + … has y_j for the j-th component of all D^-n S^n y, where a
     Hermite scheme has the derivative 1.
     """
-    if facts.verdict(HERMITE_CONVERGENCE) is not Verdict.REFUTED:
-        return
-    j, sequences = facts.witness(HERMITE_CONVERGENCE).get("derivative"), numbers.sequences
+    sequences = numbers.sequences
     if j is None or sequences is None or not numbers.jets.order <= j < sequences.order:
         return
     (y,) = sequences.each[j]

@@ -40,3 +40,8 @@ class VectorScheme:
     def size(self) -> int:
         """The number m of components."""
         return len(self.coefficients[0])
+
+    @property
+    def first(self) -> int:
+        """The number of the first component: 0 of jets, whose component j is the j-th derivative, else 1."""
+        return int(self.kind != "hermite")

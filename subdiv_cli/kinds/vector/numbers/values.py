@@ -107,7 +107,7 @@ def limit_curves(numbers: VectorNumbers, order: int, points: int) -> tuple[Curve
                 return ()
             for i, w in enumerate(stencil.each):
                 values = _paired(w, fine) * p ** (j * level)
-                name, label = ("f" if r == 1 else f"f_{i + 1}"), (f"e_{unit + 1}" if m > 1 else "")
+                name, label = ("f" if r == 1 else f"f_{i + 1}"), (f"e_{unit + numbers.scheme.first}" if m > 1 else "")
                 curves.append(_curve(p, level, low + stencil.start, values, j, name, label))
     return tuple(curves)
 

@@ -54,7 +54,7 @@ def _rule(numbers: VectorNumbers, epsilon: int) -> Grid:
     rows = []
     for row in range(numbers.size):
         cells = [point(numbers.scheme.coefficients[epsilon - p * j - start][row]) for j in offsets]
-        rows.append((f"(S c)_({p}k{f'+{epsilon}' if epsilon else ''}),{row + 1}", tuple(cells)))
+        rows.append((f"(S c)_({p}k{f'+{epsilon}' if epsilon else ''}),{row + numbers.scheme.first}", tuple(cells)))
     return Grid("", tuple(f"c_({shifted('k', j)})" if j else "c_k" for j in offsets), tuple(rows))
 
 

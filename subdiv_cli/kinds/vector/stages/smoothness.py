@@ -89,7 +89,7 @@ def smoothness(numbers: VectorNumbers, facts: Facts) -> tuple[Finding, ...]:
     below = [n for n in orders if growth is not None and growth.radius.is_below(Fraction(1, p**n))]
     n = max(below, default=0)
     if growth is None or not n:
-        first = _proved(0, "S converges", CONVERGENCE.code)
+        first = _proved(0, "ρ_1 < 1", CONVERGENCE.code)
     else:
         first = _proved(n, f"ρ_{growth.order} < {threshold(p, n)}", STENCIL_RADIUS.code)
     question = f"are all limits C^{n + 1}?"
