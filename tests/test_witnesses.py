@@ -86,15 +86,14 @@ def analyses():
     """The findings of masks of all sorts: the catalog, some of them under little effort, and taken apart."""
     for path in sorted(masks_directory().rglob("*.toml")):
         scheme = read_path(path).scheme({})
-        for work in (100, 2000):
-            yield kind_of(scheme).analyse(scheme, Effort(work)).findings
+        yield kind_of(scheme).analyse(scheme, Effort(600)).findings
         if scheme.kind == "scalar":
             yield kind_of(scheme).portraits.analyse(scheme, Effort(1000), Fraction(1, 100)).findings
     for mask, work in (("[-9, -3, 2, 6, 5, 1, 6]/4", 300), ("[1, 1]", 300)):
         scheme = from_option(mask, start=0).scheme({})
         yield kind_of(scheme).analyse(scheme, Effort(work)).findings
     apart = multivariate_scheme({(0, 0): Fraction(1, 2), (3, 0): 1, (6, 0): Fraction(1, 2)}, ((1, 1), (1, -1)))
-    for scheme in (unstable_butterfly(), apart):
+    for scheme in (unstable_butterfly(), apart, shipped_multivariate("kobbelt_sqrt3")):
         yield kind_of(scheme).analyse(scheme, Effort(2000)).findings
 
 
