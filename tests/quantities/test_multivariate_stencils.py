@@ -6,6 +6,7 @@ b(z) g(z)/2 plus its shift by ξ, which is exactly as smooth.
 
 import math
 from collections import Counter
+from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
@@ -15,12 +16,14 @@ from random_masks import random_multivariate
 from support import answer, cases, findings, multivariate_scheme, seeded, shipped_answer, shipped_multivariate
 
 from subdiv_cli.catalog import masks_directory
+from subdiv_cli.kinds.multivariate import KIND
 from subdiv_cli.kinds.multivariate.numbers.box_spline import multiplied
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.numbers.stencil_growth import stencil_growth
 from subdiv_cli.kinds.multivariate.stages.wording import multivariate_exponent
 from subdiv_cli.model import Effort, Verdict
 from subdiv_cli.model.order import enclosure
+from subdiv_cli.pipeline import DisagreementError, certified
 from subdiv_cli.spaces.lattice import Lattice
 
 SLOW = {
@@ -245,3 +248,24 @@ def test_shifts_and_changes_of_variables_change_nothing(name):
 def test_nothing_is_said_where_a_hypothesis_fails(terms, dilation):
     """A mask on a sublattice, which diverges; a dilation that is not isotropic; Haar's mask, which diverges."""
     assert not findings(answer(multivariate_scheme(terms, dilation), WORK), "SD621")
+
+
+@pytest.mark.parametrize(
+    ("code", "key", "wrong"),
+    [
+        ("SD621", "order", lambda k: k + 1),
+        ("SD621", "stencil", lambda w: w[1:]),
+        ("SD613", "order", lambda n: n - 1),
+        ("SD615", "radius", lambda y: y * 2),
+    ],
+)
+def test_a_wrong_finding_is_not_certified(code, key, wrong):
+    analysis = KIND.analyse(shipped_multivariate("sqrt3_averaged"), Effort())
+    (finding,) = (each for each in analysis.findings if each.code == code)
+    forged = replace(finding, witness={**finding.witness, key: wrong(finding.witness[key])})
+    lower = next(each for each in analysis.findings if each.code == "SD614")
+    inexact = replace(lower, closed=None, witness={"by": "SD611", "length": 1, "bound": Fraction(1)}, otherwise=())
+    swapped = {id(finding): forged} | ({id(lower): inexact} if code == "SD615" else {})
+    findings = tuple(swapped.get(id(each), each) for each in analysis.findings)
+    with pytest.raises(DisagreementError):
+        certified(KIND, analysis._replace(findings=findings), (), Effort())
