@@ -25,11 +25,11 @@ def checked(name):
 
 
 def test_a_shift_of_the_zwart_powell_element_is_certified():
-    """Four coefficients apart, and no certificate: convergent, C^1, α >= 2, not stable."""
+    """Four coefficients apart, and no certificate: convergent, C^1 and not C^2, α = 2, not stable."""
     result = checked("uncertified_zp")
     assert (result.convergent, result.stable) == (Verdict.PROVED, Verdict.REFUTED)
-    assert result.smoothness.order == 1
-    assert result.holder.lower == 2
+    assert (result.smoothness.order, result.smoothness.sharp) == (1, True)
+    assert result.holder.exact == 2
 
 
 def test_a_far_mask_on_a_lattice_of_index_23_diverges():

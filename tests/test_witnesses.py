@@ -41,6 +41,7 @@ PROOFS = {
     multivariate.DIRECTIONAL_SMOOTHNESS.code: w.QuotientsProof,
     multivariate.MATRIX_NORMS.code: w.MatrixNormsProof,
     multivariate.STABILITY.code: w.GramProof,
+    multivariate.STENCIL_RADIUS.code: w.StencilRadiusProof,
     vector.EIGEN_SEQUENCES.code: vector.w.EigenSequencesProof,
     vector.DECAY_RADIUS.code: vector.w.SequenceRadiusProof,
     vector.STENCIL_RADIUS.code: vector.w.SequenceRadiusProof,
@@ -51,7 +52,7 @@ PROOFS = {
 }
 """The forms of further data, of other rules those of mean squares."""
 UNSEEN = {("SD201", key) for key in ("eigenvalues", "matrix")}
-UNSEEN |= {(code, "bound") for code in ("SD704", "SD707", "SD710", "SD715")}
+UNSEEN |= {(code, "bound") for code in ("SD621", "SD704", "SD707", "SD710", "SD715")}
 """A mask that fails its eigen-condition has a product that shows it too, which comes first; radii are known exactly."""
 
 
@@ -93,7 +94,8 @@ def analyses():
         scheme = from_option(mask, start=0).scheme({})
         yield kind_of(scheme).analyse(scheme, Effort(work)).findings
     apart = multivariate_scheme({(0, 0): Fraction(1, 2), (3, 0): 1, (6, 0): Fraction(1, 2)}, ((1, 1), (1, -1)))
-    for scheme in (unstable_butterfly(), apart, shipped_multivariate("kobbelt_sqrt3")):
+    doubled = read_path(masks_directory() / "multivariate" / "butterfly_doubled.toml").scheme({"w": Fraction(1, 16)})
+    for scheme in (unstable_butterfly(), apart, doubled, shipped_multivariate("kobbelt_sqrt3")):
         yield kind_of(scheme).analyse(scheme, Effort(2000)).findings
 
 

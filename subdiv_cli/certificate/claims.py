@@ -92,7 +92,7 @@ class Claims:
 def _introduced(claim: Json) -> list[int]:
     """The families that a claim introduces."""
     statement = claim["statement"]
-    if statement["property"] in ("family", "jet"):
+    if statement["property"] in ("family", "jet", "stencil-family"):
         return [statement["family"]]
     return list(statement["parts"]) if claim["rule"] == "blocks" else [statement["part"]] if "part" in statement else []
 

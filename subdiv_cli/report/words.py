@@ -13,7 +13,7 @@ from subdiv_cli.model.order import enclosure
 from subdiv_cli.model.properties import BY_KEY, Property
 from subdiv_cli.report.numbers import LONGEST, data, digits, interval
 
-_RADIUS = r"ρ_\d"
+_RADIUS, _STENCIL_RADIUS = r"ρ_\d+(?![\d(])", r"ρ_\d+\(w\)"
 _SYMBOLS = {
     r"φ": "φ: the refinable function",
     r"S0?_\d": "S_ν: the scheme of divided differences of order ν",
@@ -21,6 +21,7 @@ _SYMBOLS = {
     r"T_\d": "T_ε: the transition matrices",
     _RADIUS: "ρ_k: the joint spectral radius of S on differences of order k",
     r"σ_\d": "σ_j: the joint spectral radius of S on what lies between components and derivatives j",
+    _STENCIL_RADIUS: "ρ_k(w): the joint spectral radius of S on differences of φ of order k",
     r"ρ\(": "ρ: the joint spectral radius",
 }
 """The symbols that findings use, and what they mean."""
@@ -36,7 +37,8 @@ def legend(texts: Iterable[str]) -> str | None:
 
 def explained(text: str) -> str:
     """The text with the meaning of a radius ρ_k in it, for those who see this line alone."""
-    return f"{text} ({_SYMBOLS[_RADIUS]})" if re.search(_RADIUS, text) else text
+    meanings = [_SYMBOLS[symbol] for symbol in (_RADIUS, _STENCIL_RADIUS) if re.search(symbol, text)]
+    return f"{text} ({'; '.join(meanings)})" if meanings else text
 
 
 def name(result: Result) -> str:

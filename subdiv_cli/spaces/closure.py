@@ -98,11 +98,12 @@ class _Search:
     def tree(self, on_rows: Sequence[fmpq_mat], vectors: fmpq_mat) -> tuple[Tree, fmpq_mat]:
         """The tree of some vectors, and its leaves as rows."""
         recurrent = self._recurrent(_modulo(vectors, self.prime))
+        pivots = [next(j for j, x in enumerate(row) if x) for row in recurrent.table()]
         rows, tree, leaves = deque(fmpq_mat([row]) for row in vectors.tolist()), [], []
         while rows:
             self.look()
             row = rows.popleft()
-            tree.append(_stacked(recurrent, _modulo(row, self.prime)).rank() == recurrent.nrows())
+            tree.append(_holds(recurrent, pivots, _modulo(row, self.prime)))
             if tree[-1]:
                 leaves.append(row.tolist()[0])
             elif len(tree) + len(rows) + len(on_rows) > LARGEST_TREE:
@@ -128,7 +129,7 @@ class _Search:
         return tuple(known) if len(known) <= LARGEST_DIMENSION else None
 
     def _recurrent(self, vectors: nmod_mat) -> nmod_mat:
-        """A basis of U."""
+        """The basis of U in echelon form, reduced."""
         space, rank = _row_space(vectors), 0
         while rank != space.nrows() <= LARGEST_DIMENSION:
             self.look()
@@ -164,8 +165,14 @@ def _independent_rows(a: nmod_mat) -> list[int]:
     return [next(j for j in range(a.nrows()) if echelon[i, j]) for i in range(rank)]
 
 
+def _holds(space: nmod_mat, pivots: Sequence[int], row: nmod_mat) -> bool:
+    """Whether a row is in the span of the rows of a reduced echelon form with these pivots."""
+    coordinates = nmod_mat(1, len(pivots), [int(row[0, j]) for j in pivots], row.modulus())
+    return bool(coordinates * space == row)
+
+
 def _row_space(a: nmod_mat) -> nmod_mat:
-    """A basis of the span of the rows."""
+    """The reduced echelon form of the rows, without rows of zeros."""
     echelon, rank = a.rref()
     return _rows(echelon, range(rank))
 

@@ -22,7 +22,7 @@ with Σ w_i · u_j = δ_ij gives the limits exactly: (w_i * S^n c)(x) = f_i(M^-n
 dimension therefore proves divergence. The dimension r alone proves nothing.
 
   T_0^n v tends to the sequence w with (w * c)(a) = Σ v(α)·F_c(a), which depends on Σ v modulo E_A^⊥ only; a fixed
-  v is its own limit.
+  v is its own limit. So all w_i are limits of T_0^n x δ, and lie on any window that holds 0 and is mapped into itself.
 
 Theorem 3 (smoothness). Let S converge, M be diagonalisable over C with all eigenvalues of modulus λ, and V_k(w) the
 smallest space that holds all ∇^μ w_i, |μ| = k, and is mapped into itself by the T_ε. All limits are C^n iff
@@ -62,7 +62,7 @@ No hypothesis on the stability of the limits is used anywhere.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from itertools import product
 from typing import NamedTuple
@@ -119,6 +119,11 @@ class StencilSpaces:
     def fixed(self) -> tuple[VectorSequence, ...] | None:
         """A basis of the kernel of T_0 - 1 on finitely supported sequences; None where the window is too large."""
         window = self.operators.window
+        return None if window is None else self._fixed(window)
+
+    def _fixed(self, indices: Iterable[Index]) -> tuple[VectorSequence, ...] | None:
+        """A basis of the kernel of T_0 - 1 on the least invariant window with these indices; None as above."""
+        window = self.operators.closed_window(indices, self._look)
         if window is None:
             return None
         kernel = eigenvectors(self.operators.on(window, self._look)[0], 1)
@@ -126,14 +131,18 @@ class StencilSpaces:
 
     @cached_property
     def stencils(self) -> tuple[VectorSequence, ...] | None:
-        """The limit stencils w_1, …, w_r with Σ w_i · u_j = δ_ij; None where `fixed` has not the dimension r > 0."""
-        if self.constants is None or self.fixed is None or len(self.fixed) != self.constants.nrows():
+        """The limit stencils w_1, …, w_r of a scheme that converges, Σ w_i · u_j = δ_ij, from the least window with 0.
+
+        None where the window is too large, and where they are not r > 0, which excludes convergence.
+        """
+        fixed = self._fixed([(0,) * self.operators.lattice.dimension])
+        if self.constants is None or fixed is None or len(fixed) != self.constants.nrows():
             return None
-        sums = fmpq_mat([[sum(column, fmpq(0)) for column in zip(*w.values(), strict=True)] for w in self.fixed])
+        sums = fmpq_mat([[sum(column, fmpq(0)) for column in zip(*w.values(), strict=True)] for w in fixed])
         dual = sums * self.constants.transpose()
         if dual.rank() < dual.nrows():
             return None
-        return tuple(_combined(row, self.fixed) for row in dual.inv().tolist())
+        return tuple(_combined(row, fixed) for row in dual.inv().tolist())
 
     def differences(self, k: int) -> SequenceSpace | None:
         """The space V_k(w); None without stencils, and where it is too large.

@@ -70,6 +70,7 @@ MASKS = {
     "loop": (TWO, box([(1, 0), (1, 0), (0, 1), (0, 1), (1, 1), (1, 1)], "1/16", (-2, -2))),
     "flat": (TWO, {(0, 0): Fraction(1), (0, 1): Fraction(1), (1, 0): Fraction(1), (1, 1): Fraction(1, 2)}),
     "haar": (TWO, box([(1, 0), (0, 1)], 1)),
+    "trapezoids": (TWO, dict.fromkeys(itertools.product(range(4), repeat=2), Fraction(1, 4))),
     "chaikin_hat": (TWO, box([(1, 0)] * 3 + [(0, 1)] * 2, "1/8", (-1, -1))),
     "trilinear": (
         [[2, 0, 0], [0, 2, 0], [0, 0, 2]],
@@ -214,20 +215,79 @@ def differences(name, k, uses, family=0):
 
 
 @functools.cache
-def _radius(name, k):
-    matrices = json.loads(space(name, k))["matrices"]
+def _radius(name, k, made=space):
+    matrices = json.loads(made(name, k))["matrices"]
     family = [[[Fraction(x) for x in row] for row in rows] for rows in matrices]
     return json.dumps(joint_spectral_radius(family, Effort()).document)
 
 
-def radius(name, k, offset):
+def radius(name, k, offset, made=space):
     """The package's claims on the radius of the family 0, as claims from number `offset` on; the radius's number."""
-    document = json.loads(_radius(name, k))
+    document = json.loads(_radius(name, k, made))
     claims = document["claims"]
     for each in claims:
         each["uses"] = [i + offset for i in each["uses"]]
     goal = next(s for s in document["goal"] if s["property"] in ("bounded", "radius"))
     return claims, offset + next(i for i, c in enumerate(claims) if c["statement"] == goal)
+
+
+def window_with(name, start):
+    """The least set with these indices that no T_ε leaves, signs aside."""
+    matrix, terms = MASKS[name]
+    positive, window, new = {x: abs(v) for x, v in terms.items()}, set(), set(start)
+    while new - window:
+        window |= new
+        all_of = dict.fromkeys(window, Fraction(1))
+        new = {x for e in representatives(matrix) for x in transition(matrix, positive, e, all_of)}
+    return sorted(window)
+
+
+def limit_stencil(name):
+    """The sequence w with T_0 w = w, the sum 1, as the only one there is."""
+    matrix, terms = MASKS[name]
+    window = window_with(name, [(0,) * len(matrix)])
+    images = [transition(matrix, terms, (0,) * len(matrix), {x: Fraction(1)}) for x in window]
+    rows = [[image.get(x, Fraction(0)) - (x == y) for image, y in zip(images, window, strict=True)] for x in window]
+    (basis,), _ = null_space(rows)
+    return {x: Fraction(value, sum(basis)) for x, value in zip(window, basis, strict=True) if value}
+
+
+def combination(vectors, v):
+    """The coefficients of v as a combination of independent sequences; None where it is none."""
+    indices = sorted({x for each in (*vectors, v) for x in each})
+    basis, _ = null_space([[each.get(x, Fraction(0)) for each in (*vectors, v)] for x in indices])
+    return [-Fraction(c, basis[0][-1]) for c in basis[0][:-1]] if basis else None
+
+
+@functools.cache
+def stencil_space(name, k):
+    """The witness of `stencil-differences`, as JSON text: the first of the differences is replaced by its images."""
+    matrix, terms = MASKS[name]
+    cosets, w = representatives(matrix), limit_stencil(name)
+    first, *others = (product(difference(mu), w) for mu in monomials(len(matrix), k))
+    leaves = [*others, *(transition(matrix, terms, e, first) for e in cosets)]
+    waiting, vectors, words = [([i], v) for i, v in enumerate(leaves)], [], []
+    while waiting:
+        word, v = waiting.pop(0)
+        if v and combination(vectors, v) is None:
+            common = lcm(*(x.denominator for x in v.values()))
+            vectors.append({x: value * common for x, value in v.items()})
+            words.append(word)
+            waiting += [([*word, i], transition(matrix, terms, e, v)) for i, e in enumerate(cosets)]
+    window = sorted({x for v in vectors for x in v})
+    images = [[combination(vectors, transition(matrix, terms, e, v)) for v in vectors] for e in cosets]
+    return json.dumps(
+        {
+            "cosets": cosets,
+            "window": window,
+            "basis": [[int(v.get(x, 0)) for x in window] for v in vectors],
+            "matrices": [[[q(x) for x in row] for row in zip(*columns, strict=True)] for columns in images],
+            "tree": [0, *(1 for _ in leaves)],
+            "breadth": max(map(len, (first, *leaves))),
+            "leaves": [[q(x) for x in combination(vectors, v)] for v in leaves],
+            "words": words,
+        }
+    )
 
 
 def document(name, claims, goal=None):
@@ -516,6 +576,26 @@ def zwart_powell():
     return book.document()
 
 
+def trapezoids():
+    """All coefficients are 1/4: a product of trapezoids, C^0, α = 1, unstable, so that limit stencils must tell."""
+    book = _Book("trapezoids")
+    book.structure(1)
+    converges = book.add("positive-converges", [0], property="convergent", holds=True)
+    stencil = book.add("limit-stencil", [], {"terms": terms_of(limit_stencil("trapezoids"))}, coset=[0, 0])
+    witness = json.loads(stencil_space("trapezoids", 2))
+    family = book.add("stencil-differences", [stencil], witness, property="stencil-family", family=0, order=2)
+    more, root = radius("trapezoids", 2, len(book.claims), stencil_space)
+    book.claims += more
+    uses, exact = [converges, root, family], {"length": 1, "polynomial": ["-1", "2"], "low": "1/2", "high": "1/2"}
+    book.add("stencil-smooth", uses, property="smooth", order=0)
+    book.add("stencil-not-smooth", uses, property="not-smooth", order=1)
+    lower = book.add("stencil-holder-lower", uses, property="holder-lower", length=1, bound="1/2")
+    upper = book.add("stencil-holder-upper", uses, property="holder-upper", length=1, bound="1/2")
+    book.add("stencil-holder-root", uses, property="holder-root", **exact)
+    book.add("holder-meets", [lower, upper], property="holder-root", **exact)
+    return book.document()
+
+
 def quincunx():
     """Interpolatory: α = 2 - 2 log_2((1+√5)/2)."""
     book = _Book("quincunx")
@@ -721,5 +801,6 @@ ALL_MULTIVARIATE = {
         apart,
         flat,
         trilinear,
+        trapezoids,
     )
 }

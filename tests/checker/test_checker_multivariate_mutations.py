@@ -56,6 +56,7 @@ FACTS = {
     "trilinear": Facts(
         2, True, 1, 0, True, 1.5, 1, [[0, 0, 1], [0, 0, 1], [0, 1, 0], [0, 1, 0], [1, 0, 0], [1, 0, 0]]
     ),
+    "trapezoids": Facts(1, True, 1, 0, False, 1.5, 0),
 }  # fmt: skip
 MADE = {name: make() for name, make in ALL_MULTIVARIATE.items()}
 
@@ -103,6 +104,8 @@ def is_true(s, name):
         "total-sum-rules": lambda: s["order"] == facts.order,
         "generation": lambda: s["degree"] == facts.order - 1,
         "family": lambda: (s["family"], s["order"]) == (0, facts.order),
+        "limit-stencil": lambda: facts.convergent and s["coset"] == [0] * len(matrix),
+        "stencil-family": lambda: (s["family"], s["order"]) == (0, math.floor(facts.alpha) + 1),
         "convergent": lambda: s["holds"] == facts.convergent,
         "smooth": lambda: s["order"] <= facts.smooth,
         "not-smooth": lambda: s["order"] > facts.smooth,
@@ -209,9 +212,13 @@ CHANGES = {
     "a little more": lambda x: x + Fraction(1, 10**6),
     "a little less": lambda x: x - Fraction(1, 10**6),
 }
-FREE = {"work", "uses", "order", "degree", "low", "high", "bound", "cosets", "polynomial", "cofactor", "point"}
+FREE = {
+    "work", "uses", "order", "degree", "low", "high", "bound", "cosets", "polynomial", "cofactor", "point", "words",
+    "breadth",
+}  # fmt: skip
 """What may be another in some claim: more work, another claim of the same statement, a weaker statement, another
-representative of a coset whose operator is zero, a multiple of a polynomial, a point of the torus by other angles.
+representative of a coset whose operator is zero, a multiple of a polynomial, a point of the torus by other angles,
+other words that span, more breadth.
 """
 
 
@@ -227,7 +234,9 @@ def test_every_number_changed_a_little(name):
 @given(st.data())
 def test_any_number_changed(data):
     name = data.draw(
-        st.sampled_from(["bilinear", "courant", "quincunx", "four_eight", "butterfly", "loop", "trilinear"])
+        st.sampled_from(
+            ["bilinear", "courant", "quincunx", "four_eight", "butterfly", "loop", "trilinear", "trapezoids"]
+        )
     )
     path = data.draw(st.sampled_from(PATHS[name]))
     change = data.draw(st.one_of(st.sampled_from(list(CHANGES.values())), st.fractions().map(lambda x: lambda _: x)))

@@ -12,10 +12,11 @@ from subdiv_cli.checker.core import Claim, Subject
 from subdiv_cli.checker.radius.families import UPPER, bound_of
 from subdiv_cli.checker.reading import require, require_few
 from subdiv_cli.checker.roots import fraction_bits
+from subdiv_cli.checker.spans import require_spanned
 from subdiv_cli.checker.vector.conclusions import LOWER, bound_below, scaled
 from subdiv_cli.checker.vector.masks import MatrixMask, lowest_terms, mask_of, nonzero
 from subdiv_cli.checker.vector.masks import subject as mask_subject
-from subdiv_cli.checker.vector.spaces import check_spanned, difference, invariant_space
+from subdiv_cli.checker.vector.spaces import difference, invariant_space
 
 _MAX_DEGREE = 100
 
@@ -90,7 +91,7 @@ def jet(c: Claim) -> None:
     between[0] = [x + denominator * (i == j) for i, x in enumerate(unit)]
     generators = [lowest_terms(nonzero(between), denominator), lowest_terms(difference(w, j + 1), denominator)]
     invariant_space(c, a, generators)
-    check_spanned(c, c.witness["matrices"], c.witness["leaves"], c.witness["words"])
+    require_spanned(c.witness["matrices"], c.witness["leaves"], c.witness["words"])
 
 
 def hermite_converges(c: Claim) -> None:

@@ -47,16 +47,17 @@ def differences(c: Claim) -> None:
     most = max((fraction_bits(x) for row in witness["generators"] for x in row), default=0)
     bits = n.bit_length() + entry + max(a.bits + family.bits, INDEX_BITS * k, n * most)
     c.count(n * len(window) * each, bits)
-    positions = _positions(window, s)
+    positions = positions_of(window, s)
     _annihilate(basis, window, k)
     dependent = next(iter(dependent_rows(basis)), None)
     require(dependent is None, f"row {dependent} of the basis depends on those before it, modulo 2^61 - 1")
     _generate(basis, positions, witness["generators"], k)
-    _invariant(a, witness["cosets"], basis, positions, family)
+    require_invariant(a, witness["cosets"], basis, positions, family)
     c.introduce(c.statement["family"], family)
 
 
-def _positions(window: Sequence[Index], s: int) -> dict[Index, int]:
+def positions_of(window: Sequence[Index], s: int) -> dict[Index, int]:
+    """The place of each index in a window. Raises Rejected for no window, and for one that has an index twice."""
     require(len(window) > 0, "the window is empty")
     require(all(len(index) == s for index in window), f"an index of the window is not one of Z^{s}")
     positions = {index: i for i, index in enumerate(window)}
@@ -96,10 +97,10 @@ def difference(mu: Index) -> Sparse:
     return {index: (-1) ** sum(index) * prod(map(comb, mu, index)) for index in corner}
 
 
-def _invariant(
+def require_invariant(
     a: SparseMask, cosets: Sequence[Index], basis: Rows, positions: dict[Index, int], family: RationalFamily
 ) -> None:
-    """Check that T_(ε_e) b_i = Σ_j M_e[j][i] b_j, at all indices."""
+    """Check that T_(ε_e) b_i = Σ_j M_e[j][i] b_j, at all indices. Raises Rejected where it is not so."""
     size = len(positions)
     operators, slots = _operators(a, cosets, positions)
     columns = list(zip(*basis, strict=True))
@@ -125,7 +126,7 @@ def _operators(
     x = ε_e + Mα has the slot of e and α: letter by letter the window, and then slots for the α outside of it.
     """
     dilation, size = a.dilation, len(positions)
-    letters = _letters(dilation, cosets)
+    letters = letters_of(dilation, cosets)
     slots: dict[Index, int] = {}
     outside = len(cosets) * size
     operators = []
@@ -143,8 +144,11 @@ def _operators(
     return operators, outside
 
 
-def _letters(dilation: DilationMatrix, cosets: Sequence[Index]) -> dict[Index, tuple[int, Index]]:
-    """The number of each representative and the representative itself, by its residue."""
+def letters_of(dilation: DilationMatrix, cosets: Sequence[Index]) -> dict[Index, tuple[int, Index]]:
+    """The number of each representative and the representative itself, by its residue.
+
+    Raises Rejected where they are not one for each coset.
+    """
     require(len(cosets) == dilation.cosets, "the representatives are not m")
     require(all(len(index) == dilation.dimension for index in cosets), "a representative has another dimension")
     letters = {dilation.residue(index): (number, index) for number, index in enumerate(cosets)}

@@ -14,6 +14,7 @@ from subdiv_cli.checker.multivariate import (
     matrix_schemes,
     mean_squares,
     stability,
+    stencils,
     sum_rules,
     tensor,
 )
@@ -30,6 +31,8 @@ _PROPERTIES: Mapping[str, Fields] = {
     "coset-sums": {"holds": "boolean"},
     "total-sum-rules": {"order": "natural"},
     "family": {**FAMILY, "order": "natural"},
+    "limit-stencil": {"coset": "index"},
+    "stencil-family": {**FAMILY, "order": "natural"},
     "convergent": {"holds": "boolean"},
     "smooth": {"order": "natural"},
     "not-smooth": {"order": "natural"},
@@ -63,6 +66,16 @@ _SPACE = {
     "matrices": "family",
     "generators": "rational[][]",
 }
+_STENCIL_SPACE = {
+    "cosets": "index[]",
+    "window": "index[]",
+    "basis": "flat[]",
+    "matrices": "family",
+    "tree": "flat",
+    "breadth": "natural",
+    "leaves": "rational[][]",
+    "words": "flat[]",
+}
 _ZERO_POINT = {"gram": "terms", "point": "index", "order": "length"}
 _PARTS = {"which": "natural[]", "certificates": "any[]"}
 _RULES = {
@@ -78,6 +91,14 @@ _RULES = {
     "holder-root": Step(("holder-root",), {}, _NONE, conclusions.holder_root),
     "sobolev-at-least": Step(("sobolev-at-least",), {}, _NONE, conclusions.sobolev_at_least),
     "sobolev-at-most": Step(("sobolev-at-most",), {}, _NONE, conclusions.sobolev_at_most),
+    "limit-stencil": Step(("limit-stencil",), {}, ({"terms": "terms"},), stencils.limit_stencil),
+    "stencil-differences": Step(("stencil-family",), {}, (_STENCIL_SPACE,), stencils.stencil_differences),
+    "stencil-smooth": Step(("smooth",), {}, _NONE, stencils.smooth),
+    "stencil-not-smooth": Step(("not-smooth",), {}, _NONE, stencils.not_smooth),
+    "stencil-holder-lower": Step(("holder-lower",), {}, _NONE, stencils.holder_lower),
+    "stencil-holder-upper": Step(("holder-upper",), {}, _NONE, stencils.holder_upper),
+    "stencil-holder-root": Step(("holder-root",), {}, _NONE, stencils.holder_root),
+    "holder-meets": Step(("holder-root",), {}, _NONE, stencils.holder_meets),
     "interpolatory-stable": Step(("stable",), {"holds": True}, _NONE, stability.interpolatory_stable),
     "gram-stable": Step(("stable",), {"holds": True}, ({"gram": "terms", "tree": "flat"},), stability.gram_stable),
     "gram-unstable": Step(("stable",), {"holds": False}, (_ZERO_POINT,), stability.gram_unstable),

@@ -17,6 +17,8 @@ _PHRASES = {
     "coset-sums": "the coset sums are {holds}all 1",
     "total-sum-rules": "sum rules of total order {order}",
     "family": "family {family} belongs to differences of order {order}",
+    "limit-stencil": "a limit stencil for the coset of ({coset})",
+    "stencil-family": "family {family} belongs to differences of φ of order {order}",
     "convergent": "S {converges}",
     "smooth": "φ is C^{order}",
     "not-smooth": "φ is not C^{order}",

@@ -100,12 +100,6 @@ def mask_of(c: Claim) -> MatrixMask:
     return mask
 
 
-def scaled(row: Sequence[Fraction]) -> tuple[list[int], int]:
-    """Rationals as numerators over their common denominator."""
-    common = lcm(*(x.denominator for x in row))
-    return [x.numerator * (common // x.denominator) for x in row], common
-
-
 def sequence(start: int, row: Sequence[int], m: int) -> VectorSequence:
     """The sequence with these entries, m for each index from `start` on, without zeros."""
     each = {start + i: list(row[m * i : m * i + m]) for i in range(len(row) // m)}
@@ -120,11 +114,6 @@ def total(v: VectorSequence, m: int) -> list[int]:
 def nonzero(v: VectorSequence) -> VectorSequence:
     """The sequence without zeros."""
     return {i: x for i, x in v.items() if any(x)}
-
-
-def are_independent(rows: Sequence[Sequence[int]]) -> bool:
-    """Whether rows of integers are independent modulo a prime: then over Q as well."""
-    return not dependent_rows(rows)
 
 
 def rank(rows: Sequence[Sequence[int]]) -> int:

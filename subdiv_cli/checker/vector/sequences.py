@@ -12,14 +12,13 @@ from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.matrices import Matrix
 from subdiv_cli.checker.reading import require, require_few
 from subdiv_cli.checker.roots import fraction_bits
+from subdiv_cli.checker.spans import are_independent, scaled
 from subdiv_cli.checker.vector.masks import (
     MatrixMask,
     VectorSequence,
-    are_independent,
     mask_of,
     nonzero,
     rank,
-    scaled,
     sequence,
     total,
 )

@@ -12,17 +12,16 @@ from math import comb
 from operator import mul
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.matrices import PRIME, RationalFamily
+from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.reading import MAX_ORDER, require, require_few
 from subdiv_cli.checker.roots import fraction_bits
+from subdiv_cli.checker.spans import are_independent, depth_of, require_spanned, scaled
 from subdiv_cli.checker.vector.masks import (
     MatrixMask,
     VectorSequence,
-    are_independent,
     lowest_terms,
     mask_of,
     nonzero,
-    scaled,
     sequence,
     total,
 )
@@ -74,7 +73,7 @@ def stencil_differences(c: Claim) -> None:
     stencils, denominator = c.use("limit-stencils").result
     generators = [lowest_terms(difference(w, k), denominator) for w in stencils]
     invariant_space(c, a, generators)
-    check_spanned(c, c.witness["matrices"], c.witness["leaves"], c.witness["words"])
+    require_spanned(c.witness["matrices"], c.witness["leaves"], c.witness["words"])
 
 
 def difference(w: VectorSequence, k: int) -> VectorSequence:
@@ -102,7 +101,7 @@ def invariant_space(c: Claim, a: MatrixMask, generators: list[Generator]) -> lis
     require(len(family.matrices) == a.arity and family.order == n, "the matrices are not p of the order of the basis")
     require(all(len(row) == n for row in leaves), "a leaf has not as many coordinates as the basis has rows")
     require(sum(tree) == len(leaves) and set(tree) <= {0, 1}, "the tree has not as many leaves")
-    depth = _depth(tree, len(generators), a.arity)
+    depth = depth_of(tree, len(generators), a.arity)
     longest = max(len(a.matrices), *(max(v) - min(v) for v, _ in generators if v), 0) + 2
     entry = max((fraction_bits(x) for row in basis for x in row), default=0)
     given = max(
@@ -120,18 +119,6 @@ def invariant_space(c: Claim, a: MatrixMask, generators: list[Generator]) -> lis
     _grown(a, generators, tree, leaves, rows, witness["start"])
     c.introduce(c.statement["family"], family)
     return sequences
-
-
-def _depth(tree: Sequence[int], roots: int, p: int) -> int:
-    """The depth of the tree. Raises Rejected where it is not complete, or has nodes too many."""
-    level, ahead, depth, at = roots, 0, 0, 0
-    while level:
-        require(at + level <= len(tree), "the tree is not complete")
-        ahead = p * sum(1 - flag for flag in tree[at : at + level])
-        at += level
-        level, depth = ahead, depth + 1
-    require(at == len(tree), "the tree has nodes that are no images")
-    return depth
 
 
 def _row(v: VectorSequence, start: int, width: int, m: int) -> list[int] | None:
@@ -181,23 +168,3 @@ def _grown(
             for x, column in zip(row, columns, strict=True)
         )
         require(same, f"node {node} of the tree has other coordinates")
-
-
-def check_spanned(
-    c: Claim, family: RationalFamily, leaves: Sequence[Sequence[Fraction]], words: Sequence[Sequence[int]]
-) -> None:
-    """Check that as many words as the order of the family, a leaf and letters each, give independent vectors."""
-    n = family.order
-    require(len(words) == n, "there are not as many words as the basis has rows")
-    inverse = pow(family.denominator, -1, PRIME)
-    images = []
-    for word in words:
-        require(len(word) > 0 and 0 <= word[0] < len(leaves), "a word has no leaf")
-        require(all(0 <= letter < len(family.matrices) for letter in word[1:]), "a letter is not there")
-        numerators, common = scaled(leaves[word[0]])
-        require(common % PRIME != 0, "a denominator is 0 modulo 2^61 - 1")
-        v = [x * pow(common, -1, PRIME) % PRIME for x in numerators]
-        for letter in word[1:]:
-            v = [sum(map(mul, row, v)) * inverse % PRIME for row in family.matrices[letter]]
-        images.append(v)
-    require(are_independent(images), "the words do not span the space modulo 2^61 - 1")

@@ -10,8 +10,9 @@ from flint import fmpq, fmpq_mat, fmpq_poly
 
 from subdiv_cli.exact.linalg import Vector
 from subdiv_cli.exact.rationals import to_fraction
+from subdiv_cli.kinds.growth import SequenceGrowth, growth_on
 from subdiv_cli.kinds.hermite.taylor import taylor_mask
-from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
+from subdiv_cli.kinds.vector.numbers.vector import VectorNumbers
 
 
 class JetSequences(NamedTuple):
@@ -66,7 +67,7 @@ class HermiteNumbers(VectorNumbers):
     def jet_growth(self, j: int) -> SequenceGrowth | None:
         """The growth on the space U_j of theorem 5 of spaces/stencils.py; `order` is j. None where it is unknown."""
         if j not in self._jet_growths:
-            self._jet_growths[j] = self._growth(j, self.spaces.jet(j)) if self.is_small else None
+            self._jet_growths[j] = growth_on(j, self.spaces.jet(j), self.effort) if self.is_small else None
         return self._jet_growths[j]
 
     @cached_property

@@ -147,6 +147,14 @@ SUBLATTICE = row(
     w.SublatticeWitness,
     proves="convergent",
 )
+STENCIL_RADIUS = row(
+    "SD621",
+    "surface-stencil-radius",
+    "Jia 1998; Guglielmi, Wirth & Zennaro 2005; proved in the format of certificates, stencil-differences",
+    w.SurfaceStencilWitness,
+    proves="stencil-family radius bounded radius-upper radius-lower",
+    radius=True,
+)
 
 
 def rules() -> Mapping[str, Rule[Any]]:

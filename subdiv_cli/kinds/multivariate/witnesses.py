@@ -59,6 +59,16 @@ class DifferenceRadiusWitness(RadiusWitness):
     method: str
 
 
+class SurfaceStencilWitness(RadiusWitness):
+    """The form of SD621: of a radius that is known or bounded, or, with `least`, of one that a product keeps up."""
+
+    order: int
+    dimension: int
+    stencil: PlacedNumbers
+    method: NotRequired[str]
+    least: NotRequired[Fraction]
+
+
 class MatrixNormsWitness(TypedDict):
     """The form of SD606."""
 
@@ -206,6 +216,26 @@ class DifferenceRadiusProof(TypedDict):
 
     space: SpaceProof
     radius: RadiusProof
+
+
+class StencilSpaceProof(TypedDict):
+    """The space V_k(w) of differences of a limit stencil with the transition operators on it."""
+
+    cosets: tuple[Index, ...]
+    window: tuple[Index, ...]
+    basis: tuple[Integers, ...]
+    matrices: tuple[Rows, ...]
+    tree: Integers
+    breadth: int
+    leaves: Rows
+    words: tuple[Integers, ...]
+
+
+class StencilRadiusProof(TypedDict):
+    """The further data of SD621."""
+
+    space: StencilSpaceProof
+    radius: NotRequired[RadiusProof]
 
 
 class MatrixNormsProof(TypedDict):

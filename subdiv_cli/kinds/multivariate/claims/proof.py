@@ -13,6 +13,7 @@ from subdiv_cli.kinds.kind import Analysis, Facts, Part
 from subdiv_cli.kinds.multivariate import rules
 from subdiv_cli.kinds.multivariate.claims.norms import directional_norms, gram_sequence, matrix_norm, pair_norms
 from subdiv_cli.kinds.multivariate.claims.products import BoxSplineClaims, Factors, PartCertificate
+from subdiv_cli.kinds.multivariate.claims.stencils import StencilClaims
 from subdiv_cli.kinds.multivariate.stages.wording import largest_norm
 from subdiv_cli.kinds.multivariate.text.writing import canonical
 from subdiv_cli.kinds.multivariate.witnesses import (
@@ -64,7 +65,9 @@ class _Proof:
         self.m = len(self.facts.witness(rules.COSET_SUMS)["cosets"])
         self.factors = Factors(self.claims, parts, self.terms * (self.s + 1))
         self._families: list[None] = []
-        self._family: int | None = None
+        size = (self.s, self.m, self.terms)
+        self.stencils = StencilClaims(self.claims, self.facts, self._families, size, self._convergent)
+        self._family: tuple[int, int] | None = None
         self._radius_claim: int | None = None
 
     def claims_of(self, finding: Finding) -> list[int]:
@@ -76,6 +79,7 @@ class _Proof:
             rules.SUBLATTICE.code: lambda _: [self._sublattice()],
             rules.DIRECTIONAL_NORMS.code: self._norms,
             rules.DIFFERENCE_RADIUS.code: lambda _: [self._radius(), self._differences()],
+            rules.STENCIL_RADIUS.code: lambda _: self.stencils.bound(),
             rules.MATRIX_NORMS.code: lambda _: [self._matrix_norm()],
             rules.DIRECTIONAL_SMOOTHNESS.code: lambda _: [self._pairs()],
             rules.POSITIVE_MASK.code: lambda _: [self._positive()],
@@ -164,11 +168,16 @@ class _Proof:
 
     def _differences(self) -> int:
         """The claim that introduces the transition operators on V_k."""
+        return self._introduced()[1]
+
+    def _introduced(self) -> tuple[int, int]:
+        """The number of the family of V_k, and that of the claim that introduces it."""
         if self._family is None:
             space = self._decay_proof["space"]
             k, n, w = space["order"], len(space["basis"]), len(space["window"])
             s, m = self.s, self.m
             work = n * w * ((m + 1) * n + self.terms + comb(k + s, s) + comb(k + s - 1, s - 1))
+            number = len(self._families)
             self._families.append(None)
             witness = {
                 "cosets": spelled(space["cosets"]),
@@ -177,23 +186,23 @@ class _Proof:
                 "matrices": rationals(space["matrices"]),
                 "generators": rationals(space["generators"]),
             }
-            statement = {"property": "family", "family": 0, "order": k}
-            self._family = self.claims.prove("differences", statement, witness, [self._sum_rules()], work)
+            statement = {"property": "family", "family": number, "order": k}
+            self._family = number, self.claims.prove("differences", statement, witness, [self._sum_rules()], work)
         return self._family
 
     def _radius(self) -> int:
         """The claim on ρ_k, the joint spectral radius on V_k: from above, or the number itself."""
+        number, _ = self._introduced()
         if self._radius_claim is None:
-            self._differences()
             radii = Radii(self.claims, self._families, self.m, [])
             proof = self._decay_proof
-            self._radius_claim = radii.claim(proof["radius"], 0, len(proof["space"]["basis"]))
+            self._radius_claim = radii.claim(proof["radius"], number, len(proof["space"]["basis"]))
         return self._radius_claim
 
     def _word(self, word: Sequence[int], bound: Fraction) -> int:
-        self._differences()
+        number, _ = self._introduced()
         order = len(self._decay_proof["space"]["basis"])
-        statement = {"property": "radius-lower", "family": 0, "length": len(word), "bound": rational(bound)}
+        statement = {"property": "radius-lower", "family": number, "length": len(word), "bound": rational(bound)}
         return self.claims.prove("word", statement, {"word": list(word)}, work=len(word) * order**3 + order**4)
 
     def _convergent(self, finding: Finding | None = None) -> int:
@@ -251,6 +260,8 @@ class _Proof:
             return [self.box.smooth(n)]
         if by == rules.DIRECTIONAL_SMOOTHNESS.code:
             return [self._pairs(n)]
+        if by == rules.STENCIL_RADIUS.code:
+            return [self.stencils.smooth(n)]
         return [self.claims.prove("smooth", {"order": n}, uses=self._decay(finding, by))]
 
     def _decay(self, finding: Finding, by: str) -> list[int]:
@@ -275,6 +286,8 @@ class _Proof:
             return self.factors.say("not-smooth", statement)
         if by == rules.BOX_SPLINE.code:
             return [self.box.not_smooth(n)]
+        if by == rules.STENCIL_RADIUS.code:
+            return [self.stencils.not_smooth(n)]
         if by == rules.SUM_RULES.code:
             return [self.claims.prove("not-smooth", statement, uses=[self._stable(), self._sum_rules()])]
         if by == rules.SOBOLEV.code:
@@ -297,11 +310,16 @@ class _Proof:
             return self.factors.holder_lower(witness)
         if witness["by"] == rules.BOX_SPLINE.code:
             return [self.box.holder(witness["value"])]
+        if witness["by"] == rules.STENCIL_RADIUS.code:
+            return [self.stencils.holder_lower(witness)]
         if "root" in witness and self.facts.verdict(rules.STABILITY) is Verdict.PROVED:
             return [self._exponent(witness["length"], witness["root"])]
         statement = {"length": witness["length"], "bound": rational(upper_bound(witness))}
         uses = self._decay(finding, witness["by"])
-        return [self.claims.prove("holder-lower", statement, uses=uses), *([uses[0]] if len(uses) > 1 else [])]
+        claim = self.claims.prove("holder-lower", statement, uses=uses)
+        if "root" in witness and finding.closed is not None:
+            claim = self.stencils.meets(claim, witness)
+        return [claim, *([uses[0]] if len(uses) > 1 else [])]
 
     def _upper(self, finding: Finding) -> list[int]:
         witness, below = rules.HOLDER_UPPER.witness_of(finding), self.facts[rules.HOLDER_LOWER]
@@ -310,15 +328,16 @@ class _Proof:
             return self.factors.holder_upper(finding, below)
         if by == rules.BOX_SPLINE.code:
             return [self.box.holder(witness["value"])]
-        if by == rules.DIFFERENCE_RADIUS.code and below.verdict in DECIDED:
-            lower = rules.HOLDER_LOWER.witness_of(below)
-            if "root" in lower:
-                return [self._exponent(lower["length"], lower["root"])]
+        by_radius = by in (rules.DIFFERENCE_RADIUS.code, rules.STENCIL_RADIUS.code)
+        if by_radius and below.verdict in DECIDED and below.closed is not None and "root" in below.witness:
+            return self._lower(below)[:1]
         return [self._above(finding)]
 
     def _above(self, finding: Finding) -> int:
         """The claim of a bound from above, by the order of the sum rules, by mean squares, or by a product."""
         witness = rules.HOLDER_UPPER.witness_of(finding)
+        if witness["by"] == rules.STENCIL_RADIUS.code:
+            return self.stencils.holder_upper(witness)
         statement = {"length": witness["length"], "bound": rational(witness["radius"])}
         if witness["by"] == rules.SUM_RULES.code:
             uses = [self._sum_rules(), self._stable()]

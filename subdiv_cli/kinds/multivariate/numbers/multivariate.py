@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cached_property
-from math import prod
+from math import floor, isfinite, log2, prod
 
 from subdiv_cli.jsr.family import Family
 from subdiv_cli.jsr.products import WordProduct
@@ -29,11 +29,15 @@ from subdiv_cli.kinds.multivariate.numbers.polynomials import (
     reproduction,
     sum_rule_order,
 )
+from subdiv_cli.kinds.multivariate.numbers.stencil_growth import StencilGrowth, stencil_growth
 from subdiv_cli.kinds.multivariate.numbers.sublattice import Sublattice, sublattice
 from subdiv_cli.kinds.multivariate.numbers.symmetries import symmetries
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
 from subdiv_cli.model import HALF, Effort
 from subdiv_cli.spaces.lattice import Index, IntMatrix, Lattice
+
+_NEAR = 1e-6
+"""An exponent that is nearer to an integer is taken for one, where nothing is decided by it."""
 
 
 class MultivariateNumbers:
@@ -136,6 +140,19 @@ class MultivariateNumbers:
         if self.space is None:
             return None
         return joint_spectral_radius(Family(self.space.matrices), self.effort.limited(self.effort.work, HALF))
+
+    @cached_property
+    def stencil_growth(self) -> StencilGrowth | None:
+        """The growth on V_k(w), where S converges; None where it is too large or not bounded.
+
+        k is at least the order of the sum rules, and above the exponent that ρ_k of SD605 is seen to leave.
+        """
+        k, unit, known = max(1, self.order), log2(self.lattice.index) / self.dimension, None
+        if self.radius is not None and isfinite(self.radius.ceiling):
+            k = max(k, floor(-self.radius.ceiling / unit + _NEAR) + 1)
+            if self.radius.exact is not None and self.radius.exact[1].low == self.radius.exact[1].high:
+                known = self.radius.exact[0], self.radius.exact[1].low
+        return self.effort.in_time(lambda: stencil_growth(self.scheme, self.lattice, k, known, self.effort))
 
     @cached_property
     def mean_squares(self) -> MeanSquares | None:

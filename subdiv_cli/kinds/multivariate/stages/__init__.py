@@ -11,7 +11,7 @@ from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbe
 from subdiv_cli.kinds.multivariate.numbers.symmetries import facts
 from subdiv_cli.kinds.multivariate.numbers.tensor import TensorFactor, tensor_factors
 from subdiv_cli.kinds.multivariate.scheme import MultivariateScheme
-from subdiv_cli.kinds.multivariate.stages import exponents, norms, products, smoothness, sum_rules
+from subdiv_cli.kinds.multivariate.stages import exponents, norms, products, smoothness, stencils, sum_rules
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 from subdiv_cli.kinds.scalar.stages import analyse as analyse_univariate
 from subdiv_cli.model import ClockStruckError, Effort
@@ -29,6 +29,7 @@ STAGES: tuple[Stage, ...] = (
     norms.matrix_norms,
     smoothness.convergence,
     smoothness.stability,
+    stencils.stencil_radius,
     smoothness.smoothness,
     exponents.holder,
     exponents.sobolev,

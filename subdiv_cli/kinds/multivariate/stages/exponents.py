@@ -28,9 +28,10 @@ from subdiv_cli.kinds.multivariate.rules import (
     SUM_RULES,
     TENSOR_PRODUCT,
 )
-from subdiv_cli.kinds.multivariate.stages import products
+from subdiv_cli.kinds.multivariate.stages import products, stencils
 from subdiv_cli.kinds.multivariate.stages.wording import (
     ANISOTROPIC,
+    exponent_above,
     growth_proof,
     largest_norm,
     multivariate_exponent,
@@ -45,7 +46,7 @@ from subdiv_cli.kinds.multivariate.witnesses import (
 from subdiv_cli.kinds.radius import shown
 from subdiv_cli.kinds.scalar.numbers.sobolev import Growth
 from subdiv_cli.kinds.scalar.stages.wording import product_name
-from subdiv_cli.model import Finding, Interval, Root, Verdict, exact_root, logarithm, unpowered
+from subdiv_cli.model import Finding, Interval, Root, Verdict, exact_root
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.findings import best_of
 from subdiv_cli.model.proofs import root_data, upper_bound
@@ -66,6 +67,8 @@ def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     dimension/2; and α >= 0 where S converges (SD611). From above, for stable φ: α <= k; ρ_k² >= Λ, so α is at most the
     Sobolev exponent.
 
+    Without stability, where S converges: α = -log_λ ρ_k(w) as soon as this is below k, by SD621.
+
     Tensor products (SD609): the least exponent of a factor, M isotropic or not.
 
     Witness: `by`, the code of the finding that gives it (SD602 for k); of a tensor product `variables` of the factor,
@@ -83,12 +86,19 @@ def holder(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (HOLDER_LOWER.skipped(_BELOW, reason), HOLDER_UPPER.skipped(_ABOVE, reason))
     stably = facts.verdict(STABILITY) is Verdict.PROVED
     below = [*_exactly(numbers, stably), *_bounds_below(numbers, facts)]
-    above = sorted(_bounds_above(numbers), key=_upper_of) if stably else []
+    if by_stencil := [*stencils.holder_below(numbers, facts)]:
+        below = sorted([*by_stencil, *below], key=lambda each: (each.closed is None, -_lower_of(each)))
+    above = [*_bounds_above(numbers)] if stably else []
+    above = sorted([*stencils.holder_above(numbers, facts, below[0] if below else None), *above], key=_upper_of)
     none, unstable = "no bound of the decay of differences is known", "it is not proved that φ is stable"
     return (
         best_of(below) if below else HOLDER_LOWER.undecided(_BELOW, none),
         best_of(above) if above else HOLDER_UPPER.undecided(_ABOVE, unstable if numbers.radius else none),
     )
+
+
+def _lower_of(finding: Finding) -> float:
+    return -inf if finding.value is None or finding.value.lower is None else finding.value.lower
 
 
 def _upper_of(finding: Finding) -> float:
@@ -228,7 +238,7 @@ def _bounds_above(numbers: MultivariateNumbers) -> Iterator[Finding]:
         }
         exact = numbers.radius.exact if numbers.radius is not None else None
         closed = multivariate_exponent(m, s, *exact) if exact is not None else None
-        upper = _above(m, s, length, bound)
+        upper = exponent_above(m, s, length, bound)
         text = rounded_up(upper) if closed is None else worded(closed)
         why = f"φ is stable, and {product_name(product.word)} bounds ρ_{k} from below"
         yield HOLDER_UPPER.proved(f"α ≤ {text}: {why}", of_product, Interval(upper=upper), why=why)
@@ -240,18 +250,10 @@ def _bounds_above(numbers: MultivariateNumbers) -> Iterator[Finding]:
     yield HOLDER_UPPER.proved(f"α ≤ {k}: {why}", witness, Interval(upper=float(k)), why=why)
     growth = None if numbers.mean_squares is None else numbers.mean_squares.growth
     if growth is not None:
-        upper, why = _above(m, s, 2, growth.low), "φ is stable, and that bounds its Sobolev exponent"
+        upper, why = exponent_above(m, s, 2, growth.low), "φ is stable, and that bounds its Sobolev exponent"
         mean: MultivariateHolderUpperWitness = {"by": SOBOLEV.code, "length": 2, "radius": growth.low}
         statement = f"α ≤ {rounded_up(upper)}: {why}"
         yield HOLDER_UPPER.proved(statement, mean, Interval(upper=upper), proof=growth_proof(numbers), why=why)
-
-
-def _above(m: int, s: int, length: int, bound: Fraction) -> float:
-    """The exponent -log_λ(bound)/length, rounded up."""
-    base, divisor = unpowered(m, length)
-    upper = closed_interval(logarithm(base, (1 / bound) ** s, divisor)).upper
-    assert upper is not None
-    return upper
 
 
 _SOBOLEV_QUESTION = "how regular is φ in L2?"
@@ -304,7 +306,7 @@ def _between(numbers: MultivariateNumbers, facts: Facts) -> Iterator[Finding]:
         length, bound = above["length"], above["radius"]
         if above["by"] != SUM_RULES.code:
             length, bound = 2 * length, bound**2 / m**length
-        most.append((_above(m, d, length, bound), j))
+        most.append((exponent_above(m, d, length, bound), j))
     for i, lower in _apart(facts.find(HOLDER_LOWER)):
         below = HOLDER_LOWER.witness_of(lower)
         low = _exponent(numbers, below["length"], upper_bound(below))

@@ -17,7 +17,8 @@ from subdiv_cli.kinds.multivariate.rules import (
     POSITIVE_MASK,
     SUBLATTICE,
 )
-from subdiv_cli.kinds.multivariate.stages.smoothness import proved_by, reaches, threshold
+from subdiv_cli.kinds.multivariate.stages.smoothness import proved_by, reaches
+from subdiv_cli.kinds.multivariate.stages.wording import threshold
 from subdiv_cli.kinds.multivariate.witnesses import (
     DirectionalNormsWitness,
     DirectionalSmoothnessWitness,

@@ -26,12 +26,13 @@ from subdiv_cli.kinds.multivariate.rules import (
     SMOOTHNESS,
     SOBOLEV,
     STABILITY,
+    STENCIL_RADIUS,
     SUBLATTICE,
     SUM_RULES,
     TENSOR_PRODUCT,
 )
-from subdiv_cli.kinds.multivariate.stages import products
-from subdiv_cli.kinds.multivariate.stages.wording import ANISOTROPIC, growth_proof, not_spanning, spanning
+from subdiv_cli.kinds.multivariate.stages import products, stencils
+from subdiv_cli.kinds.multivariate.stages.wording import ANISOTROPIC, growth_proof, not_spanning, spanning, threshold
 from subdiv_cli.kinds.multivariate.witnesses import (
     DifferenceRadiusProof,
     DifferenceRadiusWitness,
@@ -44,7 +45,7 @@ from subdiv_cli.kinds.multivariate.witnesses import (
 )
 from subdiv_cli.kinds.radius import enclosed, put_radius, shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
-from subdiv_cli.model import Finding, Smoothness, Verdict, exact_root
+from subdiv_cli.model import Finding, Smoothness, Verdict
 from subdiv_cli.model import findings as questions
 from subdiv_cli.model.findings import best_of
 
@@ -270,15 +271,17 @@ def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...
     Theorems. For isotropic M, λ = |det M|^(1/s) (Jia 1998; Han 2003): sum rules of order k > n and ρ_k < λ^-n give C^n;
     stable φ ∈ C^n has sum rules of order > n and ρ_k < λ^-n for every order k > n of its sum rules. Box splines
     (SD603): C^n iff n <= d - 2, whatever their stability. Tensor products (SD609): iff all factors are. Hypotheses: M
-    isotropic, checked (others are skipped); stability (SD616), for refutations that are not of box splines.
+    isotropic, checked (others are skipped); stability (SD616), for refutations that are not of box splines or by SD621.
+
+    Without stability: S converges, and ρ_k(w) < λ^-n, k > n, gives C^n, ρ_k(w) >= λ^-n excludes it (SD621).
 
     In the mean, ρ_k² is at most m Λ, Λ the growth of the mean squares of differences (SD617). Where neither tells, a
     matrix scheme of differences (SD606) or quotients by pairs of directional factors (SD607) may.
 
     For any M, φ is C^0 where S converges (SD611).
 
-    Witness: `order`; `by`, SD605, SD617, SD606, SD607, SD609, SD611 or SD603; SD613: `by`, SD603, SD609, SD602 (the sum
-    rules are too few), SD605 (a product of its `word`) or SD617 (the Sobolev exponent is at most n).
+    Witness: `order`; `by`, SD605, SD617, SD606, SD607, SD609, SD611, SD603 or SD621; SD613: `by`, SD603, SD609, SD602
+    (the sum rules are too few), SD605 or SD621 (a product of its `word`) or SD617 (the Sobolev exponent is at most n).
     """
     if not numbers.is_normalised:
         return (
@@ -303,6 +306,8 @@ def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...
         ),
         *proofs,
     ]
+    if (proof := stencils.smooth(numbers, facts)) is not None:
+        proofs.append(_proved(*proof, STENCIL_RADIUS.code))
     stably = facts.verdict(STABILITY) is Verdict.PROVED
     if not proofs:
         known = numbers.radius is not None or numbers.mean_decay is not None
@@ -314,8 +319,12 @@ def smoothness(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...
         _not_smoother(n, f"φ is stable, and {why}", _by(n, by), growth_proof(numbers) if by == SOBOLEV.code else None)
         for why, by in _obstacles_to(numbers, n)
     ]
-    if obstacles and stably:
-        return (first, best_of(obstacles))
+    by_stencil = stencils.obstacle(numbers, facts, n)
+    excluded = obstacles if stably else []
+    if by_stencil is not None:
+        excluded.append(_not_smoother(n, by_stencil, _by(n, STENCIL_RADIUS.code)))
+    if excluded:
+        return (first, best_of(excluded))
     why = "it is not proved that φ is stable" if obstacles else "no product is known that excludes it"
     return (first, NEXT_SMOOTHNESS.undecided(f"is φ C^{n}?", why))
 
@@ -380,15 +389,6 @@ def _reason(numbers: MultivariateNumbers, n: int, by: str) -> str:
         return "a matrix scheme of differences contracts"
     mean = ", by the mean squares of differences" if by == SOBOLEV.code else ""
     return f"ρ_{numbers.order} < {threshold(numbers, n)}{mean}"
-
-
-def threshold(numbers: MultivariateNumbers, n: int) -> str:
-    """The power λ^-n in words: `1`, `λ^-2, λ = 3`, `λ^-1, λ = √2`."""
-    if n == 0:
-        return "1"
-    m, s = numbers.lattice.index, numbers.dimension
-    root = exact_root(m, s)
-    return f"λ^-{n}, " + (f"λ = {root}" if root is not None else f"λ = √{m}" if s == 2 else f"λ^{s} = {m}")
 
 
 def proved_by(numbers: MultivariateNumbers, facts: Facts, n: int) -> tuple[str, ...]:

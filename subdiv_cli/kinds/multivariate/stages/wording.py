@@ -6,14 +6,14 @@ from fractions import Fraction
 from math import gcd
 
 from subdiv_cli.exact.algebraic import isolated, number_of, power
-from subdiv_cli.exact.closed import exponent
+from subdiv_cli.exact.closed import closed_interval, exponent
 from subdiv_cli.kinds.multivariate.numbers.multivariate import MultivariateNumbers
 from subdiv_cli.kinds.multivariate.witnesses import (
     DirectionalNormsWitness,
     DirectionalSmoothnessWitness,
     GrowthProof,
 )
-from subdiv_cli.model import ClosedForm, Root, unpowered
+from subdiv_cli.model import ClosedForm, Root, exact_root, logarithm, unpowered
 
 ANISOTROPIC = "smoothness is decided for isotropic dilations only"
 
@@ -65,3 +65,20 @@ def growth_proof(numbers: MultivariateNumbers) -> GrowthProof:
         "window": means.window,
         "pairs": means.pairs,
     }
+
+
+def threshold(numbers: MultivariateNumbers, n: int) -> str:
+    """The power λ^-n in words: `1`, `λ^-2, λ = 3`, `λ^-1, λ = √2`."""
+    if n == 0:
+        return "1"
+    m, s = numbers.lattice.index, numbers.dimension
+    root = exact_root(m, s)
+    return f"λ^-{n}, " + (f"λ = {root}" if root is not None else f"λ = √{m}" if s == 2 else f"λ^{s} = {m}")
+
+
+def exponent_above(m: int, s: int, length: int, bound: Fraction) -> float:
+    """The exponent -log_λ(bound)/length, rounded up."""
+    base, divisor = unpowered(m, length)
+    upper = closed_interval(logarithm(base, (1 / bound) ** s, divisor)).upper
+    assert upper is not None
+    return upper

@@ -2,38 +2,26 @@
 
 from __future__ import annotations
 
-import math
 from functools import cached_property
-from typing import NamedTuple
 
 from flint import fmpq_mat, fmpq_poly
 
 from subdiv_cli.exact.linalg import Vector, matrix, rows_of
 from subdiv_cli.jsr.family import Family
-from subdiv_cli.jsr.products import WordProduct
 from subdiv_cli.jsr.result import Radius
+from subdiv_cli.kinds.growth import SequenceGrowth, first_above, growth_on
 from subdiv_cli.kinds.vector.numbers.derived import Derivation, derivation
 from subdiv_cli.kinds.vector.numbers.eigen_sequences import EigenSequences, eigen_sequences
 from subdiv_cli.kinds.vector.scheme import VectorScheme
 from subdiv_cli.model import Effort
 from subdiv_cli.spaces.lattice import Index, Lattice
-from subdiv_cli.spaces.stencils import SequenceSpace, StencilSpaces, VectorSequence
+from subdiv_cli.spaces.stencils import StencilSpaces, VectorSequence
 from subdiv_cli.spaces.transition import TransitionOperators
 
 LARGEST_WINDOW = 400
 """The most coordinates of a window: components times indices."""
-_TIE = 1e-6
-
-
-class SequenceGrowth(NamedTuple):
-    """An invariant space of sequences, and the joint spectral radius of the transition operators on it."""
-
-    order: int
-    """The order k of differences of limit stencils, 0 for the space of all sequences that die out."""
-    on: SequenceSpace
-    radius: Radius
-    product: WordProduct | None
-    """A product that bounds the radius from below."""
+_LONGEST = 2
+"""The length of the products that tell whether the exponent is below k."""
 
 
 class VectorNumbers:
@@ -104,29 +92,25 @@ class VectorNumbers:
     @cached_property
     def decay(self) -> SequenceGrowth | None:
         """The growth on the sequences that die out if the scheme converges: it does iff the radius is below 1."""
-        return self._growth(0, self.spaces.decay) if self.is_small and self.constants else None
+        return growth_on(0, self.spaces.decay, self.effort) if self.is_small and self.constants else None
 
     @cached_property
     def growth(self) -> SequenceGrowth | None:
         """The growth on V_k(w) of a scheme that converges, with k above the Hölder exponent; None where it is unknown.
 
         No k above the number of coordinates of the window is tried, as 1, p^-1, …, p^-n are eigenvalues of T_0 where
-        all limits are C^n. A product tells in floats when k is large enough; that it is, is proved with the radius.
+        all limits are C^n.
         """
         window = self.operators.window
         if window is None or self.sequences is None or self.stencils is None:
             return None
-        for k in range(max(1, self.sequences.order), self.size * len(window) + 2):
-            on = self.spaces.differences(k)
-            if on is None or not on.space.dimension:
-                return None
-            if self._seems_below(Family(on.space.matrices), k):
-                return self._growth(k, on)
-        return None
+        orders = range(max(1, self.sequences.order), self.size * len(window) + 2)
+        above = first_above(self.spaces, orders, _LONGEST)
+        return None if above is None else growth_on(*above[:2], self.effort)
 
     def growth_of(self, k: int) -> SequenceGrowth | None:
         """The growth on V_k(w) for this k."""
-        return self._growth(k, self.spaces.differences(k))
+        return growth_on(k, self.spaces.differences(k), self.effort)
 
     def bounded(self, growth: SequenceGrowth) -> Radius | None:
         """The radius of a growth, where its products are proved to be bounded by its powers; None elsewhere."""
@@ -135,25 +119,6 @@ class VectorNumbers:
         if growth.radius.bounded:
             return growth.radius
         return closed_radius(Family(growth.on.space.matrices), self.effort)
-
-    def _seems_below(self, family: Family, k: int) -> bool:
-        """Whether a short product keeps the radius above p^-k, in floats."""
-        from subdiv_cli.jsr.search import candidates  # numpy comes with it
-
-        rate = candidates(family, 2)[0]
-        return rate > 0 and math.log2(rate) + math.log2(family.unit) > -(k - _TIE) * math.log2(self.p)
-
-    def _growth(self, k: int, on: SequenceSpace | None) -> SequenceGrowth | None:
-        from subdiv_cli.jsr.radius import joint_spectral_radius  # numpy comes with it
-
-        if on is None or not on.space.dimension:
-            return None
-        matrices = on.space.matrices
-        radius = joint_spectral_radius(Family(matrices), self.effort)
-        if radius is None:
-            return None
-        product = None if radius.word is None else WordProduct.of_word(matrices, radius.word)
-        return SequenceGrowth(k, on, radius, product)
 
     def derivation(self, most: int) -> Derivation:
         """The derived schemes of Moosmüller & Dyn, at most so many, and the norms by which they contract."""

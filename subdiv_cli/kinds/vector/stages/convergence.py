@@ -8,10 +8,11 @@ from subdiv_cli.exact.algebraic import roots
 from subdiv_cli.exact.linalg import Vector, matrix, nullspace, rows_of
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.exact.text import modulus, number, rounded_up
+from subdiv_cli.kinds.growth import SequenceGrowth
 from subdiv_cli.kinds.kind import ContradictionError, Facts, asking
 from subdiv_cli.kinds.radius import enclosed, put_radius, shown
 from subdiv_cli.kinds.scalar.stages.wording import product_name
-from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
+from subdiv_cli.kinds.vector.numbers.vector import VectorNumbers
 from subdiv_cli.kinds.vector.rules import (
     CONSTANTS,
     CONVERGENCE,

@@ -14,13 +14,14 @@ from subdiv_cli.exact.linalg import rows_of
 from subdiv_cli.exact.text import number, rounded_down, rounded_up, valued
 from subdiv_cli.jsr.family import Word
 from subdiv_cli.jsr.products import WordProduct, lyndon_words, radius_bound
+from subdiv_cli.kinds.growth import SequenceGrowth
 from subdiv_cli.kinds.kind import Facts, asking
 from subdiv_cli.kinds.radius import shown
 from subdiv_cli.kinds.scalar.stages.holder import defect
 from subdiv_cli.kinds.scalar.stages.joint_radius import threshold
 from subdiv_cli.kinds.scalar.stages.wording import product_name
 from subdiv_cli.kinds.vector.numbers.derived import Derivation
-from subdiv_cli.kinds.vector.numbers.vector import SequenceGrowth, VectorNumbers
+from subdiv_cli.kinds.vector.numbers.vector import VectorNumbers
 from subdiv_cli.kinds.vector.rules import (
     CONVERGENCE,
     DERIVED_SCHEMES,
