@@ -183,6 +183,7 @@ def _result(data: Mapping[str, Any]) -> Result:
         dimension=data.get("dimension"),
         well_defined=Verdict(data.get("well_defined", _SKIPPED)["verdict"]),
         polynomials=data.get("polynomials"),
+        holder_at_zero=_exponent(data.get("holder_at_zero")),
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),

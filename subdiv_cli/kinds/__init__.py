@@ -18,9 +18,10 @@ KINDS = {
     "multivariate": "subdiv_cli.kinds.multivariate",
     "matrices": "subdiv_cli.kinds.matrices",
     "vector": "subdiv_cli.kinds.vector",
+    "piecewise": "subdiv_cli.kinds.piecewise",
 }
 """The module that has each kind as `KIND`, by the name of the kind."""
-PLANNED = ("hermite", "piecewise")
+PLANNED = ("hermite",)
 """Kinds that a file may name and no module decides yet."""
 
 

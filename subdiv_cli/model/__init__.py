@@ -121,6 +121,8 @@ class Result:
     """The dimension of the space of constants of a mask of matrices."""
     well_defined: Verdict = Verdict.SKIPPED
     polynomials: int | None = None
+    holder_at_zero: Exponent | None = None
+    """The exponent at 0 alone of a piecewise scheme."""
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None

@@ -109,10 +109,12 @@ WELL_DEFINED = Question("well_defined")
 """Do the ends of the pieces meet, so that there is one curve? Answered by a verdict."""
 POLYNOMIALS = Question("polynomials")
 """The degree of the polynomials among the components of the curve; None where there is no curve."""
+HOLDER_AT_ZERO = Question("holder_at_zero")
+"""The exponent at 0 alone of a scheme that changes its rules there: an `Exponent`."""
 QUASI_INTERPOLATION = Question("quasi_interpolation")
 """The operator Q with S^∞ Q = 1 on the polynomials that are generated. Answered by a verdict."""
 
-_EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV))
+_EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, HOLDER_AT_ZERO, SOBOLEV))
 _DEGREES = frozenset(q.name for q in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION, POLYNOMIALS))
 
 Answer = Verdict | int | Smoothness | Exponent | None
