@@ -34,6 +34,7 @@ BETWEEN_KINDS = {
     "matrices": set(),
     "multivariate": {"scalar"},
     "vector": {"scalar", "matrices"},
+    "piecewise": {"scalar"},
 }
 """Kind -> the kinds below it. All of them may import the hallway of kinds, the files beside their folders."""
 TERMINAL = {"click", "rich"}

@@ -66,7 +66,7 @@ def test_a_toy_kind_is_checked():
 
 
 def test_an_unknown_kind_is_not():
-    line = "NOT VERIFIED document: the kind of the mask is not one of scalar, matrices, multivariate, vector"
+    line = "NOT VERIFIED document: the kind of the mask is not one of scalar, matrices, multivariate, vector, piecewise"
     for kind in ("toy", "json", "subdiv_cli.checker.scalar.rules", "", "__class__"):
         assert check_document(certificate(kind=kind)).line == line
 
@@ -118,6 +118,7 @@ KNOWS = {
     "scalar": {"radius", "scalar"},
     "multivariate": {"radius", "scalar", "multivariate"},
     "vector": {"radius", "scalar", "vector"},
+    "piecewise": {"radius", "scalar", "piecewise"},
 }
 """Which folders the modules of a folder import; those at the top import none."""
 

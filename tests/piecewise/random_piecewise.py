@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fractions import Fraction as F
+from fractions import Fraction
 
 import numpy as np
 
@@ -10,15 +10,21 @@ from subdiv_cli.kinds.piecewise.scheme import PiecewiseScheme
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 
 MASKS = {
-    "hat": (-1, [F(1, 2), F(1), F(1, 2)]),
-    "chaikin": (-1, [F(1, 4), F(3, 4), F(3, 4), F(1, 4)]),
-    "shifted chaikin": (0, [F(1, 4), F(3, 4), F(3, 4), F(1, 4)]),
-    "cubic": (-2, [F(1, 8), F(1, 2), F(3, 4), F(1, 2), F(1, 8)]),
-    "shifted cubic": (-1, [F(1, 8), F(1, 2), F(3, 4), F(1, 2), F(1, 8)]),
-    "four-point": (-3, [F(-1, 16), F(0), F(9, 16), F(1), F(9, 16), F(0), F(-1, 16)]),
-    "four-point 1/10": (-3, [F(-1, 10), F(0), F(3, 5), F(1), F(3, 5), F(0), F(-1, 10)]),
-    "unstable": (0, [F(1, 4), F(1, 4), F(1, 2), F(1, 2), F(1, 4), F(1, 4)]),
-    "corner cutting": (-1, [F(1, 8), F(5, 8), F(7, 8), F(3, 8)]),
+    "hat": (-1, [Fraction(1, 2), Fraction(1), Fraction(1, 2)]),
+    "chaikin": (-1, [Fraction(1, 4), Fraction(3, 4), Fraction(3, 4), Fraction(1, 4)]),
+    "shifted chaikin": (0, [Fraction(1, 4), Fraction(3, 4), Fraction(3, 4), Fraction(1, 4)]),
+    "cubic": (-2, [Fraction(1, 8), Fraction(1, 2), Fraction(3, 4), Fraction(1, 2), Fraction(1, 8)]),
+    "shifted cubic": (-1, [Fraction(1, 8), Fraction(1, 2), Fraction(3, 4), Fraction(1, 2), Fraction(1, 8)]),
+    "four-point": (
+        -3,
+        [Fraction(-1, 16), Fraction(0), Fraction(9, 16), Fraction(1), Fraction(9, 16), Fraction(0), Fraction(-1, 16)],
+    ),
+    "four-point 1/10": (
+        -3,
+        [Fraction(-1, 10), Fraction(0), Fraction(3, 5), Fraction(1), Fraction(3, 5), Fraction(0), Fraction(-1, 10)],
+    ),
+    "unstable": (0, [Fraction(1, 4), Fraction(1, 4), Fraction(1, 2), Fraction(1, 2), Fraction(1, 4), Fraction(1, 4)]),
+    "corner cutting": (-1, [Fraction(1, 8), Fraction(5, 8), Fraction(7, 8), Fraction(3, 8)]),
 }
 
 
@@ -30,21 +36,21 @@ def mask(name, arity=2):
 def random_scheme(rng, masks=tuple(MASKS), rows=4, size=4):
     """Two masks, spacings, and special rows: the mask's own, changed by weights that sum to 0, or other means."""
     left, right = mask(rng.choice(masks)), mask(rng.choice(masks))
-    spacing = (F(1), rng.choice([F(1), F(1), F(2), F(1, 2), F(3, 2)]))
+    spacing = (Fraction(1), rng.choice([Fraction(1), Fraction(1), Fraction(2), Fraction(1, 2), Fraction(3, 2)]))
     plain = PiecewiseScheme(left, right, spacing)
     special = []
     for i in sorted(rng.sample(range(-3, 5), rng.randint(0, rows))):
         row = dict(plain.row(i))
         if rng.random() < 0.2:  # the mean of few old points, of one side only at times
             first = rng.randint(-2, 2)
-            weights = [F(rng.randint(0, 4), 1) for _ in range(rng.randint(1, 3))]
+            weights = [Fraction(rng.randint(0, 4), 1) for _ in range(rng.randint(1, 3))]
             total = sum(weights) or 1
-            row = {first + k: w / total for k, w in enumerate(weights)} if sum(weights) else {first: F(1)}
+            row = {first + k: w / total for k, w in enumerate(weights)} if sum(weights) else {first: Fraction(1)}
         else:
-            first, x = rng.randint(-3, 3), F(rng.randint(-size, size), rng.choice([8, 16, 32]))
+            first, x = rng.randint(-3, 3), Fraction(rng.randint(-size, size), rng.choice([8, 16, 32]))
             change = rng.choice([(1, -1), (1, -2, 1), (1, -3, 3, -1), (-1, 0, 1)])
             for k, c in enumerate(change):
-                row[first + k] = row.get(first + k, F(0)) + c * x
+                row[first + k] = row.get(first + k, Fraction(0)) + c * x
         special.append((i, tuple(row.items())))
     return PiecewiseScheme(left, right, spacing, tuple(special))
 

@@ -24,7 +24,16 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "dimension", "well_defined", "polynomials", "expectations", "findings"),
+        *(
+            "generation",
+            "reproduction",
+            "dimension",
+            "well_defined",
+            "polynomials",
+            "holder_at_zero",
+            "expectations",
+            "findings",
+        ),
         *("certificate", "reference", "refinable_function", "hints", "regressions"),
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],

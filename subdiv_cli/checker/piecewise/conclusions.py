@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.piecewise.masks import masks_of
-from subdiv_cli.checker.piecewise.sides import Decay, SideStatements
+from subdiv_cli.checker.piecewise.sides import SideStatements, StatedRate
 from subdiv_cli.checker.piecewise.spaces import require_sums
 from subdiv_cli.checker.radius.families import UPPER
 from subdiv_cli.checker.reading import require
@@ -22,7 +22,7 @@ class _Growth(NamedTuple):
     """The spectral radius on the space of an order, or a bound of it."""
 
     order: int
-    decay: Decay
+    decay: StatedRate
     vanishes: bool = False
     """Whether A is nilpotent there: then it is so for all larger orders."""
 
@@ -31,11 +31,11 @@ def _growth(c: Claim, *properties: str) -> _Growth:
     """The radius that the next claims bound: a radius and its family, or `vanishing`."""
     used = c.use(*properties, "vanishing").statement
     if used["property"] == "vanishing":
-        return _Growth(used["order"], Decay(1, Fraction(0), Fraction(0)), vanishes=True)
+        return _Growth(used["order"], StatedRate(1, Fraction(0), Fraction(0)), vanishes=True)
     order = c.use("family", family=used["family"]).statement["order"]
     if used["property"] == "radius":
-        return _Growth(order, Decay(used["length"], used["low"], used["high"], used["polynomial"]))
-    return _Growth(order, Decay(used["length"], used["bound"], used["bound"]))
+        return _Growth(order, StatedRate(used["length"], used["low"], used["high"], used["polynomial"]))
+    return _Growth(order, StatedRate(used["length"], used["bound"], used["bound"]))
 
 
 def _near_zero(c: Claim, *properties: str) -> _Growth:
@@ -124,8 +124,8 @@ def holder_lower(c: Claim) -> None:
     length, bound = c.statement["length"], c.statement["bound"]
     require(bound > 0, "the bound is not positive")
     c.use("convergent", holds=True)
-    _require_below(c, [(each.below(), "a side") for each in _sides(c)], Decay(length, bound, bound))
-    _require_below(c, [(_of_growth(c, _near_zero(c, *UPPER)), "0")], Decay(length, bound, bound))
+    _require_below(c, [(each.below(), "a side") for each in _sides(c)], StatedRate(length, bound, bound))
+    _require_below(c, [(_of_growth(c, _near_zero(c, *UPPER)), "0")], StatedRate(length, bound, bound))
 
 
 def side_above(c: Claim) -> None:
@@ -152,7 +152,7 @@ def holder_root(c: Claim) -> None:
     c.count(1)
     s, by = c.statement, c.witness["by"]
     c.use("convergent", holds=True)
-    own = Decay(s["length"], s["low"], s["high"], s["polynomial"])
+    own = StatedRate(s["length"], s["low"], s["high"], s["polynomial"])
     left, right = _sides(c)
     growth = _near_zero(c, *UPPER)
     bounds = {"left": left.below(), "right": right.below(), "zero": _of_growth(c, growth)}
@@ -171,14 +171,14 @@ def zero_root(c: Claim) -> None:
     s = c.statement
     c.use("convergent", holds=True)
     growth = _near_zero(c, "radius")
-    require(growth.decay == Decay(s["length"], s["low"], s["high"], s["polynomial"]), "the radius is another")
+    require(growth.decay == StatedRate(s["length"], s["low"], s["high"], s["polynomial"]), "the radius is another")
     _require_reached(c, growth)
 
 
 def zero_lower(c: Claim) -> None:
     """The exponent at 0 alone is at least -log_p(x)/ℓ, ρ_k^ℓ <= x and p^-kℓ <= x (theorem 2)."""
     c.count(1)
-    bound = Decay(c.statement["length"], c.statement["bound"], c.statement["bound"])
+    bound = StatedRate(c.statement["length"], c.statement["bound"], c.statement["bound"])
     require(bound.low > 0, "the bound is not positive")
     c.use("convergent", holds=True)
     _require_below(c, [(_of_growth(c, _near_zero(c, *UPPER)), "0")], bound)
@@ -191,12 +191,12 @@ def zero_polynomial(c: Claim) -> None:
     require(c.use("vanishing").statement["order"] > 0, "the space is not on what annihilates polynomials")
 
 
-def _of_growth(c: Claim, growth: _Growth) -> list[Decay]:
+def _of_growth(c: Claim, growth: _Growth) -> list[StatedRate]:
     """What bounds the exponent at 0 from below: of ρ_k and p^-k the larger one."""
     if growth.vanishes:
         return [growth.decay]
     least = Fraction(1, c.p**growth.order)
-    return [Decay(1, least, least) if _at_most(c, growth.decay, Decay(1, least, least)) else growth.decay]
+    return [StatedRate(1, least, least) if _at_most(c, growth.decay, StatedRate(1, least, least)) else growth.decay]
 
 
 def _require_reached(c: Claim, growth: _Growth) -> None:
@@ -204,17 +204,17 @@ def _require_reached(c: Claim, growth: _Growth) -> None:
     require(scaled > 1, "the exponent is not below the order of the space")
 
 
-def _require_below(c: Claim, bounds: Iterable[tuple[list[Decay], str]], own: Decay) -> None:
+def _require_below(c: Claim, bounds: Iterable[tuple[list[StatedRate], str]], own: StatedRate) -> None:
     """Check that one decay of each list is at most this one: an exponent of each part is not smaller."""
     for known, name in bounds:
         require(any(_at_most(c, each, own) or _is_same(each, own) for each in known), f"that at {name} may be smaller")
 
 
-def _is_same(a: Decay, b: Decay) -> bool:
+def _is_same(a: StatedRate, b: StatedRate) -> bool:
     return a.polynomial is not None and a == b
 
 
-def _at_most(c: Claim, a: Decay, b: Decay) -> bool:
+def _at_most(c: Claim, a: StatedRate, b: StatedRate) -> bool:
     """Whether a^(1/ℓ) <= b^(1/ℓ') from the bounds of both."""
     c.spend(1, fraction_bits(a.high) * b.length + fraction_bits(b.low) * a.length)
     return bool(a.high**b.length <= b.low**a.length)

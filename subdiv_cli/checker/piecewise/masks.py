@@ -26,7 +26,7 @@ FIELDS: Fields = {
 Weights = dict[int, Fraction]
 
 
-class Cells(NamedTuple):
+class SideCells(NamedTuple):
     """The cells of a side: those that generate all others, and where each has its data."""
 
     mask: Polynomial
@@ -59,17 +59,17 @@ class TwoMasks(NamedTuple):
         reached = range(-(-(i - last) // p), (i - mask.start) // p + 1)
         return {j: Fraction(mask.at(i - p * j), mask.denominator) for j in reached if mask.at(i - p * j)}
 
-    def cells(self) -> tuple[Cells, Cells]:
+    def cells(self) -> tuple[SideCells, SideCells]:
         """The cells J <= j < pJ of both sides, as FORMAT.md has them, the left one first."""
         p = self.arity
         s, e = self.left.start, self.left.start + len(self.left.numerators) - 1
         first = min([0, *self.special]) - 1
         j = max(1, _up(_up(max(0, -s), p - 1) - first, p))
-        left = Cells(self.left, self.spacing[0], _up(-e, p - 1), 1 + (-s) // (p - 1), range(-p * j, -j))
+        left = SideCells(self.left, self.spacing[0], _up(-e, p - 1), 1 + (-s) // (p - 1), range(-p * j, -j))
         s, e = self.right.start, self.right.start + len(self.right.numerators) - 1
         first = max([-1, *self.special]) + 1
         j = max(1, _up(_up(max(0, e), p - 1) + first, p))
-        return left, Cells(self.right, self.spacing[1], _up(-e, p - 1), 1 + (-s) // (p - 1), range(j, p * j))
+        return left, SideCells(self.right, self.spacing[1], _up(-e, p - 1), 1 + (-s) // (p - 1), range(j, p * j))
 
     def window(self) -> range:
         """The smallest interval with 0 and the data of all cells that has all points its own are computed from."""

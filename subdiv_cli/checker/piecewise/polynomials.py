@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import comb
 
 from subdiv_cli.checker.core import Claim
-from subdiv_cli.checker.piecewise.masks import Cells, masks_of
+from subdiv_cli.checker.piecewise.masks import SideCells, masks_of
 from subdiv_cli.checker.piecewise.spaces import Echelon, Row, Window
 from subdiv_cli.checker.reading import require, require_few
 
@@ -50,7 +50,7 @@ def is_generated(window: Window, d: int) -> bool:
     return all(any(row[:-1]) for row in Echelon(rows).basis())
 
 
-def eigen_polynomial(cells: Cells, p: int, d: int) -> list[Fraction] | None:
+def eigen_polynomial(cells: SideCells, p: int, d: int) -> list[Fraction] | None:
     """The coefficients of q with Σ_j a_(i-pj) q(j) = p^-d q(i) that leads (spacing t)^d; None where there is none.
 
     With M_l = Σ a_γ γ^l over a residue class, which must be one number for all classes for l <= d, and M_0 = 1:

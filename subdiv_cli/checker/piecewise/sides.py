@@ -11,7 +11,7 @@ from subdiv_cli.checker.reading import Exhausted, Rejected, require
 from subdiv_cli.checker.scalar.masks import Symbols
 
 
-class Decay(NamedTuple):
+class StatedRate(NamedTuple):
     """The number x with x^length = Λ, low <= Λ <= high; an exponent is -log_p x."""
 
     length: int
@@ -38,30 +38,33 @@ class SideStatements(list[Statement]):
         """The smallest n with φ not in C^n; None without one."""
         return min((s["order"] for s in self if s["property"] == "not-smooth"), default=None)
 
-    def exact(self) -> list[Decay]:
+    def exact(self) -> list[StatedRate]:
         """The decays whose exponent is that of φ."""
         found = []
         for s in self:
             if s["property"] == "holder":
                 x = s["norm"]
-                found.append(Decay(s["level"], x, x, (-x.numerator, x.denominator)))
+                found.append(StatedRate(s["level"], x, x, (-x.numerator, x.denominator)))
             elif s["property"] == "holder-root":
-                found.append(Decay(s["length"], s["low"], s["high"], s["polynomial"]))
+                found.append(StatedRate(s["length"], s["low"], s["high"], s["polynomial"]))
         return found
 
-    def below(self) -> list[Decay]:
+    def below(self) -> list[StatedRate]:
         """The decays whose exponents bound that of φ from below."""
         bounds = [s for s in self if s["property"] == "holder-lower"]
-        return self.exact() + [Decay(s["level"], s["norm"], s["norm"]) for s in bounds]
+        return self.exact() + [StatedRate(s["level"], s["norm"], s["norm"]) for s in bounds]
 
-    def above(self) -> list[Decay]:
+    def above(self) -> list[StatedRate]:
         """The decays whose exponents bound that of φ from above."""
         bounds = [s for s in self if s["property"] == "holder-upper"]
-        return self.exact() + [Decay(s["length"], s["radius"], s["radius"]) for s in bounds]
+        return self.exact() + [StatedRate(s["length"], s["radius"], s["radius"]) for s in bounds]
 
 
 def side(c: Claim) -> SideStatements:
-    """The certificate verifies, and is about the mask of this side: what it proves is true of that mask."""
+    """The certificate verifies, and is about the mask of this side: what it proves is true of that mask.
+
+    Raises Rejected otherwise.
+    """
     document, masks, name = c.witness["certificate"], masks_of(c), c.statement["side"]
     c.count(_stated_work(document))
     outcome, rulebook, subject = c.check_inside(document)

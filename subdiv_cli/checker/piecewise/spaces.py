@@ -12,7 +12,7 @@ from math import comb, lcm
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.matrices import RationalFamily
-from subdiv_cli.checker.piecewise.masks import Cells, TwoMasks, masks_of
+from subdiv_cli.checker.piecewise.masks import SideCells, TwoMasks, masks_of
 from subdiv_cli.checker.reading import MAX_ORDER, Rejected, require, require_few
 
 MAX_ORDER_OF_SPACES = 200
@@ -121,7 +121,7 @@ class Window:
 
         return self.recurrent([row[k:] for row in spanned(rows, [step]).basis() if not any(row[:k])])
 
-    def _of_cells(self, cells: Cells, k: int) -> Iterable[Row]:
+    def _of_cells(self, cells: SideCells, k: int) -> Iterable[Row]:
         for row in _of_one_cell(cells, self.masks.arity, k):
             for j in cells.numbers:
                 placed = [Fraction(0)] * len(self.points)
@@ -157,7 +157,7 @@ def _moved(powers: Row, by: Fraction) -> Row:
     ]
 
 
-def _of_one_cell(cells: Cells, p: int, k: int) -> list[Row]:
+def _of_one_cell(cells: SideCells, p: int, k: int) -> list[Row]:
     """A basis of the rows (1, t, …, t^(k-1), F(t)) for t in [0, 1]: images of the one of 0 under t -> (t + ε)/p."""
 
     def step_of(epsilon: int) -> Step:
@@ -171,7 +171,7 @@ def _of_one_cell(cells: Cells, p: int, k: int) -> list[Row]:
     return spanned([start], [step_of(epsilon) for epsilon in range(p)]).basis()
 
 
-def _on_cell(cells: Cells, p: int, epsilon: int, v: Row) -> Row:
+def _on_cell(cells: SideCells, p: int, epsilon: int, v: Row) -> Row:
     """The row F((t + ε)/p) of a cell from F(t): entries Σ_i v_i a_(i+ε-pj)."""
     a, places = cells.mask, range(cells.low, cells.high + 1)
     return [
@@ -180,7 +180,7 @@ def _on_cell(cells: Cells, p: int, epsilon: int, v: Row) -> Row:
     ]
 
 
-def _stencil(cells: Cells, p: int) -> Row:
+def _stencil(cells: SideCells, p: int) -> Row:
     """The row F(0) of the cell [0, 1]: fixed, and of sum 1. Raises Rejected unless there is just one."""
     size = cells.high - cells.low + 1
     units = [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
@@ -245,7 +245,7 @@ def vanishing(c: Claim) -> None:
 
 
 def value_at_zero(c: Claim) -> None:
-    """F_c(0) = v·c: S converges, and v A = v with Σ v = 1 determines v on the window."""
+    """F_c(0) = v·c: S converges, and v A = v with Σ v = 1 determines v on the window. Raises Rejected otherwise."""
     masks = masks_of(c)
     window = Window(masks)
     c.count(window.work(0), window.bits(0))

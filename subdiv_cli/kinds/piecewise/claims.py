@@ -10,7 +10,7 @@ from subdiv_cli.certificate.claims import Claims, Json, Proofs, UnwrittenError, 
 from subdiv_cli.certificate.radius import root_fields
 from subdiv_cli.kinds.kind import Analysis, Facts
 from subdiv_cli.kinds.piecewise import rules
-from subdiv_cli.kinds.piecewise.numbers.piecewise import Growth, PiecewiseNumbers
+from subdiv_cli.kinds.piecewise.numbers.piecewise import FunctionalGrowth, PiecewiseNumbers
 from subdiv_cli.kinds.piecewise.text import canonical
 from subdiv_cli.model import Finding, Verdict
 from subdiv_cli.model.closed import rational, rationals
@@ -95,7 +95,7 @@ class _PiecewiseProof:
         assert decay is not None
         return self.claims.prove("expands", statement, uses=self._bound(decay, "lower", Fraction(1)))
 
-    def _bound(self, growth: Growth, end: str, at: Fraction | None = None) -> list[int]:
+    def _bound(self, growth: FunctionalGrowth, end: str, at: Fraction | None = None) -> list[int]:
         """The claims that bound a spectral radius from above or below, as rules use them.
 
         Where the radius is not known exactly, from below by the number given.
@@ -105,7 +105,7 @@ class _PiecewiseProof:
             self._growths[key] = self._bounds(growth, end, at)
         return self._growths[key]
 
-    def _bounds(self, growth: Growth, end: str, at: Fraction | None) -> list[int]:
+    def _bounds(self, growth: FunctionalGrowth, end: str, at: Fraction | None) -> list[int]:
         k, spectrum = growth.order, growth.spectrum
         uses = [self._convergent()] if k else []
         if spectrum is None:

@@ -176,9 +176,8 @@ def body_of(scheme: PiecewiseScheme) -> Sides:
 
 def spell(body: Sides) -> list[str]:
     """The lines of the file of a scheme: the spacing, and a table for each side and for the special rows."""
-    lines = listed("spacing", map(number, body.spacing))
-    for name, mask in (("left", body.left), ("right", body.right)):
-        lines += ["", f"[{name}]", *spelled_entries(mask)]
+    lines = [] if body.spacing == (_ONE, _ONE) else [*listed("spacing", map(number, body.spacing)), ""]
+    lines += ["[left]", *spelled_entries(body.left), "", "[right]", *spelled_entries(body.right)]
     if body.special:
         lines += ["", "[special]"]
         for i, row in body.special:

@@ -8,13 +8,13 @@ from typing import NamedTuple
 
 from subdiv_cli.kinds.piecewise.numbers.functionals import Cells, Functionals, RowSpace, attractor, cells_of, window_of
 from subdiv_cli.kinds.piecewise.numbers.polynomials import Polynomial, eigen_polynomials, sequences
-from subdiv_cli.kinds.piecewise.numbers.sides import Decay, Side, rational_decay
+from subdiv_cli.kinds.piecewise.numbers.sides import DecayRate, Side, rational_rate
 from subdiv_cli.kinds.piecewise.numbers.spectrum import Spectrum
 from subdiv_cli.kinds.piecewise.scheme import PiecewiseScheme
 from subdiv_cli.model import Effort
 
 
-class Growth(NamedTuple):
+class FunctionalGrowth(NamedTuple):
     """The space 𝓕_k, its recurrent part, and the eigenvalues of A on it."""
 
     order: int
@@ -28,28 +28,30 @@ class Growth(NamedTuple):
         return self.spectrum is None or self.spectrum.compare(x) < 0
 
     @property
-    def radius(self) -> Decay | None:
+    def radius(self) -> DecayRate | None:
         """The spectral radius, where it is known exactly and not 0."""
         exact = None if self.spectrum is None else self.spectrum.exact
-        return None if exact is None else Decay(exact.length, exact.root.low, exact.root.high, exact.root.coefficients)
+        return (
+            None if exact is None else DecayRate(exact.length, exact.root.low, exact.root.high, exact.root.coefficients)
+        )
 
     @property
-    def upper(self) -> Decay:
+    def upper(self) -> DecayRate:
         """The spectral radius, or a bound of it from above."""
         if self.spectrum is None:
-            return rational_decay(Fraction(0))
-        return self.radius or rational_decay(self.spectrum.enclosure[1])
+            return rational_rate(Fraction(0))
+        return self.radius or rational_rate(self.spectrum.enclosure[1])
 
-    def below(self, p: int) -> Decay:
+    def below(self, p: int) -> DecayRate:
         """What bounds the exponent at 0 from below: the radius, and k where it has eigenvalues."""
-        least = rational_decay(Fraction(1, p**self.order))
+        least = rational_rate(Fraction(1, p**self.order))
         return least if self.spectrum is not None and self.upper.at_most(least.low, 1) else self.upper
 
-    def above(self, p: int) -> Decay | None:
+    def above(self, p: int) -> DecayRate | None:
         """What bounds the exponent at 0 from above: the radius, if it is above p^-k; None where it is not."""
         if self.spectrum is None:
             return None
-        lower = self.radius or rational_decay(self.spectrum.enclosure[0])
+        lower = self.radius or rational_rate(self.spectrum.enclosure[0])
         return lower if lower.low * p ** (self.order * lower.length) > 1 else None
 
 
@@ -114,15 +116,15 @@ class PiecewiseNumbers:
         return _spectrum(self.functionals.all_rows)
 
     @cached_property
-    def decay(self) -> Growth | None:
+    def decay(self) -> FunctionalGrowth | None:
         """What A does to rows that sum to 0, where all rows of S sum to 1; None without a window."""
         if self.functionals is None:
             return None
         space = self.functionals.differences
-        return Growth(0, space.dimension, _spectrum(space))
+        return FunctionalGrowth(0, space.dimension, _spectrum(space))
 
     @cached_property
-    def growth(self) -> Growth:
+    def growth(self) -> FunctionalGrowth:
         """What A does to 𝓕_k, where S converges, with k above the exponent at 0 or no eigenvalue left but 0.
 
         k starts from the order of the sums that both masks have in common, and ends with the number of points: a larger
@@ -136,11 +138,11 @@ class PiecewiseNumbers:
                 break
         return growth
 
-    def growth_of(self, k: int) -> Growth:
+    def growth_of(self, k: int) -> FunctionalGrowth:
         """What A does to 𝓕_k, where S converges."""
         assert self.functionals is not None
         space = self.functionals.annihilating(k)
-        return Growth(k, space.dimension, _spectrum(space))
+        return FunctionalGrowth(k, space.dimension, _spectrum(space))
 
     @cached_property
     def polynomials(self) -> tuple[tuple[Polynomial, ...], tuple[Polynomial, ...]]:

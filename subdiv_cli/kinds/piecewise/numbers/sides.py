@@ -14,7 +14,7 @@ from subdiv_cli.kinds.scalar.stages import analyse
 from subdiv_cli.model import Effort, Root
 
 
-class Decay(NamedTuple):
+class DecayRate(NamedTuple):
     """The number x with x^length = Λ, low <= Λ <= high: an exponent is -log_p x."""
 
     length: int
@@ -33,16 +33,16 @@ class Decay(NamedTuple):
         assert self.polynomial is not None
         return Root(self.polynomial, self.low, self.high)
 
-    def is_same(self, other: Decay) -> bool:
+    def is_same(self, other: DecayRate) -> bool:
         """Whether the numbers are one because they are rational and equal, or given in the same way."""
         if self.low == self.high and other.low == other.high:
             return self.low**other.length == other.low**self.length
         return self == other
 
 
-def rational_decay(x: Fraction) -> Decay:
+def rational_rate(x: Fraction) -> DecayRate:
     """The decay of a rational bound."""
-    return Decay(1, x, x)
+    return DecayRate(1, x, x)
 
 
 class Side:
@@ -79,34 +79,34 @@ class Side:
         return min((s["order"] for s in self._goal if s["property"] == "not-smooth"), default=None)
 
     @cached_property
-    def exact(self) -> Decay | None:
+    def exact(self) -> DecayRate | None:
         """The decay with the exponent of φ; None where it is not stated."""
         return next((decay for name, decay in self._decays if name in ("holder", "holder-root")), None)
 
     @cached_property
-    def below(self) -> Decay | None:
+    def below(self) -> DecayRate | None:
         """A decay whose exponent bounds that of φ from below."""
         return self.exact or next((decay for name, decay in self._decays if name == "holder-lower"), None)
 
     @cached_property
-    def above(self) -> Decay | None:
+    def above(self) -> DecayRate | None:
         """A decay whose exponent bounds that of φ from above."""
         return self.exact or next((decay for name, decay in self._decays if name == "holder-upper"), None)
 
     @property
-    def _decays(self) -> Iterable[tuple[str, Decay]]:
-        return ((s["property"], decay) for s in self._goal if (decay := decay_of(s)) is not None)
+    def _decays(self) -> Iterable[tuple[str, DecayRate]]:
+        return ((s["property"], decay) for s in self._goal if (decay := rate_of(s)) is not None)
 
 
-def decay_of(s: Mapping[str, Any]) -> Decay | None:
+def rate_of(s: Mapping[str, Any]) -> DecayRate | None:
     """The decay that a statement on a Hölder exponent gives; None for another statement."""
     match s["property"]:
         case "holder" | "holder-lower":
             x = Fraction(s["norm"])
-            return Decay(s["level"], x, x, (-x.numerator, x.denominator) if s["property"] == "holder" else None)
+            return DecayRate(s["level"], x, x, (-x.numerator, x.denominator) if s["property"] == "holder" else None)
         case "holder-upper":
             x = Fraction(s["radius"])
-            return Decay(s["length"], x, x)
+            return DecayRate(s["length"], x, x)
         case "holder-root":
-            return Decay(s["length"], Fraction(s["low"]), Fraction(s["high"]), tuple(map(int, s["polynomial"])))
+            return DecayRate(s["length"], Fraction(s["low"]), Fraction(s["high"]), tuple(map(int, s["polynomial"])))
     return None

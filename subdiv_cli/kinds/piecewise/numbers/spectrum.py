@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cached_property
+from math import gcd
 from typing import NamedTuple
 
 from flint import ctx, fmpq_mat, fmpz_poly
@@ -16,6 +18,8 @@ from subdiv_cli.model.closed import exact_root
 _PRECISION = 128
 _PLACES = 40
 """The bits of rational bounds behind the leading one."""
+_TRIED = 20
+"""The most rationals that are tried as a radius in which zeros are counted."""
 
 
 class ExactRadius(NamedTuple):
@@ -61,10 +65,11 @@ class Spectrum:
         with ctx.workprec(_PRECISION):
             ceiling, _ = bounds(leader.modulus())
             floor = max((bounds(x.modulus())[1] for x in others), default=Fraction(0))
-        if floor >= ceiling:
-            return None
-        inner = _between(floor, ceiling)
-        return ExactRadius(length, root, inner) if inner**length < root.low else None
+        counted = [] if square is not None else [f for f, _ in self.factors if leader.minimal_polynomial in _signs(f)]
+        for inner in _between(floor, ceiling):
+            if inner**length < root.low and all(_are_counted(f, inner) for f in counted):
+                return ExactRadius(length, root, inner)
+        return None
 
     @cached_property
     def enclosure(self) -> tuple[Fraction, Fraction]:
@@ -98,12 +103,39 @@ def _same(x: AlgebraicNumber, y: AlgebraicNumber) -> bool:
     return x.minimal_polynomial == y.minimal_polynomial and x.region.overlaps(y.region)
 
 
-def _between(low: Fraction, high: Fraction) -> Fraction:
-    """A rational of few digits in (low, high)."""
+def _between(low: Fraction, high: Fraction) -> Iterator[Fraction]:
+    """Rationals of few digits in (low, high), if there are any."""
     unit = Fraction(1)
-    while (x := (low // unit + 1) * unit) >= high:
+    for _ in range(_TRIED if low < high else 0):
+        while (x := (low // unit + 1) * unit) >= high:
+            unit /= 2
+        yield x
         unit /= 2
-    return x
+
+
+def _signs(f: Sequence[int]) -> tuple[fmpz_poly, fmpz_poly]:
+    """The polynomials f(z) and ± f(-z), with a leading coefficient > 0 if f has one."""
+    mirrored = [x * (-1) ** (len(f) - 1 - i) for i, x in enumerate(f)]
+    return fmpz_poly(list(f)), fmpz_poly(mirrored)
+
+
+def _are_counted(f: Sequence[int], r: Fraction) -> bool:
+    """Whether the steps of Schur & Cohn count the zeros of f in |z| < r: its outer coefficients never are as large."""
+    u, v, n = r.numerator, r.denominator, len(f) - 1
+    g = [c * u**i * v ** (n - i) for i, c in enumerate(f)]
+    while len(g) > 1:
+        low, top = g[0], g[-1]
+        if abs(low) == abs(top):
+            return False
+        if abs(low) < abs(top):
+            g = [top * x - low * y for x, y in zip(g[1:], g[-2::-1], strict=True)]
+        else:
+            g = [low * x - top * y for x, y in zip(g, g[::-1], strict=True)]
+            while len(g) > 1 and not g[-1]:
+                g.pop()
+        common = gcd(*g)
+        g = [x // common for x in g]
+    return True
 
 
 def _by_degree(factor: tuple[fmpz_poly, int]) -> tuple[int, list[int]]:

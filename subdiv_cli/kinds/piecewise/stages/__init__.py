@@ -15,19 +15,18 @@ STAGES: tuple[Stage, ...] = (
     near_zero.sides,
     near_zero.local_spectrum,
     near_zero.convergence,
+    near_zero.value_at_zero,
     near_zero.generation,
     smoothness.at_zero,
     smoothness.smoothness,
     smoothness.holder,
 )
-"""The stages of `check`, in the order in which they run."""
 
 
-def analyse(scheme: PiecewiseScheme, effort: Effort, tolerance: Fraction | None = None) -> Analysis:
-    """The findings of all stages under the effort; with a tolerance also those that only `show` has."""
+def analyse(scheme: PiecewiseScheme, effort: Effort, _: Fraction | None = None) -> Analysis:
+    """The findings of all stages under the effort."""
     numbers = PiecewiseNumbers(scheme, effort)
-    stages = STAGES if tolerance is None else (*STAGES, near_zero.value_at_zero)
-    return Analysis(scheme, _facts(numbers), run_stages(numbers, stages), numbers, tuple(_hints(scheme)))
+    return Analysis(scheme, _facts(numbers), run_stages(numbers, STAGES), numbers, tuple(_hints(scheme)))
 
 
 def _facts(numbers: PiecewiseNumbers) -> Mapping[str, Data]:

@@ -11,8 +11,8 @@ from subdiv_cli.exact.closed import closed_interval, exponent, worded
 from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.text import number, rounded_down, rounded_up
 from subdiv_cli.kinds.kind import Facts, asking
-from subdiv_cli.kinds.piecewise.numbers.piecewise import Growth, PiecewiseNumbers
-from subdiv_cli.kinds.piecewise.numbers.sides import Decay
+from subdiv_cli.kinds.piecewise.numbers.piecewise import FunctionalGrowth, PiecewiseNumbers
+from subdiv_cli.kinds.piecewise.numbers.sides import DecayRate
 from subdiv_cli.kinds.piecewise.rules import (
     AT_ZERO,
     CONVERGENCE,
@@ -66,7 +66,7 @@ def at_zero(numbers: PiecewiseNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (AT_ZERO.proved(f"{ends} at 0 alone, by the spectral radius {radius}", witness, value),)
 
 
-def _value(p: int, decay: Decay) -> Interval:
+def _value(p: int, decay: DecayRate) -> Interval:
     """The exponent of a rational decay in outward doubles."""
     with ctx.workprec(128):
         return interval(-ball(decay.high).log() / ball(p).log() / decay.length)
@@ -106,11 +106,11 @@ def smoothness(numbers: PiecewiseNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (proved, NEXT_SMOOTHNESS.refuted(statement, {"order": n + 1, "by": name}, why=why))
 
 
-def _known(numbers: PiecewiseNumbers, facts: Facts) -> Growth | None:
+def _known(numbers: PiecewiseNumbers, facts: Facts) -> FunctionalGrowth | None:
     return numbers.growth if facts.verdict(AT_ZERO) is Verdict.PROVED else None
 
 
-def _excluding(numbers: PiecewiseNumbers, growth: Growth | None, n: int) -> Iterator[tuple[str, str]]:
+def _excluding(numbers: PiecewiseNumbers, growth: FunctionalGrowth | None, n: int) -> Iterator[tuple[str, str]]:
     """What excludes C^n, with the reason in words."""
     if growth is not None and _excludes(growth, numbers.p, n):
         yield "zero", f"at 0 the spectral radius is {'≥' if n < growth.order else '>'} {numbers.p}^-{n}"
@@ -119,13 +119,13 @@ def _excluding(numbers: PiecewiseNumbers, growth: Growth | None, n: int) -> Iter
             yield name, f"the {name} mask is not"
 
 
-def is_smooth(growth: Growth, p: int, n: int) -> bool:
+def is_smooth(growth: FunctionalGrowth, p: int, n: int) -> bool:
     """Whether ρ_k < p^-n, n < k, is seen; where A has no eigenvalue on 𝓕_k but 0 it has none for larger k."""
     fits = n < growth.order or growth.spectrum is None
     return fits and growth.upper.high * p ** (n * growth.upper.length) < 1
 
 
-def _excludes(growth: Growth, p: int, n: int) -> bool:
+def _excludes(growth: FunctionalGrowth, p: int, n: int) -> bool:
     """Whether ρ_k >= p^-n, n < k, or ρ_k > p^-k, is seen."""
     if n >= growth.order or growth.spectrum is None:
         return growth.above(p) is not None
@@ -162,13 +162,13 @@ def holder(numbers: PiecewiseNumbers, facts: Facts) -> tuple[Finding, ...]:
     return (_lower(numbers, growth), _upper(numbers, growth))
 
 
-def _bounds(numbers: PiecewiseNumbers, growth: Growth | None) -> dict[str, Decay | None]:
+def _bounds(numbers: PiecewiseNumbers, growth: FunctionalGrowth | None) -> dict[str, DecayRate | None]:
     """What bounds the three exponents from below."""
     zero = None if growth is None else growth.below(numbers.p)
     return {**{name: side.below for name, side in numbers.sides}, "zero": zero}
 
 
-def _exact(numbers: PiecewiseNumbers, growth: Growth | None) -> Iterator[tuple[str, Decay]]:
+def _exact(numbers: PiecewiseNumbers, growth: FunctionalGrowth | None) -> Iterator[tuple[str, DecayRate]]:
     """The exponent of one of the three that is known, and seen to be the least."""
     bounds = _bounds(numbers, growth)
     candidates = {name: side.exact for name, side in numbers.sides}
@@ -181,7 +181,7 @@ def _exact(numbers: PiecewiseNumbers, growth: Growth | None) -> Iterator[tuple[s
             yield name, decay
 
 
-def _lower(numbers: PiecewiseNumbers, growth: Growth | None) -> Finding:
+def _lower(numbers: PiecewiseNumbers, growth: FunctionalGrowth | None) -> Finding:
     bounds = _bounds(numbers, growth)
     for name, decay in bounds.items():
         if decay is not None and all(b is not None and b.at_most(decay.high, decay.length) for b in bounds.values()):
@@ -191,10 +191,10 @@ def _lower(numbers: PiecewiseNumbers, growth: Growth | None) -> Finding:
     return HOLDER_LOWER.undecided(_BELOW, "it is not known of both masks and at 0")
 
 
-def _upper(numbers: PiecewiseNumbers, growth: Growth | None) -> Finding:
+def _upper(numbers: PiecewiseNumbers, growth: FunctionalGrowth | None) -> Finding:
     found = {name: side.above for name, side in numbers.sides}
     found["zero"] = None if growth is None else growth.above(numbers.p)
-    bounds = {name: Decay(decay.length, decay.low, decay.low) for name, decay in found.items() if decay is not None}
+    bounds = {name: DecayRate(decay.length, decay.low, decay.low) for name, decay in found.items() if decay is not None}
     for name, decay in bounds.items():
         if all(other.at_most(decay.low, decay.length) for other in bounds.values()):
             upper = _value(numbers.p, decay).upper
