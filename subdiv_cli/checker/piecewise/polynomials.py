@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import comb
+from math import comb, lcm
 
 from subdiv_cli.checker.core import Claim
 from subdiv_cli.checker.piecewise.masks import SideCells, masks_of
@@ -46,7 +46,9 @@ def is_generated(window: Window, d: int) -> bool:
         weights = dict(window.masks.row(i))
         weights[i] = weights.get(i, Fraction(0)) - Fraction(1, p**d)
         given = sum((x * known[j] for j, x in weights.items() if j in known), Fraction(0))
-        rows.append([weights.get(j, Fraction(0)) for j in unknown] + [-given])
+        entries = [*(weights.get(j, Fraction(0)) for j in unknown), -given]
+        common = lcm(*(x.denominator for x in entries))
+        rows.append([int(x * common) for x in entries])
     return all(any(row[:-1]) for row in Echelon(rows).basis())
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
-from math import comb, lcm
+from math import comb, gcd, lcm
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
@@ -16,7 +16,8 @@ from subdiv_cli.checker.piecewise.masks import SideCells, TwoMasks, masks_of
 from subdiv_cli.checker.reading import MAX_ORDER, Rejected, require, require_few
 
 MAX_ORDER_OF_SPACES = 200
-Row = list[Fraction]
+Row = list[int]
+"""A row of rationals up to a factor > 0: spaces do not depend on it."""
 Step = Callable[[Row], Row]
 
 
@@ -25,33 +26,31 @@ class Echelon:
 
     def __init__(self, rows: Iterable[Row] = ()) -> None:
         self.rows: dict[int, Row] = {}
-        """The rows by their leading places, where they are 1."""
+        """The rows by their leading places."""
         for row in rows:
             self.add(row)
 
-    def rest(self, row: Row) -> tuple[Row, dict[int, Fraction]]:
-        """What is left of a row after elimination, and the multiples of the rows that were taken from it."""
-        taken: dict[int, Fraction] = {}
-        row = list(row)
-        for place in range(len(row)):
-            if row[place] and (own := self.rows.get(place)) is not None:
-                x = taken[place] = row[place]
-                row = [a - x * b if b else a for a, b in zip(row, own, strict=True)]
-        return row, taken
-
     def add(self, row: Row) -> Row | None:
         """The row that was added to hold this one too; None where the space has it."""
-        row, _ = self.rest(row)
-        place = next((j for j, x in enumerate(row) if x), None)
-        if place is None:
+        for place in range(len(row)):
+            if row[place] and (own := self.rows.get(place)) is not None:
+                x, y = row[place], own[place]
+                row = primitive([y * a - x * b for a, b in zip(row, own, strict=True)])
+        if not any(row):
             return None
-        x = row[place]
-        self.rows[place] = [a / x for a in row]
-        return self.rows[place]
+        leading = next(j for j, x in enumerate(row) if x)
+        self.rows[leading] = primitive(row)
+        return self.rows[leading]
 
     def basis(self) -> list[Row]:
         """The rows by their leading places."""
         return [self.rows[place] for place in sorted(self.rows)]
+
+
+def primitive(row: Row) -> Row:
+    """The row of integers without a common factor."""
+    common = gcd(*row)
+    return row if common < 2 else [x // common for x in row]
 
 
 def spanned(rows: Iterable[Row], steps: Sequence[Step]) -> Echelon:
@@ -70,15 +69,18 @@ class Window:
     def __init__(self, masks: TwoMasks) -> None:
         self.masks, self.cells, self.points = masks, masks.cells(), masks.window()
         self.first = self.points[0]
-        self._rows = [masks.row(i) for i in self.points]
+        rows = [masks.row(i) for i in self.points]
+        self.denominator = lcm(*(x.denominator for row in rows for x in row.values()))
+        """The common denominator of the entries of A."""
+        self._rows = [{j - self.first: int(x * self.denominator) for j, x in row.items()} for row in rows]
 
     def step(self, v: Row) -> Row:
-        """The row v A."""
-        image = [Fraction(0)] * len(v)
+        """The row v A times the denominator."""
+        image = [0] * len(v)
         for x, row in zip(v, self._rows, strict=True):
             if x:
                 for j, weight in row.items():
-                    image[j - self.first] += x * weight
+                    image[j] += x * weight
         return image
 
     def work(self, k: int) -> int:
@@ -103,31 +105,32 @@ class Window:
     def all_rows(self) -> list[Row]:
         """The recurrent part of all rows."""
         size = len(self.points)
-        return self.recurrent([[Fraction(int(i == j)) for j in range(size)] for i in range(size)])
+        return self.recurrent([[int(i == j) for j in range(size)] for i in range(size)])
 
     def differences(self) -> list[Row]:
         """The recurrent part of the rows that sum to 0; all rows of S must sum to 1."""
         size = len(self.points)
-        rows = [[Fraction((i == j) - (i + 1 == j)) for j in range(size)] for i in range(size - 1)]
-        return self.recurrent(rows)
+        return self.recurrent([[(i == j) - (i + 1 == j) for j in range(size)] for i in range(size - 1)])
 
     def annihilating(self, k: int) -> list[Row]:
-        """The recurrent part of 𝓕_k: rows (1, x, …, x^(k-1), F(x)) that begin with zeros."""
-        rows = [row for cells in self.cells for row in self._of_cells(cells, k)]
-        shrink = [Fraction(1, self.masks.arity**d) for d in range(k)]
+        """The recurrent part of 𝓕_k: rows (1, x, …, x^(k-1), F(x)) that begin with zeros, k > 0."""
+        p = self.masks.arity
+        shrink = [self.denominator * p ** (k - 1 - d) for d in range(k)]
 
         def step(row: Row) -> Row:
-            return [x * y for x, y in zip(row[:k], shrink, strict=True)] + self.step(row[k:])
+            powers = [x * y for x, y in zip(row[:k], shrink, strict=True)]
+            return primitive(powers + [x * p ** (k - 1) for x in self.step(row[k:])])
 
+        rows = [row for cells in self.cells for row in self._of_cells(cells, k)]
         return self.recurrent([row[k:] for row in spanned(rows, [step]).basis() if not any(row[:k])])
 
     def _of_cells(self, cells: SideCells, k: int) -> Iterable[Row]:
+        u, v = cells.spacing.numerator, cells.spacing.denominator
         for row in _of_one_cell(cells, self.masks.arity, k):
             for j in cells.numbers:
-                placed = [Fraction(0)] * len(self.points)
-                place = j + cells.low - self.first
-                placed[place : place + len(row) - k] = row[k:]
-                yield [cells.spacing**d * x for d, x in enumerate(_moved(row[:k], Fraction(j)))] + placed
+                placed, place = [0] * len(self.points), j + cells.low - self.first
+                placed[place : place + len(row) - k] = [x * v ** (k - 1) for x in row[k:]]
+                yield [u**d * v ** (k - 1 - d) * x for d, x in enumerate(_moved(row[:k], j))] + placed
 
     def recurrent(self, rows: list[Row]) -> list[Row]:
         """What is left of a space, which A maps into itself, after enough steps."""
@@ -137,24 +140,28 @@ class Window:
         return smaller
 
     def family(self, basis: list[Row]) -> RationalFamily:
-        """A on a space that it maps into itself, as a family of one matrix: row i has the coordinates of b_i A."""
-        space = Echelon()
-        space.rows = {next(j for j, x in enumerate(row) if x): row for row in basis}
-        places, entries = sorted(space.rows), []
-        for place in places:
-            left, taken = space.rest(self.step(space.rows[place]))
+        """A on a space that it maps into itself, as a family of one matrix: row i has the coordinates of b_i A.
+
+        Raises Rejected where it does not. The basis has different leading places, rising.
+        """
+        entries = []
+        for row in basis:
+            left, coordinates = [Fraction(x, self.denominator) for x in self.step(row)], list[Fraction]()
+            for own in basis:
+                place = next(j for j, x in enumerate(own) if x)
+                coordinates.append(left[place] / own[place])
+                if coordinates[-1]:
+                    left = [a - coordinates[-1] * b for a, b in zip(left, own, strict=True)]
             require(not any(left), "the space is not invariant")
-            entries.append([taken.get(each, Fraction(0)) for each in places])
+            entries.append(coordinates)
         common = lcm(*(x.denominator for row in entries for x in row))
         numerators = [[x.numerator * (common // x.denominator) for x in row] for row in entries]
         return matrices.family([numerators], common)
 
 
-def _moved(powers: Row, by: Fraction) -> Row:
+def _moved(powers: Row, by: int) -> Row:
     """The row (1, t + by, …) from (1, t, …)."""
-    return [
-        sum((comb(d, r) * by ** (d - r) * powers[r] for r in range(d + 1)), Fraction(0)) for d in range(len(powers))
-    ]
+    return [sum(comb(d, r) * by ** (d - r) * powers[r] for r in range(d + 1)) for d in range(len(powers))]
 
 
 def _of_one_cell(cells: SideCells, p: int, k: int) -> list[Row]:
@@ -162,42 +169,33 @@ def _of_one_cell(cells: SideCells, p: int, k: int) -> list[Row]:
 
     def step_of(epsilon: int) -> Step:
         def step(row: Row) -> Row:
-            powers = [x / p**d for d, x in enumerate(_moved(row[:k], Fraction(epsilon)))]
-            return powers + _on_cell(cells, p, epsilon, row[k:])
+            powers = [cells.mask.denominator * p ** (k - 1 - d) * x for d, x in enumerate(_moved(row[:k], epsilon))]
+            return primitive(powers + [x * p ** (k - 1) for x in _on_cell(cells, p, epsilon, row[k:])])
 
         return step
 
-    start = [Fraction(int(d == 0)) for d in range(k)] + _stencil(cells, p)
+    stencil = _stencil(cells, p)
+    start = [sum(stencil) * (d == 0) for d in range(k)] + stencil
     return spanned([start], [step_of(epsilon) for epsilon in range(p)]).basis()
 
 
 def _on_cell(cells: SideCells, p: int, epsilon: int, v: Row) -> Row:
-    """The row F((t + ε)/p) of a cell from F(t): entries Σ_i v_i a_(i+ε-pj)."""
+    """The row F((t + ε)/p) of a cell from F(t), times the denominator of the mask: entries Σ_i v_i a_(i+ε-pj)."""
     a, places = cells.mask, range(cells.low, cells.high + 1)
-    return [
-        sum((x * a.at(i + epsilon - p * j) for i, x in zip(places, v, strict=True) if x), Fraction(0)) / a.denominator
-        for j in places
-    ]
+    return [sum(x * a.at(i + epsilon - p * j) for i, x in zip(places, v, strict=True) if x) for j in places]
 
 
 def _stencil(cells: SideCells, p: int) -> Row:
-    """The row F(0) of the cell [0, 1]: fixed, and of sum 1. Raises Rejected unless there is just one."""
-    size = cells.high - cells.low + 1
-    units = [[Fraction(int(i == j)) for j in range(size)] for i in range(size)]
-    images = [_on_cell(cells, p, 0, unit) for unit in units]
-    pairs = zip(images, units, strict=True)
-    return fixed_row([[x - y for x, y in zip(image, unit, strict=True)] for image, unit in pairs])
-
-
-def fixed_row(rows: list[Row]) -> Row:
-    """The v with Σ_i v_i rows_i = 0 and Σ v_i = 1. Raises Rejected unless there is just one up to a factor."""
-    size = len(rows)
-    tagged = [row + [Fraction(int(i == j)) for j in range(size)] for i, row in enumerate(rows)]
-    kernel = [row[len(rows[0]) :] for row in Echelon(tagged).basis() if not any(row[: len(rows[0])])]
+    """The row F(0) of the cell [0, 1] up to a factor: fixed, of sum > 0. Raises Rejected unless there is just one."""
+    size, d = cells.high - cells.low + 1, cells.mask.denominator
+    units = [[int(i == j) for j in range(size)] for i in range(size)]
+    changes = [[x - d * y for x, y in zip(_on_cell(cells, p, 0, unit), unit, strict=True)] for unit in units]
+    tagged = [change + unit for change, unit in zip(changes, units, strict=True)]
+    kernel = [row[size:] for row in Echelon(tagged).basis() if not any(row[:size])]
     require(len(kernel) == 1, "the fixed rows are not of dimension 1")
-    total = sum(kernel[0], Fraction(0))
+    total = sum(kernel[0])
     require(total != 0, "the fixed row sums to 0")
-    return [x / total for x in kernel[0]]
+    return kernel[0] if total > 0 else [-x for x in kernel[0]]
 
 
 def require_sums(masks: TwoMasks) -> None:
@@ -251,9 +249,10 @@ def value_at_zero(c: Claim) -> None:
     c.count(window.work(0), window.bits(0))
     c.use("convergent", holds=True)
     start, weights = c.statement["start"], c.statement["weights"]
-    given = dict(enumerate(weights, start))
-    if any(x and i not in window.points for i, x in given.items()):
+    given = {i: x for i, x in enumerate(weights, start) if x}
+    if any(i not in window.points for i in given):
         raise Rejected("a weight is outside of the window")
-    v = [given.get(i, Fraction(0)) for i in window.points]
-    require(sum(v, Fraction(0)) == 1, "the weights do not sum to 1")
-    require(window.step(v) == v, "the row is not fixed")
+    common = lcm(*(x.denominator for x in weights))
+    v = [int(given.get(i, Fraction(0)) * common) for i in window.points]
+    require(sum(v) == common, "the weights do not sum to 1")
+    require(window.step(v) == [window.denominator * x for x in v], "the row is not fixed")
