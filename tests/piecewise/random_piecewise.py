@@ -75,11 +75,22 @@ def dense(scheme, reach):
 def spread(scheme, reach=40, levels=60):
     """The largest difference of data near 0 after so many levels, data of size 1."""
     power = np.linalg.matrix_power(dense(scheme, reach), levels)
-    near = power[reach - 4 : reach + 6]
-    return np.abs(near - near[0]).max()
+    near = power[reach - 10 : reach + 11]
+    return float(np.abs(near - near[0]).max())
 
 
-def limit_value(scheme, data, first, i, levels=45):
+def largest_step(side, levels=12):
+    """The largest difference of S^n δ for the scheme of a mask."""
+    data = np.array([1.0])
+    coefficients = np.array([float(x) for x in side.coefficients])
+    for _ in range(levels):
+        spaced = np.zeros(side.arity * (len(data) - 1) + 1)
+        spaced[:: side.arity] = data
+        data = np.convolve(spaced, coefficients)
+    return float(np.abs(np.diff(data)).max())
+
+
+def limit_value(scheme, data, first, i, levels=36):
     """The limit at point i of data c_first, c_(first+1), …, on a side where the masks alone act."""
     p, side = scheme.arity, scheme.left if i < 0 else scheme.right
     coefficients = np.array([float(x) for x in side.coefficients])
@@ -109,7 +120,7 @@ def _rows_at_zero(scheme, k, reach, outer):
     return dense(scheme, reach), q, stencils - q @ (q.T @ stencils)
 
 
-def decay_at_zero(scheme, k, reach=60, outer=24, levels=14):
+def decay_at_zero(scheme, k, reach=40, outer=12, levels=14):
     """The sizes of combinations of values that annihilate π_(k-1), at p^-m of the points, m = 1, 2, …, by iteration."""
     a, q, rows = _rows_at_zero(scheme, k, reach, outer)
     inner, sizes = slice(reach - 12, reach + 13), []
@@ -120,7 +131,7 @@ def decay_at_zero(scheme, k, reach=60, outer=24, levels=14):
     return sizes
 
 
-def exponent_at_zero(scheme, k, reach=60, outer=24):
+def exponent_at_zero(scheme, k, reach=40, outer=12):
     """-log_p of the largest eigenvalue of S on the combinations of values that annihilate π_(k-1); None for no such."""
     a, q, rows = _rows_at_zero(scheme, k, reach, outer)
     for _ in range(5):
