@@ -40,13 +40,13 @@ def agrees(scheme, result):
 
 
 def test_random_special_rules():
-    """Convergence by 3000 levels of all unit data, the exponent at 0 by eigenvalues of values of limits."""
+    """Convergence by 2^17 levels of all unit data, the exponent at 0 by eigenvalues of values of limits."""
     rng, mix = seeded(82), {"proved": 0, "refuted": 0, "C^1": 0, "rough": 0}
     for _ in range(cases(32)):
         scheme = random_scheme(rng, size=rng.choice([4, 12]))
         result = answer(scheme)
         with np.errstate(all="ignore"):
-            size = spread(scheme, levels=4096)
+            size = spread(scheme, levels=2**17)
         if result.convergent is Verdict.PROVED:
             assert size < 0.1, scheme
             assert agrees(scheme, result), scheme
