@@ -9,7 +9,7 @@ from subdiv_cli.kinds.kind import Kind, late
 
 KIND = Kind(
     name="piecewise",
-    keys=("left", "right", "spacing", "special"),
+    keys=("left", "right", "spacing", "special", "shear"),
     read=late("subdiv_cli.kinds.piecewise.text:read"),
     body_of=late("subdiv_cli.kinds.piecewise.text:body_of"),
     spell=late("subdiv_cli.kinds.piecewise.text:spell"),

@@ -25,11 +25,11 @@ LARGEST_POINT = 100
 """The largest size of the index of a special row, and of a point that one reads."""
 _FARTHEST = 1000
 """The largest size of an index in the support of a mask."""
-_SIDE = 'write left = "four_point.toml", or [left] with start and coefficients'
 _SPACING = "write spacing = [1, 2] above the tables: the distances of old points left and right of 0"
 _SPECIAL = 'write [special] and rows such as 1 = {"0" = "1/2", "1" = "1/2"}: the weights of old points'
 _INDEX = re.compile(r"-?(0|[1-9][0-9]{0,8})")
 _TWO_VARIABLES = ("dilation", "terms", "tensor", "box_spline")
+_AT_THE_TOP = {"spacing", "special", "shear"}
 _ONE = Expression(text="1", node=literal(Fraction(1)).node)
 
 
@@ -72,9 +72,12 @@ class Sides(NamedTuple):
 
 def read(top: Table, parameters: Collection[str], problems: Collector) -> Sides | None:
     """The scheme of a file; None where something is wrong, which is recorded."""
+    if "shear" in top.data:
+        message = "shear is for two variables, and piecewise schemes are decided in one"
+        problems.add(Fault(faults.KIND_NOT_BUILT, message, "write masks in one variable"), ("shear",), of_key=True)
     left, right = (_side(top, name, parameters) for name in ("left", "right"))
     spacing, special = _spacing(top, parameters), _special(top, parameters)
-    if left is None or right is None or spacing is None or special is None:
+    if left is None or right is None or spacing is None or special is None or "shear" in top.data:
         return None
     if left.arity != right.arity:
         message = f"the masks must be of one arity, and the left one has {left.arity}, the right one {right.arity}"
@@ -86,8 +89,9 @@ def read(top: Table, parameters: Collection[str], problems: Collector) -> Sides 
 def _side(top: Table, name: str, parameters: Collection[str]) -> Mask | None:
     """The mask of a side, from a table or the name of a file; None where something is wrong, which is recorded."""
     problems = top.problems
+    help = f'write {name} = "four_point.toml", or [{name}] with start and coefficients'
     if name not in top.data:
-        top.missing(name, f"the {name} mask is missing", _SIDE)
+        top.missing(name, f"the {name} mask is missing", help)
         return None
     value = top.data[name]
     if isinstance(value, dict):
@@ -96,8 +100,12 @@ def _side(top: Table, name: str, parameters: Collection[str]) -> Mask | None:
             fault = Fault(faults.KIND_NOT_BUILT, message, "write start and coefficients")
             problems.add(fault, (name, mark), of_key=True)
             return None
-        return read_scalar(Table(value, (name,), problems), parameters, problems)
-    fault = Fault(faults.WRONG_TYPE, f"{name} must be a mask or the name of a file, not {described(value)}", _SIDE)
+        for key in _AT_THE_TOP & value.keys():
+            fault = Fault(faults.UNKNOWN_KEY, f'unknown key "{key}" in [{name}]', "it belongs at the top, above [left]")
+            problems.add(fault, (name, key), of_key=True)
+        own = {key: entry for key, entry in value.items() if key not in _AT_THE_TOP}
+        return read_scalar(Table(own, (name,), problems), parameters, problems)
+    fault = Fault(faults.WRONG_TYPE, f"{name} must be a mask or the name of a file, not {described(value)}", help)
     if isinstance(value, str):
         try:
             return mask_in_file(value, problems.file)
