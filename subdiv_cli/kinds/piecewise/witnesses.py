@@ -3,7 +3,7 @@
 # No `from __future__ import annotations` here: it would hide from a TypedDict which of its keys are required.
 
 from fractions import Fraction
-from typing import NotRequired, Required, TypedDict
+from typing import Required, TypedDict
 
 from subdiv_cli.model.proofs import Integers, Numbers, PowerData
 
@@ -73,10 +73,3 @@ class ValueAtZeroWitness(TypedDict):
 
     start: int
     weights: Numbers
-
-
-class RadiusOfMatrix(TypedDict):
-    """The proof of a spectral radius: the factors of the characteristic polynomial, and where it is known, `inner`."""
-
-    factors: tuple[Integers, ...]
-    inner: NotRequired[Fraction]
