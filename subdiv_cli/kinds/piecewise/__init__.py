@@ -5,7 +5,7 @@ Arranged as kind scalar is, which decides the masks of both sides.
 
 from __future__ import annotations
 
-from subdiv_cli.kinds.kind import Kind, late
+from subdiv_cli.kinds.kind import Kind, Portraits, late
 
 KIND = Kind(
     name="piecewise",
@@ -18,4 +18,9 @@ KIND = Kind(
     analyse=late("subdiv_cli.kinds.piecewise.stages:analyse"),
     proofs=late("subdiv_cli.kinds.piecewise.claims:claims_of"),
     base=lambda mask, _: (mask["arity"], 1),
+    sections=late("subdiv_cli.kinds.piecewise.portrait.page:sections"),
+    portraits=Portraits(
+        late("subdiv_cli.kinds.piecewise.stages:analyse"),
+        late("subdiv_cli.kinds.piecewise.portrait.page:portrait"),
+    ),
 )
