@@ -31,7 +31,7 @@ def analyse(scheme: PiecewiseScheme, effort: Effort, _: Fraction | None = None) 
 
 def _facts(numbers: PiecewiseNumbers) -> Mapping[str, Data]:
     scheme = numbers.scheme
-    facts: dict[str, Data] = {"arity": numbers.p, "spacing": scheme.spacing}
+    facts: dict[str, Data] = {"arity": numbers.p, "spacings": scheme.spacing}
     for name, mask in (("left_support", scheme.left), ("right_support", scheme.right)):
         facts[name] = (mask.start, mask.start + mask.degree)
     facts["special_rows"] = tuple(i for i, _ in scheme.special)
