@@ -96,7 +96,7 @@ def test_show_takes_it_apart():
     for line in ("right Q f = f - 1/6 f''", "F(0) = c_0", "Q x^2", "the order of approximation is 4", "(-57 + 296 z)"):
         assert line in text
     data = json.loads(subdiv("show", LEVIN, "--format", "json").stdout)
-    page = data["show"] if "show" in data else data
+    page = data.get("show", data)
     assert page["points"] == [-3, -2, -1, 0, 1, 2]
     assert page["quasi_interpolation"]["right"] == ["1", "0", "-1/6", "0"]
     assert page["value_at_zero"] == {"points": [0], "weights": ["1"]}

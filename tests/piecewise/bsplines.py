@@ -46,8 +46,8 @@ def spline_scheme(degree, spacing=(1, 1), multiplicity=1, arity=2):
     reach = 3 * (degree + multiplicity) + 4
     rows = []
     for i in range(-reach, reach + 1):
-        found = {j: alpha(j - shift, degree + 1, i - shift) for j in range(-reach, reach + 1)}
-        rows.append((i, tuple((j, x) for j, x in found.items() if x)))
+        results = {j: alpha(j - shift, degree + 1, i - shift) for j in range(-reach, reach + 1)}
+        rows.append((i, tuple((j, x) for j, x in results.items() if x)))
     step = arity - 1
     masks = [
         bspline_mask(degree, arity, -step * shift),

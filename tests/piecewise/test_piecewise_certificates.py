@@ -72,14 +72,14 @@ def test_every_rule_is_specified_and_met():
         assert "Statement" in section, name
         assert "Uses" in section, name
         assert "Work" in section, name
-    met = {claim["rule"] for found in DOCUMENTS.values() for claim in found["claims"]}
+    met = {claim["rule"] for results in DOCUMENTS.values() for claim in results["claims"]}
     assert met >= RULES - {"side-above"}, RULES - met
 
 
-def index(found, rule):
+def index(results, rule):
     """The number of the first claim by a rule, or that states a property of a name."""
     names = (rule, rule.partition("@")[0])
-    claims = found["claims"]
+    claims = results["claims"]
     return next(
         i
         for i, claim in enumerate(claims)
@@ -90,10 +90,10 @@ def index(found, rule):
 
 def with_claim(name, rule, statement, uses=(), witness=None, work=10**6):
     """The outcome for a document with one claim more, which is its goal; `uses` are rules or numbers."""
-    found = copy.deepcopy(DOCUMENTS[name])
-    numbers = [use if isinstance(use, int) else index(found, use) for use in uses]
+    results = copy.deepcopy(DOCUMENTS[name])
+    numbers = [use if isinstance(use, int) else index(results, use) for use in uses]
     claim = {"rule": rule, "statement": statement, "witness": witness or {}, "uses": numbers, "work": work}
-    return check_document({**found, "claims": [*found["claims"], claim], "goal": [statement]})
+    return check_document({**results, "claims": [*results["claims"], claim], "goal": [statement]})
 
 
 def holds(value):
@@ -104,9 +104,9 @@ def bound(property_, x, length=1):
     return {"property": property_, "length": length, "bound": x}
 
 
-def radius(found, order):
+def radius(results, order):
     """The numbers of the claims on the radius of the space of an order above 0 (or of 0), and on its family."""
-    claims = found["claims"]
+    claims = results["claims"]
     family = next(
         i for i, c in enumerate(claims) if c["rule"] == "functionals" and (c["statement"]["order"] > 0) is (order > 0)
     )
@@ -224,9 +224,9 @@ def test_eigenvalues_need_all_factors_and_a_radius_between():
 
 
 def test_an_irrational_radius_is_the_only_root_outside():
-    found = DOCUMENTS["plain"]
-    number, _ = radius(found, 1)
-    claim = found["claims"][number]
+    results = DOCUMENTS["plain"]
+    number, _ = radius(results, 1)
+    claim = results["claims"][number]
     assert len(claim["statement"]["polynomial"]) == 3
     assert with_claim("plain", "eigenvalues", claim["statement"], (), claim["witness"]).verified
     forged = {**claim["witness"], "inner": "3/10"}
@@ -301,11 +301,11 @@ def at(value, place):
 @pytest.mark.parametrize("name", FACTS)
 def test_every_number_changed(name):
     """A certificate with one number changed is rejected, or all that it states is true all the same."""
-    found, rejected, kept = DOCUMENTS[name], 0, 0
-    everywhere = [(number, place) for number, claim in enumerate(found["claims"]) for place in places(claim)]
+    results, rejected, kept = DOCUMENTS[name], 0, 0
+    everywhere = [(number, place) for number, claim in enumerate(results["claims"]) for place in places(claim)]
     for number, place in everywhere[:: max(1, len(everywhere) // cases(60))]:
-        for new in changed(at(found["claims"][number], place)):
-            forged = json.loads(json.dumps(found))
+        for new in changed(at(results["claims"][number], place)):
+            forged = json.loads(json.dumps(results))
             at(forged["claims"][number], place[:-1])[place[-1]] = new
             forged["goal"] = [forged["claims"][number]["statement"]]
             outcome = check_document(forged)
@@ -329,10 +329,10 @@ def test_a_certificate_of_another_mask_is_rejected(key):
 
 @pytest.mark.parametrize("name", ["Levin", "cubic", "constant"])
 def test_less_work_than_it_takes_is_refused(name):
-    found = DOCUMENTS[name]
-    for number, claim in enumerate(found["claims"]):
+    results = DOCUMENTS[name]
+    for number, claim in enumerate(results["claims"]):
         if claim["work"] > 1 and claim["rule"] in RULES:
-            forged = json.loads(json.dumps(found))
+            forged = json.loads(json.dumps(results))
             forged["claims"][number]["work"] //= 2
             outcome = check_document(forged)
             assert outcome.claim == number, claim["rule"]

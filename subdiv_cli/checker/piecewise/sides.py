@@ -40,14 +40,14 @@ class SideStatements(list[Statement]):
 
     def exact(self) -> list[StatedRate]:
         """The decays whose exponent is that of φ."""
-        found = []
+        results = []
         for s in self:
             if s["property"] == "holder":
                 x = s["norm"]
-                found.append(StatedRate(s["level"], x, x, (-x.numerator, x.denominator)))
+                results.append(StatedRate(s["level"], x, x, (-x.numerator, x.denominator)))
             elif s["property"] == "holder-root":
-                found.append(StatedRate(s["length"], s["low"], s["high"], s["polynomial"]))
-        return found
+                results.append(StatedRate(s["length"], s["low"], s["high"], s["polynomial"]))
+        return results
 
     def below(self) -> list[StatedRate]:
         """The decays whose exponents bound that of φ from below."""

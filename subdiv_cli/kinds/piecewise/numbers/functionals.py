@@ -102,7 +102,7 @@ def cells_of(scheme: PiecewiseScheme) -> tuple[Cells, Cells]:
     between t and that bound where it was computed from more points; all but the data themselves are points of S.
     """
     p, special = scheme.arity, [i for i, _ in scheme.special]
-    found = []
+    results = []
     for is_left, mask in ((True, scheme.left), (False, scheme.right)):
         s, e = mask.start, mask.start + mask.degree
         if is_left:
@@ -114,8 +114,8 @@ def cells_of(scheme: PiecewiseScheme) -> tuple[Cells, Cells]:
             farthest = max(1, -(-(first + max(0, -(-e // (p - 1)))) // p))
             numbers = range(farthest, p * farthest)
         spacing = scheme.spacing[0 if is_left else 1]
-        found.append(Cells(mask, spacing, -(e // (p - 1)), 1 + (-s) // (p - 1), numbers))
-    return found[0], found[1]
+        results.append(Cells(mask, spacing, -(e // (p - 1)), 1 + (-s) // (p - 1), numbers))
+    return results[0], results[1]
 
 
 def window_of(scheme: PiecewiseScheme, cells: Iterable[Cells]) -> range | None:
@@ -193,15 +193,15 @@ class Functionals:
     def _of_cells(self, cells: Cells, k: int) -> list[list[fmpq]]:
         """The rows (1, x, …, x^(k-1), F(x)) of all cells of a side."""
         rows, width, first = cell_rows(cells, k, self._look), cells.high - cells.low + 1, self.window[0]
-        found = []
+        results = []
         for j in cells.numbers:
             place = j + cells.low - first
             to_x = _substitution(cells.spacing, j, k)
             for row in rows.tolist():
                 powers = (fmpq_mat([row[:k]]) * to_x).tolist()[0] if k else []
                 after = len(self.window) - place - width
-                found.append([*powers, *([fmpq(0)] * place), *row[k:], *([fmpq(0)] * after)])
-        return found
+                results.append([*powers, *([fmpq(0)] * place), *row[k:], *([fmpq(0)] * after)])
+        return results
 
     def _recurrent(self, rows: fmpq_mat) -> RowSpace:
         """What is left of a space of rows, which A maps into itself, after enough steps, and A on it."""

@@ -27,18 +27,18 @@ Polynomial = tuple[Fraction, ...]
 
 def eigen_polynomials(mask: ScalarScheme, spacing: Fraction) -> tuple[Polynomial, ...]:
     """The polynomials q_0, q_1, … in the index with S q_d = p^-d q_d that lead (spacing t)^d, as many as there are."""
-    p, sums, found = mask.arity, list[Fraction](), list[Polynomial]()
+    p, sums, results = mask.arity, list[Fraction](), list[Polynomial]()
     while (total := _common_sum(mask, len(sums))) is not None and (sums or total == 1):
         sums.append(total)
-        d = len(found)
+        d = len(results)
         c = [Fraction(0)] * d + [spacing**d]
         for m in range(d - 1, -1, -1):
             rest = sum(
                 (c[r] * comb(r, m) * (-1) ** (r - m) * sums[r - m] / p**r for r in range(m + 1, d + 1)), Fraction(0)
             )
             c[m] = rest / (Fraction(1, p**d) - Fraction(1, p**m))
-        found.append(tuple(c))
-    return tuple(found)
+        results.append(tuple(c))
+    return tuple(results)
 
 
 def _common_sum(mask: ScalarScheme, order: int) -> Fraction | None:
@@ -57,13 +57,13 @@ def at(q: Sequence[Fraction], t: int) -> Fraction:
 def sequences(functionals: Functionals) -> tuple[tuple[Fraction, ...], ...]:
     """The values of q_0, q_1, … on the window, as many as there are one after the other."""
     left, right = (eigen_polynomials(cells.mask, cells.spacing) for cells in functionals.cells)
-    found: list[tuple[Fraction, ...]] = []
+    results: list[tuple[Fraction, ...]] = []
     for polynomials in zip(left, right, strict=False):
         values = _sequence(functionals, polynomials)
         if values is None:
             break
-        found.append(values)
-    return tuple(found)
+        results.append(values)
+    return tuple(results)
 
 
 def _sequence(functionals: Functionals, polynomials: Sequence[Polynomial]) -> tuple[Fraction, ...] | None:

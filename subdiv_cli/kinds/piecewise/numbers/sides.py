@@ -65,8 +65,8 @@ class Side:
     @cached_property
     def converges(self) -> bool | None:
         """Whether the scheme of the mask converges; None where that is not stated."""
-        said = [statement["holds"] for statement in self._goal if statement["property"] == "convergent"]
-        return said[0] if said else None
+        stated = [statement["holds"] for statement in self._goal if statement["property"] == "convergent"]
+        return stated[0] if stated else None
 
     @cached_property
     def smooth(self) -> int:

@@ -40,8 +40,8 @@ class Spectrum:
     def __init__(self, matrix: fmpq_mat) -> None:
         self.roots = tuple((x, n) for x, n in roots(matrix.charpoly()) if x.rational != 0)
         """The eigenvalues that are not 0, with multiplicities, by falling modulus as balls see it."""
-        found = matrix.charpoly().numer().factor()[1]
-        self.factors = tuple((tuple(map(int, f)), n) for f, n in sorted(found, key=_by_degree) if f[0] != 0)
+        results = matrix.charpoly().numer().factor()[1]
+        self.factors = tuple((tuple(map(int, f)), n) for f, n in sorted(results, key=_by_degree) if f[0] != 0)
         """The irreducible factors of the characteristic polynomial but z, the constant coefficient first."""
 
     def compare(self, r: Fraction) -> int:

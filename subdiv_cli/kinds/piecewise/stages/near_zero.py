@@ -32,13 +32,13 @@ def sides(numbers: PiecewiseNumbers, _: Facts) -> tuple[Finding, ...]:
 
     Witness: `side`, `left` or `right`.
     """
-    found = []
+    results = []
     for name, side in numbers.sides:
         if side.certificate is None:
-            found.append(SIDE.undecided(f"what is known of the {name} mask?", "nothing is proved of it"))
+            results.append(SIDE.undecided(f"what is known of the {name} mask?", "nothing is proved of it"))
         else:
-            found.append(SIDE.proved(f"the {name} mask {_known(side, numbers.p)}", {"side": name}))
-    return tuple(found)
+            results.append(SIDE.proved(f"the {name} mask {_known(side, numbers.p)}", {"side": name}))
+    return tuple(results)
 
 
 def _known(side: Side, p: int) -> str:

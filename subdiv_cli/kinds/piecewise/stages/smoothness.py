@@ -192,9 +192,11 @@ def _lower(numbers: PiecewiseNumbers, growth: FunctionalGrowth | None) -> Findin
 
 
 def _upper(numbers: PiecewiseNumbers, growth: FunctionalGrowth | None) -> Finding:
-    found = {name: side.above for name, side in numbers.sides}
-    found["zero"] = None if growth is None else growth.above(numbers.p)
-    bounds = {name: DecayRate(decay.length, decay.low, decay.low) for name, decay in found.items() if decay is not None}
+    results = {name: side.above for name, side in numbers.sides}
+    results["zero"] = None if growth is None else growth.above(numbers.p)
+    bounds = {
+        name: DecayRate(decay.length, decay.low, decay.low) for name, decay in results.items() if decay is not None
+    }
     for name, decay in bounds.items():
         if all(other.at_most(decay.low, decay.length) for other in bounds.values()):
             upper = _value(numbers.p, decay).upper
