@@ -52,7 +52,7 @@ class Conditions(NamedTuple):
         return total == self.right_side(i)
 
 
-class Rule(NamedTuple):
+class SpecialRule(NamedTuple):
     """The rule of a special point, and the program that it comes from."""
 
     row: Row
@@ -65,7 +65,7 @@ class Blend(NamedTuple):
 
     scheme: PiecewiseScheme
     degree: int
-    rules: dict[int, Rule]
+    rules: dict[int, SpecialRule]
     """The special rules that are of neither mask."""
     boundary: int
 
@@ -156,24 +156,24 @@ def _windows(i: int, arity: int, size: int) -> Iterator[range]:
     return iter(sorted(around, key=distance))
 
 
-def _rule(wanted: Conditions, i: int, support: int | None, positive: bool) -> Rule:
+def _rule(wanted: Conditions, i: int, support: int | None, positive: bool) -> SpecialRule:
     """The rule of a special point on as few points as have one. Raises ImpossibleError, with the reason of the last."""
     count, right = len(wanted.left), wanted.right_side(i)
-    last: Rule | None = None
+    last: SpecialRule | None = None
     for size in range(1, count + _MORE + 1) if support is None else (support,):
         for points in _windows(i, wanted.arity, size):
             optimum = largest_least_weight([wanted.column(j) for j in points], right)
             if optimum is None:
                 continue
             row = tuple((j, w) for j, w in zip(points, optimum.weights, strict=True) if w)
-            rule = Rule(row, points, optimum)
+            rule = SpecialRule(row, points, optimum)
             if not positive or optimum.least >= 0:
                 return rule
             last = rule if last is None or len(points) > len(last.points) else last
     raise ImpossibleError(_why(wanted, i, last, support))
 
 
-def _why(wanted: Conditions, i: int, last: Rule | None, support: int | None) -> str:
+def _why(wanted: Conditions, i: int, last: SpecialRule | None, support: int | None) -> str:
     """The reason why a point has no rule: no weights meet the conditions, or a polynomial forbids positive ones."""
     degree = len(wanted.left) - 1
     if last is None:
@@ -191,7 +191,7 @@ def _why(wanted: Conditions, i: int, last: Rule | None, support: int | None) -> 
     )
 
 
-def certificate_holds(wanted: Conditions, i: int, rule: Rule) -> bool:
+def certificate_holds(wanted: Conditions, i: int, rule: SpecialRule) -> bool:
     """Whether the multipliers of a rule are what their description says: exactly, from Q alone."""
     y = rule.optimum.multipliers
 

@@ -17,7 +17,7 @@ from flint import fmpq_mat
 from subdiv_cli.exact.algebraic import roots
 from subdiv_cli.exact.linalg import Vector, matrix, nullspace
 from subdiv_cli.exact.rationals import to_fmpq
-from subdiv_cli.kinds.piecewise.blend import Blend, Conditions, Rule
+from subdiv_cli.kinds.piecewise.blend import Blend, Conditions, SpecialRule
 from subdiv_cli.kinds.piecewise.numbers.functionals import attractor, cells_of, window_of
 from subdiv_cli.kinds.piecewise.scheme import PiecewiseScheme, Row
 from subdiv_cli.model import Effort, watch
@@ -53,12 +53,12 @@ def improved(blend: Blend, wanted: Conditions, effort: Effort, positive: bool) -
     counted = 0
     for more in _MORE:
         free = {i: _freed(wanted, i, rule, more) for i, rule in blend.rules.items()}
-        search = _Search(blend, free, positive)
+        search = _RuleSearch(blend, free, positive)
         if search.count:
             counted = yield from search.run(effort, counted)
 
 
-def _freed(wanted: Conditions, i: int, rule: Rule, more: int) -> FreeRule:
+def _freed(wanted: Conditions, i: int, rule: SpecialRule, more: int) -> FreeRule:
     """The rules of a point on some points more."""
     first, last = rule.points[0], rule.points[-1]
     outwards = 2 * Fraction(i, wanted.arity) < first + last
@@ -71,7 +71,7 @@ def _freed(wanted: Conditions, i: int, rule: Rule, more: int) -> FreeRule:
     return FreeRule(points, tuple(known.get(j, Fraction(0)) for j in points), changes)
 
 
-class _Search:
+class _RuleSearch:
     """One search from the rules of a blend."""
 
     def __init__(self, blend: Blend, free: Mapping[int, FreeRule], positive: bool) -> None:

@@ -39,7 +39,7 @@ def _rows(scheme: PiecewiseScheme) -> Grid:
 
 def portrait(analysis: Analysis, result: Result) -> Portrait:
     """The sections of the page that are not empty, and its data."""
-    page = _Page(analysis, result)
+    page = _PiecewisePage(analysis, result)
     parts = {
         "Scheme": page.scheme(),
         "Near 0": page.near_zero(),
@@ -49,7 +49,7 @@ def portrait(analysis: Analysis, result: Result) -> Portrait:
     return Portrait(headed(parts), page.data())
 
 
-class _Page:
+class _PiecewisePage:
     """The parts of a page, each computed once; empty where the window near 0 is too large."""
 
     def __init__(self, analysis: Analysis, result: Result) -> None:
