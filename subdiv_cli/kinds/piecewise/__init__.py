@@ -5,8 +5,15 @@ Arranged as kind scalar is, which decides the masks of both sides.
 
 from __future__ import annotations
 
-from subdiv_cli.kinds.kind import Kind, Portraits, late
+from subdiv_cli.kinds.kind import PICTURES, Drawings, Kind, Portraits, late
 
+_LIMITS = Drawings(
+    "limits",
+    late("subdiv_cli.kinds.piecewise.portrait.pictures:functions"),
+    PICTURES,
+    options=frozenset({"samples"}),
+    most=1,
+)
 KIND = Kind(
     name="piecewise",
     keys=("left", "right", "spacing", "special", "shear"),
@@ -23,4 +30,5 @@ KIND = Kind(
         late("subdiv_cli.kinds.piecewise.stages:analyse"),
         late("subdiv_cli.kinds.piecewise.portrait.page:portrait"),
     ),
+    drawings=(_LIMITS,),
 )

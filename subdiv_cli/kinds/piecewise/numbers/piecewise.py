@@ -6,7 +6,16 @@ from fractions import Fraction
 from functools import cached_property
 from typing import NamedTuple
 
-from subdiv_cli.kinds.piecewise.numbers.functionals import Cells, Functionals, RowSpace, attractor, cells_of, window_of
+from subdiv_cli.exact.linalg import Vector, rows_of
+from subdiv_cli.kinds.piecewise.numbers.functionals import (
+    Cells,
+    Functionals,
+    RowSpace,
+    attractor,
+    cells_of,
+    stencil,
+    window_of,
+)
 from subdiv_cli.kinds.piecewise.numbers.polynomials import Polynomial, eigen_polynomials, sequences
 from subdiv_cli.kinds.piecewise.numbers.sides import DecayRate, Side, rational_rate
 from subdiv_cli.kinds.piecewise.numbers.spectrum import Spectrum
@@ -96,6 +105,14 @@ class PiecewiseNumbers:
         if self.window is None:
             return None
         return Functionals(self.scheme, self.cells, self.window, self.effort.look)
+
+    @cached_property
+    def stencils(self) -> tuple[Vector, Vector]:
+        """The limit stencils of both masks, which converge: the weights of the data from `low` of their cells on."""
+        left, right = (stencil(cells) for cells in self.cells)
+        assert left is not None, "a mask that converges has one"
+        assert right is not None, "a mask that converges has one"
+        return rows_of(left)[0], rows_of(right)[0]
 
     @cached_property
     def closed_set(self) -> tuple[int, ...]:

@@ -8,8 +8,9 @@ from fractions import Fraction
 from subdiv_cli.kinds.kind import Analysis
 from subdiv_cli.kinds.piecewise.numbers.piecewise import PiecewiseNumbers
 from subdiv_cli.kinds.piecewise.numbers.polynomials import Polynomial, eigen_polynomials, operator
+from subdiv_cli.kinds.piecewise.portrait.pictures import limits
 from subdiv_cli.kinds.piecewise.scheme import PiecewiseScheme
-from subdiv_cli.model import Data, Result, Verdict
+from subdiv_cli.model import Data, Effort, Result, Verdict
 from subdiv_cli.model.blocks import Block, Formula, Grid, Matrix, Portrait, Section, Statements, Text, Words
 from subdiv_cli.model.blocks import sections as headed
 from subdiv_cli.model.closed import rational
@@ -17,13 +18,16 @@ from subdiv_cli.model.formulas import combination, laurent
 from subdiv_cli.model.formulas import operator as operator_text
 from subdiv_cli.model.formulas import polynomial as polynomial_text
 
+_CARD_POINTS = 200
 _MOST_SHOWN = 16
 """The most points of a matrix or a row that are written out."""
 
 
-def sections(scheme: PiecewiseScheme, _: Result) -> tuple[Section, ...]:
-    """The special rows and those beside them, as a report shows them."""
-    return (Section("stencils", (_rows(scheme),)),)
+def sections(scheme: PiecewiseScheme, result: Result) -> tuple[Section, ...]:
+    """The limits of unit data near 0 where convergence is proved, and the special rows and those beside them."""
+    drawn: tuple[Block, ...] = limits(PiecewiseNumbers(scheme, Effort()), result, _CARD_POINTS)
+    picture = drawn or (Text("limits are drawn where convergence is proved.", "quiet"),)
+    return Section("", picture), Section("stencils", (_rows(scheme),))
 
 
 def _rows(scheme: PiecewiseScheme) -> Grid:
