@@ -359,3 +359,38 @@ def test_a_wrong_finding_is_caught(code):
             wrong.append(made)
     with pytest.raises(DisagreementError):
         certified(KIND, analysis._replace(findings=tuple(wrong)), (), Effort())
+
+
+def test_a_space_of_too_small_an_order_proves_no_smoothness():
+    """Without x^2 among the limits ρ_2 = 1/8 < 2^-2, but C^2 needs an order above 2; and α at most the order."""
+    scheme = shipped("cubic_quarters")
+    made = document(scheme)
+    claims = made["claims"]
+    converges, sides = index(made, "converges"), [index(made, f"side@{name}") for name in ("left", "right")]
+    number = 1 + max(claim["statement"].get("family", 0) for claim in claims)
+    family = {"rule": "functionals", "statement": {"property": "family", "family": number, "order": 2}, "witness": {}}
+    radius = {
+        "rule": "eigenvalues",
+        "statement": {"property": "radius", "family": number, **exact("radius", ["-1", "8"], "1/8")},
+        "witness": {"factors": [["-1", "8"], ["-1", "8"]], "inner": "0"},
+    }
+    more = [{**family, "uses": [converges], "work": 10**6}, {**radius, "uses": [], "work": 10**6}]
+    both = [len(claims) + 1, len(claims)]
+    for statement, rule, witness, uses, why in (
+        (
+            {"property": "smooth", "order": 2},
+            "smooth",
+            {},
+            [converges, *sides, *both],
+            "order of the family is too small",
+        ),
+        ({"property": "smooth", "order": 1}, "smooth", {}, [converges, *sides, *both], None),
+        (exact("zero-root", ["-1", "8"], "1/8"), "zero-root", {}, [converges, *both], "not below the order"),
+        (bound("zero-lower", "1/8"), "zero-lower", {}, [converges, *both], "may be smaller"),
+        (bound("zero-lower", "1/4"), "zero-lower", {}, [converges, *both], None),
+        (bound("zero-upper", "1/8"), "zero-above", {}, [converges, *both], "not below the order"),
+    ):
+        claim = {"rule": rule, "statement": statement, "witness": witness, "uses": uses, "work": 10}
+        outcome = check_document({**made, "claims": [*claims, *more, claim], "goal": [statement]})
+        assert outcome.verified is (why is None), outcome.line
+        assert (why or "") in outcome.line
