@@ -117,6 +117,8 @@ def _fact(key: str, value: Data) -> str | None:
             return f"spacings {data(left)}, {data(right)}"
         case "special_rows", tuple() if value:
             return f"special rows {', '.join(map(data, value))}"
+        case "determined_by", (int(only),):
+            return f"limits near 0 from point {only}"
         case "determined_by", (int(first), *_, int(last)):
             return f"limits near 0 from {_count(len(value), 'point')}, {first} … {last}"
         case (("spacings" | "special_rows"), _):

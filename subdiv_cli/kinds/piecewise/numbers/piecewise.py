@@ -79,14 +79,14 @@ class PiecewiseNumbers:
     @cached_property
     def left(self) -> Side:
         """The left mask."""
-        return Side("left", self.scheme.left, self.effort.limited(self.effort.work, 0.4))
+        return Side(self.scheme.left, self.effort.limited(self.effort.work, 0.4))
 
     @cached_property
     def right(self) -> Side:
         """The right mask; the same object where it is the left one."""
         if self.scheme.right == self.scheme.left:
             return self.left
-        return Side("right", self.scheme.right, self.effort.limited(self.effort.work, 0.6))
+        return Side(self.scheme.right, self.effort.limited(self.effort.work, 0.6))
 
     @property
     def sides(self) -> tuple[tuple[str, Side], tuple[str, Side]]:

@@ -48,8 +48,7 @@ def rational_rate(x: Fraction) -> DecayRate:
 class Side:
     """A mask on one side: its own analysis, and what its certificate states."""
 
-    def __init__(self, name: str, mask: ScalarScheme, effort: Effort) -> None:
-        self.name = name
+    def __init__(self, mask: ScalarScheme, effort: Effort) -> None:
         self.analysis: Analysis = analyse(mask, effort)
 
     @cached_property

@@ -110,8 +110,10 @@ def convergence(numbers: PiecewiseNumbers, _: Facts) -> tuple[Finding, ...]:
         return (_diverges(witness, f"differences near 0 have the eigenvalue of modulus {size}"),)
     if None in (numbers.left.converges, numbers.right.converges):
         return (CONVERGENCE.undecided(_CONVERGENCE_QUESTION, "it is not known of both masks"),)
-    largest = "0" if decay.spectrum is None else modulus_text(decay.spectrum.roots[0][0])
-    why = f"both masks converge, and near 0 differences decay like {largest}^n"
+    rate = "are 0 after a few steps"
+    if decay.spectrum is not None:
+        rate = f"decay like {modulus_text(decay.spectrum.roots[0][0])}^n"
+    why = f"both masks converge, and near 0 differences {rate}"
     return (CONVERGENCE.proved(f"S converges: {why}", witness, why=why),)
 
 
