@@ -77,6 +77,9 @@ def test_the_catalog_is_what_iteration_shows(file):
     assert set(sums) <= {1}
     assert agrees(scheme, result)
     sizes = [s for s in decay_at_zero(scheme, order_of(result)) if s > 1e-10]
+    if result.holder_at_zero.exact == INFINITY:
+        assert len(sizes) < 6
+        return
     rate = -np.log(sizes[-1] / sizes[1]) / np.log(scheme.arity) / (len(sizes) - 2)
     assert abs(rate - result.holder_at_zero.lower) < 0.6
 

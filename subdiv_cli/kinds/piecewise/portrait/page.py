@@ -117,7 +117,13 @@ class _PiecewisePage:
         for name, sequences in self._sides:
             texts = ", ".join(polynomial_text(q).replace("x", "i") for q in sequences)
             yield Text(f"{name}, in the index i: {texts}")
-        yield Text(f"S Q = Q σ on π_{self._degree}: with Q the order of approximation is {self._degree + 1}")
+        order = "" if self._order is None else f": with Q the order of approximation is {self._order}"
+        yield Text(f"S Q = Q σ on π_{self._degree}{order}")
+
+    @property
+    def _order(self) -> int | None:
+        """The order of approximation with Q, where the scheme is proved to converge (A. Levin 2003, Theorem 2.7)."""
+        return self._degree + 1 if self.result.convergent is Verdict.PROVED else None
 
     def data(self) -> dict[str, Data]:
         """The JSON page: numbers are exact."""
@@ -134,7 +140,7 @@ class _PiecewisePage:
             "matrix": self._matrix(),
             "degree": self._degree,
             "quasi_interpolation": {name: operator(q) for name, q in self._sides},
-            "approximation_order": self._degree + 1,
+            "approximation_order": self._order,
             "sequences": None,
             "value_at_zero": None,
         }
