@@ -217,3 +217,27 @@ def test_a_larger_window_changes_nothing():
         for k in (0, 1, 2, 4):
             one, other = (each.annihilating(k) for each in spaces)
             assert one.matrix.charpoly() == other.matrix.charpoly()
+
+
+def after(scheme, data, i, level):
+    """The value at point i after so many levels, by what it is computed from alone."""
+    if not level:
+        return data[i]
+    return sum((w * after(scheme, data, j, level - 1) for j, w in scheme.row(i)), Fraction(0))
+
+
+def test_limits_in_cells_are_those_of_the_masks():
+    """In the cells nothing of the special rows, or of the other side, is ever used; one step farther in it may be."""
+    rng, inside = seeded(828), 0
+    for _ in range(cases(40)):
+        scheme = random_scheme(rng)
+        data = {j: Fraction(rng.randint(-9, 9)) for j in range(-60, 61)}
+        left, right = cells_of(scheme)
+        for side, i, inwards in ((left, max(left.numbers) + 1, 1), (right, min(right.numbers), -1)):
+            uniform = PiecewiseScheme(side.mask, side.mask)
+            for level in (1, 2, 4):
+                at = i * scheme.arity**level
+                assert after(scheme, data, at, level) == after(uniform, data, at, level)
+            near = (i + inwards) * scheme.arity**2
+            inside += after(scheme, data, near, 2) != after(uniform, data, near, 2)
+    assert inside > 20, "cells are farther out than they must be"
