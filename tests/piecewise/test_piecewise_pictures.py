@@ -22,12 +22,12 @@ def drawn(scheme, samples=60):
     """The curves as functions, points of the parameter in its unit -> values, by the point of their data."""
     result = check(scheme, (), Effort()).result
     curves = limits(PiecewiseNumbers(scheme, Effort()), result, samples)
-    found = {}
+    functions = {}
     for curve in curves:
         unit = Fraction(1, curve.arity**curve.level)
         point = int(curve.label.removeprefix("c_").removesuffix(" = 1"))
-        found[point] = {(curve.start + i) * unit: y for i, y in enumerate(curve.values)}
-    return curves, found
+        functions[point] = {(curve.start + i) * unit: y for i, y in enumerate(curve.values)}
+    return curves, functions
 
 
 def test_hats_with_two_spacings():
