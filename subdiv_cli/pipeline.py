@@ -132,6 +132,7 @@ def certified(kind: Kind, analysis: Analysis, expectations: Sequence[Expectation
         hints=analysis.hints,
         holder=_with_digits(gathered.holder),
         sobolev=_with_digits(gathered.sobolev),
+        holder_at_zero=_with_digits(gathered.holder_at_zero),
     )
     judgements = judged(expectations, result)
     result = replace(result, expectations=judgements, status=status(result.convergent, judgements))

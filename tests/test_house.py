@@ -35,6 +35,7 @@ BETWEEN_KINDS = {
     "multivariate": {"scalar"},
     "vector": {"scalar", "matrices"},
     "hermite": {"scalar", "vector"},
+    "piecewise": {"scalar"},
 }
 """Kind -> the kinds below it. All of them may import the hallway of kinds, the files beside their folders."""
 TERMINAL = {"click", "rich"}

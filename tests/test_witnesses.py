@@ -19,6 +19,7 @@ from subdiv_cli.kinds.matrices import rules as matrices
 from subdiv_cli.kinds.multivariate import rules as multivariate
 from subdiv_cli.kinds.multivariate import witnesses as w
 from subdiv_cli.kinds.option import from_option
+from subdiv_cli.kinds.piecewise import rules as piecewise
 from subdiv_cli.kinds.reading import read_path
 from subdiv_cli.kinds.scalar import rules as scalar
 from subdiv_cli.kinds.vector import rules as vector
@@ -28,7 +29,8 @@ from subdiv_cli.model.proofs import RadiusProof
 
 PACKAGE = Path(subdiv_cli.__file__).parent
 
-RULES = {**scalar.rules(), **multivariate.rules(), **matrices.rules(), **vector.rules(), **hermite.rules()}
+TABLES = (scalar, multivariate, matrices, vector, hermite, piecewise)
+RULES = {code: rule for table in TABLES for code, rule in table.rules().items()}
 PROOFS = {
     scalar.JOINT_RADIUS.code: RadiusProof,
     scalar.HOLDER_ATTAINED.code: RadiusProof,
@@ -132,7 +134,10 @@ def looked_for():
 
 def test_keys_that_are_looked_for_are_declared():
     forms = [
-        form for module in (scalar.w, w, matrices.w, proofs) for form in vars(module).values() if is_typeddict(form)
+        form
+        for module in (scalar.w, w, matrices.w, piecewise.w, proofs)
+        for form in vars(module).values()
+        if is_typeddict(form)
     ]
     declared = {key for form in forms for key in get_type_hints(form)} | {"mask"}  # a statement's
     places = dict(looked_for())

@@ -29,7 +29,7 @@ from subdiv_cli.model import (
     unpowered,
 )
 from subdiv_cli.model.closed import root_log_text, spelled, spelled_terms
-from subdiv_cli.model.findings import HOLDER_LOWER, HOLDER_UPPER, SOBOLEV, answering
+from subdiv_cli.model.findings import HOLDER_AT_ZERO, HOLDER_LOWER, HOLDER_UPPER, SOBOLEV, answering
 from subdiv_cli.model.order import enclosure
 
 Statement = Mapping[str, Any]
@@ -61,7 +61,7 @@ def numbers_are_proved(
     `base` gives (m, s) of the mask, or of its factor in these variables.
     """
     about: dict[str, tuple[Finding, list[Stated]]] = {}
-    for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV):
+    for question in (HOLDER_LOWER, HOLDER_UPPER, HOLDER_AT_ZERO, SOBOLEV):
         finding = answering(result.findings, question)
         if finding is not None:
             stated = [_stated(statements[number], base) for number in finding.claims]
@@ -71,6 +71,7 @@ def numbers_are_proved(
     holder = (*given.get(HOLDER_LOWER.name, ()), *given.get(HOLDER_UPPER.name, ()))
     exponents = (
         (result.holder, holder),
+        (result.holder_at_zero, given.get(HOLDER_AT_ZERO.name, ())),
         (result.sobolev, given.get(SOBOLEV.name, ())),
         *((of_finding(finding), stated) for finding, stated in about.values() if stated),
     )
@@ -85,7 +86,14 @@ def numbers_are_proved(
 
 
 def _stated(statement: Statement, base: Callable[[Sequence[int] | None], Base]) -> Stated:
-    """The statement with its base: that of a factor is the base of the block of M that is its own."""
+    """The statement with its base: that of a factor is the base of the block of M that is its own.
+
+    A statement on the exponent at 0 is read as one on an exponent.
+    """
+    name = statement["property"]
+    if name.startswith("zero-"):
+        exponent = "polynomial-curve" if name == "zero-polynomial" else name.replace("zero", "holder")
+        return Stated({**statement, "property": exponent}, *base(None))
     if "variables" not in statement:
         return Stated(statement, *base(None))
     of_block = base(statement["variables"])

@@ -185,6 +185,7 @@ def _result(data: Mapping[str, Any]) -> Result:
         polynomials=data.get("polynomials"),
         spectral=Verdict(data.get("spectral", _SKIPPED)["verdict"]),
         derivatives=None if data.get("derivatives") is None else len(data["derivatives"]),
+        holder_at_zero=_exponent(data.get("holder_at_zero")),
         expectations=tuple(_judgement(judged) for judged in data["expectations"]),
         findings=tuple(_finding(finding, rules) for finding in data["findings"]),
         certificate=data.get("certificate"),

@@ -9,7 +9,6 @@ the statements proved. The wording alone rests on the digest of the entry.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 from subdiv_cli.catalog.numbers import numbers_are_proved
@@ -105,15 +104,13 @@ def _answers(finding: Finding, answer: Answer) -> bool:
 def _is_gathered(result: Result) -> bool:
     """Whether the short answers are those of the findings."""
     gathered = gather(result.findings)
-    of_findings = replace(gathered, holder=_plain(gathered.holder), sobolev=_plain(gathered.sobolev))
-    given = {name: getattr(result, name) for name in GATHERED}
-    given |= {"holder": _plain(result.holder), "sobolev": _plain(result.sobolev)}
-    return all(getattr(of_findings, name) == value for name, value in given.items())
+    of_findings, given = ({name: _plain(getattr(each, name)) for name in GATHERED} for each in (gathered, result))
+    return of_findings == given
 
 
-def _plain(exponent: Exponent | None) -> Exponent | None:
-    """The exponent without the decimals, which are checked by themselves."""
-    return None if exponent is None else exponent._replace(digits=None)
+def _plain(answer: object) -> object:
+    """An answer, an exponent without the decimals, which are checked by themselves."""
+    return answer._replace(digits=None) if isinstance(answer, Exponent) else answer
 
 
 def _orders(result: Result, statements: Sequence[Mapping[str, Any]]) -> Iterator[bool]:

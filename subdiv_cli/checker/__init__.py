@@ -7,9 +7,8 @@ input. `polynomials`, `matrices`, `roots`: the arithmetic, in integers. `plain`:
 A kind is a folder with one object, the `RULEBOOK` in its `rules`: what documents of the kind are about, the closed
 lists of properties and rules, the words of the printed line, plain files. A rule is one function, and its docstring is
 what it proves. `radius` has the rules on joint spectral radii of families of matrices, which all kinds share; `curves`
-those of kind `matrices`; `scalar`, `multivariate`, `vector` and `hermite` those on masks.
-`python -m subdiv_cli.checker CERT…`
-runs it.
+those of kind `matrices`; `scalar`, `multivariate`, `vector`, `hermite` and `piecewise` those on masks.
+`python -m subdiv_cli.checker CERT…` runs it.
 """
 
 from __future__ import annotations
@@ -41,6 +40,7 @@ KINDS: MutableMapping[str, Rulebook] = _Kinds(
     multivariate="subdiv_cli.checker.multivariate.rules",
     vector="subdiv_cli.checker.vector.rules",
     hermite="subdiv_cli.checker.hermite.rules",
+    piecewise="subdiv_cli.checker.piecewise.rules",
 )
 """The rulebooks of all kinds of documents. A new kind adds a line; no certificate names a module."""
 

@@ -22,6 +22,7 @@ COMMANDS = {
     "show": ("subdiv_cli.cli.show", "Take a mask apart: symbol, matrices, stencils, Q, error bounds."),
     "plot": ("subdiv_cli.cli.plot", "Draw the refinable function, its derivatives, and curves."),
     "smooth": ("subdiv_cli.cli.smooth", "Write a smoother scheme, or the derived one: a new mask file."),
+    "blend": ("subdiv_cli.cli.blend", "Join two masks by special rules that keep polynomials."),
     "jsr": ("subdiv_cli.cli.jsr", "Joint spectral radius of matrices, with proof."),
     "list": ("subdiv_cli.cli.list", "The masks that ship with subdiv, and what is proved of them."),
     "merge": ("subdiv_cli.cli.merge", "Join the JSON reports of the parts of a run."),

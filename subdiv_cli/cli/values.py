@@ -60,6 +60,12 @@ def _tolerance(text: str) -> Fraction | None:
     return number if number > 0 else None
 
 
+def _spacing(text: str) -> tuple[Fraction, Fraction] | None:
+    """The pair of positive numbers that `a,b` spells, exactly; else None."""
+    left, _, right = (_tolerance(part.strip()) for part in text.partition(","))
+    return None if left is None or right is None else (left, right)
+
+
 def _jobs(text: str) -> int | None:
     """The positive whole number that a text spells; `auto` is the cores that this process may use; else None."""
     if text == "auto":
@@ -79,5 +85,6 @@ WHOLE = Quantity("number", _whole, "not a positive whole number")
 INDEX = Quantity("index", _index, "not an index: an integer, or in several variables -1,-1")
 SECONDS = Quantity("seconds", _seconds, "not a positive number of seconds")
 TOLERANCE = Quantity("tolerance", _tolerance, "not a positive number; write 1e-3 or 1/1000")
+SPACING = Quantity("a,b", _spacing, "not two positive numbers: write 1,2 or 1,1/2")
 JOBS = Quantity("number", _jobs, f"neither auto nor a number from 1 to {MOST_JOBS}")
 SHARD = Quantity("i/n", _shard, "no part: write 1/4, 2/4, …")

@@ -20,9 +20,10 @@ KINDS = {
     "matrices": "subdiv_cli.kinds.matrices",
     "vector": "subdiv_cli.kinds.vector",
     "hermite": "subdiv_cli.kinds.hermite",
+    "piecewise": "subdiv_cli.kinds.piecewise",
 }
 """The module that has each kind as `KIND`, by the name of the kind."""
-PLANNED = ("piecewise",)
+PLANNED = ("irrational", "surface", "nonstationary")
 """Kinds that a file may name and no module decides yet."""
 
 

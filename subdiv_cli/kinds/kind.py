@@ -197,6 +197,7 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         refinable = refinable._replace(sharp=following.witness.get("order", refinable.order + 1) == refinable.order + 1)
     convergent = verdict(questions.CONVERGENCE)
     sobolev = cast("Exponent | None", given.get(questions.SOBOLEV))
+    at_zero = cast("Exponent | None", given.get(questions.HOLDER_AT_ZERO))
     return Result(
         file="",
         status="undecided",
@@ -215,6 +216,7 @@ def gather(findings: tuple[Finding, ...]) -> Result:
         polynomials=degree(questions.POLYNOMIALS),
         spectral=verdict(questions.SPECTRAL),
         derivatives=degree(questions.DERIVATIVES),
+        holder_at_zero=None if at_zero == Exponent() else at_zero,
         findings=findings,
     )
 
@@ -222,6 +224,7 @@ def gather(findings: tuple[Finding, ...]) -> Result:
 GATHERED = (
     "sum_rule_order", "convergent", "smoothness", "refinable", "holder", "sobolev", "stable", "linearly_independent",
     "generation", "reproduction", "dimension", "well_defined", "polynomials", "spectral", "derivatives",
+    "holder_at_zero",
 )  # fmt: skip
 """The fields of a result that its findings answer."""
 

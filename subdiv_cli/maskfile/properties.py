@@ -19,7 +19,7 @@ from subdiv_cli.maskfile.problems import Fault, near, shown
 from subdiv_cli.maskfile.values import Decimal, described
 from subdiv_cli.model import ClosedForm, Expectation
 from subdiv_cli.model.closed import INFINITY, spelled
-from subdiv_cli.model.findings import HOLDER_LOWER, SMOOTHNESS
+from subdiv_cli.model.findings import HOLDER_AT_ZERO, HOLDER_LOWER, SMOOTHNESS
 from subdiv_cli.model.properties import BY_KEY, EXPECTED
 
 KEYS = EXPECTED
@@ -111,9 +111,9 @@ def _is_less(x: int | ClosedForm, y: int | ClosedForm) -> bool:
 def _number(key: str, text: str, at: int) -> int | ClosedForm:
     """The number of an expectation: an integer 0 … MAX_ORDER for an order, a closed form for an exponent.
 
-    `infinity`, of polynomial curves, is an order of smoothness and a Hölder exponent.
+    `infinity`, of polynomials, is an order of smoothness and a Hölder exponent, at 0 as well.
     """
-    if text.strip() == spelled(INFINITY) and BY_KEY[key].question in (SMOOTHNESS, HOLDER_LOWER):
+    if text.strip() == spelled(INFINITY) and BY_KEY[key].question in (SMOOTHNESS, HOLDER_LOWER, HOLDER_AT_ZERO):
         return INFINITY
     if not text.strip():
         raise Fault(faults.BAD_EXPECTATION, f"a number is missing in the expected {key}", _form(key), at)
@@ -178,6 +178,10 @@ def _holder_sobolev(holder: Expectation, sobolev: Expectation) -> str | None:
     return _above(holder, sobolev, "the Hölder exponent is at most the Sobolev exponent")
 
 
+def _holder_at_zero(holder: Expectation, at_zero: Expectation) -> str | None:
+    return _above(holder, at_zero, "the Hölder exponent is at most that at 0 alone")
+
+
 def _convergent_sobolev(convergent: Expectation, sobolev: Expectation) -> str | None:
     zero = Expectation(key="holder", text="", lower=Fraction(0))
     why = "the refinable function of a convergent scheme is in L2"
@@ -203,5 +207,6 @@ _LAWS: tuple[tuple[str, str, Callable[[Expectation, Expectation], str | None]], 
     ("reproduction", "generation", _reproduction_generation),
     ("smoothness", "holder", _smoothness_holder),
     ("holder", "sobolev", _holder_sobolev),
+    ("holder", "holder_at_zero", _holder_at_zero),
     ("convergent", "sobolev", _convergent_sobolev),
 )

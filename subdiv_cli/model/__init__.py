@@ -124,6 +124,8 @@ class Result:
     spectral: Verdict = Verdict.SKIPPED
     derivatives: int | None = None
     """The number of derivatives of the limit that a Hermite scheme converges to, beside the limit itself."""
+    holder_at_zero: Exponent | None = None
+    """The exponent at 0 alone of a piecewise scheme."""
     expectations: tuple[Judgement, ...] = ()
     findings: tuple[Finding, ...] = ()
     certificate: str | None = None

@@ -136,10 +136,12 @@ SPECTRAL = Question("spectral")
 """Has a Hermite scheme the spectral condition, up to the order of its derivatives? Answered by a verdict."""
 DERIVATIVES = Question("derivatives")
 """The number of derivatives of the limit that a Hermite scheme converges to, beside the limit itself: an integer."""
+HOLDER_AT_ZERO = Question("holder_at_zero")
+"""The exponent at 0 alone of a scheme that changes its rules there: an `Exponent`."""
 QUASI_INTERPOLATION = Question("quasi_interpolation")
 """The operator Q with S^∞ Q = 1 on the polynomials that are generated. Answered by a verdict."""
 
-_EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, SOBOLEV))
+_EXPONENTS = frozenset(question.name for question in (HOLDER_LOWER, HOLDER_UPPER, HOLDER_AT_ZERO, SOBOLEV))
 _DEGREES = frozenset(q.name for q in (SUM_RULES, GENERATION, REPRODUCTION, DIMENSION, POLYNOMIALS, DERIVATIVES))
 
 Answer = Verdict | int | Smoothness | Exponent | None

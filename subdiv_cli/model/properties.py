@@ -44,6 +44,7 @@ PROPERTIES = (
     Property("well_defined", "well defined", "whether there is one curve", "verdict", q.WELL_DEFINED),
     Property("polynomials", "polynomials", "the degree of polynomial components", "degree", q.POLYNOMIALS),
     Property("spectral", "spectral condition", "the spectral condition", "verdict", q.SPECTRAL),
+    Property("holder_at_zero", "exponent at 0", "the exponent at 0", "exponent", q.HOLDER_AT_ZERO),
 )
 """The properties in the order of tables."""
 BY_KEY: Mapping[str, Property] = {row.key: row for row in PROPERTIES}

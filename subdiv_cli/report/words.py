@@ -114,6 +114,18 @@ def _fact(key: str, value: Data) -> str | None:
             return "anisotropic"
         case "symmetries", int() if value > 1:
             return f"{value} symmetries"
+        case "left_support" | "right_support", (int(first), int(last)):
+            return f"{key.removesuffix('_support')} mask on {first} … {last}"
+        case "spacings", (left, right) if left != right:
+            return f"spacings {data(left)}, {data(right)}"
+        case "special_rows", tuple() if value:
+            return f"special rows {', '.join(map(data, value))}"
+        case "determined_by", (int(only),):
+            return f"limits near 0 from point {only}"
+        case "determined_by", (int(first), *_, int(last)):
+            return f"limits near 0 from {_count(len(value), 'point')}, {first} … {last}"
+        case (("spacings" | "special_rows"), _):
+            return None
         case (
             ("gaps" | "spacing" | "symmetry" | "type" | "interpolatory" | "nonnegative" | "stochastic" | "centre"),
             _,

@@ -66,7 +66,8 @@ def test_a_toy_kind_is_checked():
 
 
 def test_an_unknown_kind_is_not():
-    line = "NOT VERIFIED document: the kind of the mask is not one of scalar, matrices, multivariate, vector, hermite"
+    known = "scalar, matrices, multivariate, vector, hermite, piecewise"
+    line = f"NOT VERIFIED document: the kind of the mask is not one of {known}"
     for kind in ("toy", "json", "subdiv_cli.checker.scalar.rules", "", "__class__"):
         assert check_document(certificate(kind=kind)).line == line
 
@@ -119,6 +120,7 @@ KNOWS = {
     "multivariate": {"radius", "scalar", "multivariate"},
     "vector": {"radius", "scalar", "vector"},
     "hermite": {"radius", "vector", "hermite"},
+    "piecewise": {"radius", "scalar", "piecewise"},
 }
 """Which folders the modules of a folder import; those at the top import none."""
 

@@ -33,6 +33,8 @@ VECTOR = 'kind = "vector"\n[mask]\nstart = 0\ncoefficients = '
 HERMITE = 'kind = "hermite"\n[mask]\nstart = 0\ncoefficients = '
 W = "[parameters]\nw = 0\n"
 CURVE = 'kind = "matrices"\n'
+SIDES = '[left]\nstart = -1\ncoefficients = ["1/2", 1, "1/2"]\n[right]\nstart = -1\ncoefficients = ["1/2", 1, "1/2"]\n'
+PIECEWISE = f'kind = "piecewise"\n{SIDES}'
 LINE = 'matrices = [[[1, 0], ["1/2", "1/2"]], [["1/2", "1/2"], [0, 1]]]\n'
 
 
@@ -156,9 +158,9 @@ STRUCTURE = [
         ("SD015", "start and symbol", "mask.start", 2, 1, "keep one"),
         ("SD015", "coefficients and symbol", "mask.coefficients", 3, 1, "keep one"),
     ),
-    one("kind-planned", 'kind = "piecewise"\n' + MASK, "SD013", "kind piecewise cannot be checked yet", "kind", 1, 9, "scalar"),
+    one("kind-planned", 'kind = "surface"\n' + MASK, "SD013", "kind surface cannot be checked yet", "kind", 1, 9, "scalar"),
     one("kind-misspelt", 'kind = "scaler"\n' + MASK, "SD013", 'no kind "scaler"', "kind", 1, 9, '"scalar"?'),
-    one("kind-like-a-planned-one", 'kind = "piecewis"\n' + MASK, "SD013", 'no kind "piecewis"', "kind", 1, 9, "this version reads: scalar, multivariate, matrices, vector, hermite; planned: piecewise"),
+    one("kind-like-a-planned-one", 'kind = "surfac"\n' + MASK, "SD013", 'no kind "surfac"', "kind", 1, 9, "this version reads: scalar, multivariate, matrices, vector, hermite, piecewise; planned: irrational, surface, nonstationary"),
     one("kind-number", "kind = 1\n" + MASK, "SD006", "kind must be a string", "kind", 1, 8, 'kind = "scalar"'),
     one("matrices", "matrices = [[[1]]]\n", "SD013", "a family of matrices is a scheme", "matrices", 1, 12, 'add kind = "matrices", or use subdiv jsr'),
     one("matrices-without-kind", HEAD + "[[[1, 0], [0, 1]]]\n", "SD005", "the coefficients are matrices", "mask.coefficients", 3, 16, 'kind = "vector"'),
@@ -190,6 +192,26 @@ STRUCTURE = [
     one("hermite-flat", HERMITE + "[1, 2]\n", "SD023", "no matrix; a flat list", "mask.coefficients", 4, 16, "a list of matrices"),
     one("hermite-sizes", HERMITE + "[[[1, 0], [0, 1]], [[1]]]\n", "SD023", "the first is 2×2, and this one is 1×1", "mask.coefficients[1]", 4, 35, "a list of matrices"),
     one("vector-spectral", VECTOR + "[[[1, 0], [0, 1]]]\n[expect]\nspectral = true\n", "SD004", "no property spectral", "expect.spectral", 6, 1, "dimension"),
+    several("piecewise-empty", 'kind = "piecewise"\n', ("SD005", "the left mask is missing", "left", None, None, "[left] with start"), ("SD005", "the right mask is missing", "right", None, None, "[right] with start")),
+    one("piecewise-number", f'kind = "piecewise"\nleft = 3\n{SIDES[SIDES.index("[right]"):]}', "SD006", "a mask or the name of a file, not an integer", "left", 2, 8, "four_point.toml"),
+    one("piecewise-no-file", f'kind = "piecewise"\nleft = "nothing.toml"\n{SIDES[SIDES.index("[right]"):]}', "SD002", "there is no such file", "left", 2, 9, "relative to this one"),
+    one("piecewise-arity", PIECEWISE + "arity = 3\n", "SD023", "the left one has 2, the right one 3", "right", 5, 2, "the same arity"),
+    one("piecewise-spacing", f'kind = "piecewise"\nspacing = [1, 0]\n{SIDES}', "SD010", "must be positive, not 0", "spacing[1]", 2, 15, "left and right of 0"),
+    one("piecewise-spacings", f'kind = "piecewise"\nspacing = [1]\n{SIDES}', "SD006", "a list of two numbers, not a list of 1", "spacing", 2, 11, "spacing = [1, 2]"),
+    one("piecewise-spacing-text", f'kind = "piecewise"\nspacing = "1"\n{SIDES}', "SD006", "not a string", "spacing", 2, 12, "spacing = [1, 2]"),
+    one("piecewise-spacing-below", PIECEWISE + "spacing = [1, 2]\n", "SD004", 'unknown key "spacing" in [right]', "right.spacing", 8, 1, "above [left]"),
+    one("piecewise-no-point", PIECEWISE + '[special]\n0 = {"1/2" = 1}\n', "SD004", 'there is no point "1/2"', 'special.0."1/2"', 9, 6, "weights of old points"),
+    one("piecewise-no-row", PIECEWISE + '[special]\n"1/2" = {0 = 1}\n', "SD004", "a new point has an integer", 'special."1/2"', 9, 1, "weights of old points"),
+    one("piecewise-far", PIECEWISE + "[special]\n0 = {101 = 1}\n", "SD010", "between -100 and 100, not at 101", "special.0.101", 9, 6, "near 0"),
+    one("piecewise-row-list", PIECEWISE + "[special]\n0 = [1, 2]\n", "SD006", "a table of weights, not an array", "special.0", 9, 5, "such as 1 ="),
+    one("piecewise-weight", PIECEWISE + '[special]\n0 = {0 = "1//2"}\n', "SD008", '"/" stands where', "special.0.0", 9, 13, "remove it"),
+    one("piecewise-special", f'kind = "piecewise"\nspecial = 1\n{SIDES}', "SD006", "special must be a table", "special", 2, 11, "such as 1 ="),
+    one("piecewise-two-variables", PIECEWISE + '[special]\n"0,1" = {0 = 1}\n', "SD013", "several components", 'special."0,1"', 9, 1, "weights of old points"),
+    one("piecewise-dilation", f'kind = "piecewise"\n[left]\ndilation = 2\n{SIDES[SIDES.index("[right]"):]}', "SD013", "dilation is for masks in several variables", "left.dilation", 3, 1, "start and coefficients"),
+    one("piecewise-shear", f'kind = "piecewise"\nshear = ["-1/2", 0]\n{SIDES}', "SD013", "shear is for two variables", "shear", 2, 1, "in one variable"),
+    one("piecewise-zero", f'kind = "piecewise"\n[left]\ncoefficients = [0, 0]\n{SIDES[SIDES.index("[right]"):]}', "SD009", "all coefficients of the mask are zero", "left.coefficients", 3, 16, "at least one"),
+    one("piecewise-far-mask", PIECEWISE.replace("start = -1", "start = 2000", 1), "SD010", "beyond index 1000", "left", 2, 2, "towards 0"),
+    one("piecewise-stable", PIECEWISE + "[expect]\nstable = true\n", "SD004", "masks of kind piecewise have no property stable", "expect.stable", 9, 1, "holder_at_zero"),
     one("format-2", "format = 2\n" + MASK, "SD006", "format must be 1, not 2", "format", 1, 10, "newer subdiv"),
     one("format-text", 'format = "1"\n' + MASK, "SD006", "format must be 1, not a string", "format", 1, 11, "format = 1"),
     several(

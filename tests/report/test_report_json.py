@@ -24,8 +24,9 @@ KEYS = {
     "results": [
         *("file", "name", "kind", "parameters", "status", "stopped", "errors", "facts", "sum_rule_order"),
         *("convergent", "smoothness", "holder", "sobolev", "stable", "linearly_independent"),
-        *("generation", "reproduction", "dimension", "well_defined", "polynomials", "spectral", "expectations"),
-        *("findings", "certificate", "reference", "refinable_function", "hints", "derivatives", "regressions"),
+        *("generation", "reproduction", "dimension", "well_defined", "polynomials", "spectral", "holder_at_zero"),
+        *("expectations", "findings", "certificate", "reference", "refinable_function", "hints", "derivatives"),
+        "regressions",
     ],
     "errors": ["code", "message", "key", "line", "column", "help"],
     "convergent": ["verdict"],

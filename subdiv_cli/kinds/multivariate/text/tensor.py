@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from pathlib import Path
 
+from subdiv_cli.kinds.files import mask_in_file
 from subdiv_cli.kinds.multivariate.text.bodies import Tensor
 from subdiv_cli.kinds.multivariate.text.dilation import Dilation
-from subdiv_cli.kinds.scalar.text import Coefficients, Symbol, body_of, read_scalar
+from subdiv_cli.kinds.scalar.text import Coefficients, Symbol, read_scalar
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_COSETS, MAX_DIMENSION
 from subdiv_cli.maskfile.entries import Table
-from subdiv_cli.maskfile.problems import Fault, KeyPath, MaskFileError, shown
+from subdiv_cli.maskfile.problems import Fault, KeyPath
 from subdiv_cli.maskfile.values import described
 
 _HELP = 'write tensor = [{symbol = "(1+z)^2/2"}, "four_point.toml"]: a mask or a file for each variable'
@@ -45,34 +45,11 @@ def _factor(value: object, path: KeyPath, table: Table, parameters: Collection[s
     fault = Fault(faults.WRONG_TYPE, f"a mask or the name of a file was expected, not {described(value)}", _HELP)
     if isinstance(value, str):
         try:
-            return _file(value, table.problems.file)
+            return mask_in_file(value, table.problems.file)
         except Fault as wrong:
             fault = wrong
     table.problems.add(fault, path)
     return None
-
-
-def _file(name: str, beside: str | None) -> Coefficients:
-    """The mask of another file at the defaults of its parameters. Raises Fault, the first of what is wrong there."""
-    from subdiv_cli.kinds.reading import read_path
-
-    file = Path(beside or "-").parent / name
-    try:
-        special = str(file) == "-" or (file.exists() and not file.is_file())  # a pipe or a device would block
-    except (OSError, ValueError):
-        special = False  # the reader says what is wrong with the name
-    if special:
-        raise Fault(
-            faults.UNREADABLE_FILE, f'"{shown(name)}" is no regular file', "name a mask file, relative to this one"
-        )
-    try:
-        return body_of(read_path(file, kind="scalar").scheme())
-    except MaskFileError as error:
-        first = error.problems[0]
-        where = "" if first.line is None else f" on its line {first.line}"
-        rule = faults.ROWS[first.code]
-        help = "name a mask file, relative to this one" if rule is faults.UNREADABLE_FILE else first.help
-        raise Fault(rule, f'in "{shown(name)}"{where}: {first.message}', help) from None
 
 
 def _agree(factors: tuple[Coefficients | Symbol, ...], dilation: Dilation, table: Table) -> bool:
