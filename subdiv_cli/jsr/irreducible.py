@@ -7,7 +7,7 @@ smaller matrices, proves as it is.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import partial
 
@@ -24,8 +24,9 @@ from subdiv_cli.jsr.enclosing import RadiusBound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.polytope import Grown, grow, grow_on, measured
-from subdiv_cli.jsr.result import Radius
+from subdiv_cli.jsr.result import Radius, carried
 from subdiv_cli.jsr.search import candidates
+from subdiv_cli.jsr.weights import weighted_radius
 from subdiv_cli.model import HALF, Effort, Look, Root
 from subdiv_cli.model.proofs import RadiusProof, root_data
 
@@ -33,6 +34,8 @@ LARGEST_BLOCK = 60
 """The largest order of matrices for which polytopes are tried."""
 _QUICK, _DEEP = 10, 24
 """The lengths of products in the first and in the second search."""
+_MODERATE, _SHORT = 30, 4
+"""The order beyond which eigenvalues take long, and the length of the products that are searched there first."""
 _QUICK_WORK = 1000
 """Gauges that are computed in the first polytope."""
 _BRIEF_WORK = 100
@@ -58,7 +61,7 @@ def irreducible_radius(family: Family, effort: Effort) -> Radius | None:
     if family.order > LARGEST_BLOCK:
         return None
     if family.order > 1 and len(family.distinct) < family.letters:
-        return _of_distinct(family, effort)
+        return _of_distinct(family, effort, irreducible_radius)
     attempts: list[_Attempt] = []
     growing = effort.limited(effort.work, HALF)
     if (radius := growing.in_time(lambda: _closed(family, attempts, growing))) is not None:
@@ -140,20 +143,42 @@ def closed_radius(family: Family, effort: Effort) -> Radius | None:
     return brief.in_time(lambda: _Attempt(family, _affordable(family, contenders), brief.look).closed(brief))
 
 
-def _of_distinct(family: Family, effort: Effort) -> Radius | None:
+def monotone_radius(family: Family, effort: Effort) -> Radius | None:
+    """The radius of a family without negative entries, where a monotone polytope of it closes quickly.
+
+    In the given coordinates, or of the transposes; None otherwise.
+    """
+    if not family.size or family.order > LARGEST_BLOCK:
+        return zero_radius() if not family.size else None
+    if family.order > 1 and len(family.distinct) < family.letters:
+        return _of_distinct(family, effort, monotone_radius)
+    if (radius := weighted_radius(family, effort)) is not None:
+        return radius
+    turned = family.transposed()
+    contenders = _affordable(
+        family, candidates(family, _QUICK if family.order <= _MODERATE else _SHORT, effort=effort)[1]
+    )
+    if not contenders:
+        return None
+    reversals = [Candidate(candidate.word[::-1], candidate.reflected) for candidate in contenders]
+    attempts = [_Attempt(family, contenders, effort.look), _Attempt(turned, reversals, effort.look)]
+    for work in (_BRIEF_WORK, _QUICK_WORK):
+        for number, attempt in enumerate(attempts):
+            quick = effort.limited(work, HALF)
+            if (radius := quick.in_time(partial(attempt.closed, quick))) is not None:
+                assert radius.word is not None
+                return carried("transposed", radius, radius.word[::-1]) if number else radius
+    return None
+
+
+def _of_distinct(family: Family, effort: Effort, radius_of: Callable[[Family, Effort], Radius | None]) -> Radius | None:
     """The radius of the matrices that differ up to sign: their products are the products of all, up to sign."""
     letters = family.distinct
-    radius = irreducible_radius(Family([family.matrices[letter] for letter in letters]), effort)
+    radius = radius_of(Family([family.matrices[letter] for letter in letters]), effort)
     if radius is None:
         return None
-    proof: RadiusProof = {"rule": "distinct", "letters": letters, "part": radius.proof}
-    proof["length"] = radius.proof["length"]
-    if "root" in radius.proof:
-        proof["root"] = radius.proof["root"]
-    if "bound" in radius.proof:
-        proof["bound"] = radius.proof["bound"]
     word = None if radius.word is None else tuple(letters[letter] for letter in radius.word)
-    return radius._replace(word=word, proof=proof)
+    return carried("distinct", radius, word, letters)
 
 
 def _affordable(family: Family, contenders: Sequence[Candidate]) -> Sequence[Candidate]:

@@ -15,6 +15,8 @@ _METHODS = {
     "polytope": "an invariant polytope of {n}",
     "monotone-closing": "a monotone invariant polytope of {n}, closed at exactly this radius",
     "monotone-polytope": "a monotone invariant polytope of {n}",
+    "common-vector": "one positive vector that no matrix makes larger than so many times itself",
+    "ellipsoid": "an ellipsoid that products map into multiples of itself",
     "blocks": "a common block triangular form, and the largest radius of its blocks",
     "zero": "all matrices are zero",
 }

@@ -191,10 +191,14 @@ def test_a_large_order_has_a_bound(order):
     """
     shift = [[int((i - j) % order in (0, 1, 5)) for j in range(order)] for i in range(order)]
     corner = [[int(i == j == 0) for j in range(order)] for i in range(order)]
-    found = proved([shift, corner])
+    signed = [[-x if (i - j) % order == 5 else x for j, x in enumerate(row)] for i, row in enumerate(shift)]
+    found = proved([signed, corner])
     assert found.rules == ["polytope"]
     assert found.lower == 0.0
-    assert 3 <= found.upper <= 3 + 1e-6
+    assert 2 <= found.upper <= 3 + 1e-6
+    exactly = proved([shift, corner])
+    assert exactly.root == (1, (-3, 1))
+    assert exactly.rules == ["growing-vector", "common-vector", "meeting-bounds"]
 
 
 def test_vertices_that_floats_do_not_get_hold_of():
