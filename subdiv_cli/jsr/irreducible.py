@@ -25,15 +25,18 @@ from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.polytope import Grown, grow, grow_on, measured
 from subdiv_cli.jsr.result import Radius, carried
-from subdiv_cli.jsr.search import candidates
+from subdiv_cli.jsr.search import candidates, long_candidates
+from subdiv_cli.jsr.search import rate as _rate
 from subdiv_cli.jsr.weights import weighted_radius
 from subdiv_cli.model import HALF, Effort, Look, Root
 from subdiv_cli.model.proofs import RadiusProof, root_data
 
 LARGEST_BLOCK = 60
 """The largest order of matrices for which polytopes are tried."""
-_QUICK, _DEEP = 10, 24
-"""The lengths of products in the first and in the second search."""
+_QUICK, _DEEP, _LONG = 10, 24, 300
+"""The lengths of products in the first and in the second search, and where orders are small."""
+_SMALL = 8
+"""The order up to which long products are searched before the polytopes of short ones are grown far."""
 _MODERATE, _SHORT = 30, 4
 """The order beyond which eigenvalues take long, and the length of the products that are searched there first."""
 _QUICK_WORK = 1000
@@ -84,12 +87,27 @@ def _closed(family: Family, attempts: list[_Attempt], effort: Effort) -> Radius 
     if not shallow:
         return None
     last = attempts[-1]
+    if (long := _long(family, shallow, effort)) is not None:
+        attempts.append(_Attempt(family, long, effort.look))
+        quick = effort.limited(max(_QUICK_WORK, effort.work // 4), HALF)
+        if (radius := quick.in_time(partial(attempts[-1].closed, quick))) is not None:
+            return radius
     deep = _affordable(family, candidates(family, _DEEP, effort=effort)[1])
     if deep != shallow or (last.leaders is not None and last.leaders.has_both_signs):
         attempts.append(_Attempt(family, deep, effort.look, squared=True))
     elif last.has_closed:  # more of the same effort would find the same
         return None
     return attempts[-1].closed(effort.limited(max(_QUICK_WORK, effort.work // 2)))
+
+
+def _long(family: Family, shallow: Sequence[Candidate], effort: Effort) -> Sequence[Candidate] | None:
+    """The candidates among long products, where their radius is larger than that of the short ones."""
+    longest = min(_LONG, effort.work // family.order**2)
+    if longest <= _DEEP:
+        return None
+    rate = 2.0 ** _rate(family, family.full_word(shallow[0]))
+    best, contenders = long_candidates(family, rate, longest, effort)
+    return _affordable(family, contenders) if best > rate * (1 + _ROUNDING) else None
 
 
 def _enclosed(family: Family, attempts: Sequence[_Attempt], effort: Effort) -> Radius | None:
@@ -154,14 +172,13 @@ def monotone_radius(family: Family, effort: Effort) -> Radius | None:
         return _of_distinct(family, effort, monotone_radius)
     if (radius := weighted_radius(family, effort)) is not None:
         return radius
-    turned = family.transposed()
-    contenders = _affordable(
-        family, candidates(family, _QUICK if family.order <= _MODERATE else _SHORT, effort=effort)[1]
-    )
-    if not contenders:
+    shallow = candidates(family, _QUICK if family.order <= _MODERATE else _SHORT, effort=effort)[1]
+    if not (contenders := _affordable(family, shallow)):
         return None
+    if family.order <= _SMALL and (long := _long(family, contenders, effort)) is not None:
+        contenders = long
     reversals = [Candidate(candidate.word[::-1], candidate.reflected) for candidate in contenders]
-    attempts = [_Attempt(family, contenders, effort.look), _Attempt(turned, reversals, effort.look)]
+    attempts = [_Attempt(family, contenders, effort.look), _Attempt(family.transposed(), reversals, effort.look)]
     for work in (_BRIEF_WORK, _QUICK_WORK):
         for number, attempt in enumerate(attempts):
             quick = effort.limited(work, HALF)

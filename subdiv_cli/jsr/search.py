@@ -8,6 +8,7 @@ found is a suggestion; `products` decides what it proves.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import reduce
 
 import numpy as np
@@ -20,6 +21,9 @@ _TIE = 1e-10
 """Radii that differ by less, relatively, are taken for equal."""
 _FRONT = 48
 """The most products kept at each length."""
+_CELLS = (0.02, 0.4)
+"""Products whose entries differ by less than such a share of the largest one are alike: two searches."""
+_SWEEPS, _REGULAR = 60, 1e-9
 
 
 def candidates(
@@ -31,7 +35,43 @@ def candidates(
     each mirrored pair, and half of a word whose other half is its mirror image. (0, ()) where every product met is
     nilpotent. The radius is that of the matrices divided by `family.unit`. Where the clock strikes, fewer lengths.
     """
-    matrices = family.floats
+    return _searched(family, family.floats, longest, _front(front), effort)
+
+
+def long_candidates(family: Family, rate: float, longest: int, effort: Effort) -> tuple[float, tuple[Candidate, ...]]:
+    """As `candidates`, of much longer products, where the radius `rate` of a shorter one is known.
+
+    In coordinates in which the matrices have small norms more products fall below the best radius. Of those that are
+    alike up to a factor only the largest one is kept.
+    """
+    ellipsoid = ellipsoidal_coordinates(family.floats / rate)
+    scaled = ellipsoid @ (family.floats / rate) @ np.linalg.inv(ellipsoid)
+    with np.errstate(all="ignore"):
+        each = [_searched(family, scaled, longest, _unlike_front(cell), effort) for cell in _CELLS]
+    best, contenders = max(each, key=lambda pair: pair[0])
+    return best * rate, contenders
+
+
+def ellipsoidal_coordinates(scaled: Array) -> Array:
+    """An N×N matrix C such that all C M C^-1, of p matrices M, have nearly as small 2-norms as can be, in floats.
+
+    P = C'C is a fixed point of P -> Σ M'PM up to a factor: products of random letters grow alike in all directions.
+    """
+    n = scaled.shape[1]
+    form = np.eye(n)
+    for _ in range(_SWEEPS):
+        image = np.asarray(np.einsum("pji,jk,pkl->il", scaled, form, scaled)) + _REGULAR * np.eye(n)
+        form = (form + image * (n / np.trace(image))) / 2
+    try:
+        return np.asarray(np.linalg.cholesky(form).T)
+    except np.linalg.LinAlgError:
+        return np.eye(n)
+
+
+def _searched(
+    family: Family, matrices: Array, longest: int, front: Callable[[Array, float, int], Integers], effort: Effort
+) -> tuple[float, tuple[Candidate, ...]]:
+    """The largest radius of products of matrices that are similar to those of the family, and the candidates."""
     products: Array = matrices
     words: Integers = np.arange(family.letters)[:, None]
     best, rated = 0.0, []
@@ -44,7 +84,7 @@ def candidates(
         rated += [(float(rate), tuple(map(int, word))) for rate, word in zip(rates[near], words[near], strict=True)]
         if length == longest or not effort.allows(0):
             break
-        kept = _front(products, best, length, front)
+        kept = front(products, best, length)
         if not len(kept):
             break
         products, words = _children(matrices, products[kept], words[kept])
@@ -54,11 +94,30 @@ def candidates(
     return best, tuple(sorted(classes, key=lambda candidate: (len(candidate.word), candidate)))
 
 
-def _front(products: Array, best: float, length: int, most: int) -> Integers:
-    """The numbers of the M products (M×N×N) that may begin a better one, at most `most`, the largest norms first."""
-    norms = np.linalg.norm(products, ord=2, axis=(1, 2)) ** (1 / length)
-    order = np.argsort(-norms, kind="stable")
-    return np.asarray(order[norms[order] > best * (1 + _TIE)][:most])
+def _front(most: int) -> Callable[[Array, float, int], Integers]:
+    """The choice of at most so many products (of M×N×N) that may begin a better one, the largest norms first."""
+
+    def chosen(products: Array, best: float, length: int) -> Integers:
+        norms = np.linalg.norm(products, ord=2, axis=(1, 2)) ** (1 / length)
+        order = np.argsort(-norms, kind="stable")
+        return np.asarray(order[norms[order] > best * (1 + _TIE)][:most])
+
+    return chosen
+
+
+def _unlike_front(cell: float) -> Callable[[Array, float, int], Integers]:
+    """The same choice of products no two of which are about multiples of each other."""
+
+    def chosen(products: Array, best: float, length: int) -> Integers:
+        kept = _front(len(products))(products, best, length)
+        if not len(kept):
+            return kept
+        flat = products[kept].reshape(len(kept), -1)
+        largest = flat[np.arange(len(kept)), np.abs(flat).argmax(axis=1)]
+        _, first = np.unique(np.round(flat / (largest[:, None] * cell)), axis=0, return_index=True)
+        return np.asarray(kept[np.sort(first)][: 2 * _FRONT])
+
+    return chosen
 
 
 def _children(matrices: Array, products: Array, words: Integers) -> tuple[Array, Integers]:

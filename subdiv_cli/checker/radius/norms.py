@@ -148,7 +148,8 @@ def growing_vector(c: Claim) -> None:
 def meeting_bounds(c: Claim) -> None:
     """JSR^ℓ = Λ, a rational number: JSR^a >= y and JSR^b <= x with y^ℓ >= Λ^a and x^ℓ <= Λ^b.
 
-    Products are bounded by powers of it where the bound from above is that of a norm.
+    Products are bounded by powers of it where the bound from above is that of a norm. Raises Rejected where a bound is
+    another one, or the root is irrational.
     """
     c.count(1)
     s, exact = c.statement, isolated_root(c).rational
