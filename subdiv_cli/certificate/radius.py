@@ -37,7 +37,7 @@ class Radii:
         if rule == "ellipsoid":
             words = data["words"]
             witness = {"form": list(data["form"]), "words": spelled(words)}
-            work = (sum(map(len, words)) + 3 * len(words) + 1) * order**3
+            work = (5 * len(words) + 1) * order**3
             return self._upper(rule, family, 2, data["bound"], witness, work)
         if rule == "zero":
             return self._upper("zero", family, 1, Fraction(0), {}, order * order * self._p)

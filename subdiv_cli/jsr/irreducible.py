@@ -7,6 +7,7 @@ smaller matrices, proves as it is.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import partial
@@ -20,6 +21,7 @@ from subdiv_cli.jsr.balance import scales
 from subdiv_cli.jsr.body import Polytope, Start
 from subdiv_cli.jsr.closing import close
 from subdiv_cli.jsr.eigenspaces import surrounding
+from subdiv_cli.jsr.ellipsoids import common_ellipsoid, ellipsoid_bound
 from subdiv_cli.jsr.enclosing import RadiusBound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
@@ -35,6 +37,10 @@ LARGEST_BLOCK = 60
 """The largest order of matrices for which polytopes are tried."""
 _QUICK, _DEEP, _LONG = 10, 24, 300
 """The lengths of products in the first and in the second search, and where orders are small."""
+_THIN = 8
+"""The order beyond which polytopes are not grown where they prove less than an ellipsoid."""
+_CLOSE = 0.1
+"""The relative width of an enclosure by an ellipsoid beyond which open polytopes may prove more."""
 _SMALL = 8
 """The order up to which long products are searched before the polytopes of short ones are grown far."""
 _MODERATE, _SHORT = 30, 4
@@ -87,6 +93,9 @@ def _closed(family: Family, attempts: list[_Attempt], effort: Effort) -> Radius 
     if not shallow:
         return None
     last = attempts[-1]
+    rate = 2.0 ** _rate(family, family.full_word(shallow[0]))
+    if (radius := common_ellipsoid(family, rate, shallow, effort)) is not None:
+        return radius
     if (long := _long(family, shallow, effort)) is not None:
         attempts.append(_Attempt(family, long, effort.look))
         quick = effort.limited(max(_QUICK_WORK, effort.work // 4), HALF)
@@ -118,16 +127,26 @@ def _enclosed(family: Family, attempts: Sequence[_Attempt], effort: Effort) -> R
     attempts = [attempt for attempt in attempts if attempt.leaders is not None]
     if not attempts:
         return None
-    states = [(attempt.sigma, state) for attempt in attempts for state in attempt.states]
-    if (bound := _best_bound(family, [pair for pair in states if pair[1].closed], effort)) is None:
-        slackened = attempts[-1].slackened(effort.limited(effort.work, HALF))
-        bound = _best_bound(family, [*states, *slackened], effort)
-    if bound is None:
-        return None
     best = max(attempts, key=lambda attempt: attempt.sigma)
     assert best.leaders is not None
+    word, ellipsoid = family.full_word(best.leaders.each[0].candidate), None
+    if family.order > 1:
+        ellipsoid = ellipsoid_bound(family, float(best.sigma / family.unit), effort)
+    excess = math.inf
+    if ellipsoid is not None and family.order > _THIN:
+        excess = 2.0**ellipsoid.ceiling / float(best.sigma) - 1
+    states = [(attempt.sigma, state) for attempt in attempts for state in attempt.states]
+    if (bound := _best_bound(family, [pair for pair in states if pair[1].closed], effort)) is None:
+        work = effort.work if excess > _CLOSE else effort.work // 4
+        slackened = attempts[-1].slackened(effort.limited(work, HALF), excess)
+        states = [*states, *slackened]
+        if excess < _CLOSE:
+            states = [pair for pair in slackened if pair[1].closed]
+        bound = _best_bound(family, states, effort)
+    if bound is None or (ellipsoid is not None and ellipsoid.upper[1] < bound.upper**2):
+        return ellipsoid and ellipsoid._replace(word=word)
     proof: RadiusProof = {"length": 1, "bound": bound.upper, **bound.witness}
-    return Radius(family.full_word(best.leaders.each[0].candidate), None, (1, bound.upper), False, proof)
+    return Radius(word, None, (1, bound.upper), False, proof)
 
 
 def _best_bound(family: Family, states: Sequence[tuple[Fraction, Grown]], effort: Effort) -> RadiusBound | None:
@@ -313,18 +332,18 @@ class _Attempt:
         assert self.leaders is not None
         return surrounding(self.family, self.leaders, lambda starts: self._body(starts, self.sigma), effort)
 
-    def slackened(self, effort: Effort) -> list[tuple[Fraction, Grown]]:
+    def slackened(self, effort: Effort, most: float = math.inf) -> list[tuple[Fraction, Grown]]:
         """The polytopes for matrices scaled down, each with the number that takes the place of σ.
 
-        By less and less as long as they close, or by more until one does. No one takes more than the effort, and all
-        together no more than twice of it.
+        By less and less as long as they close, or by more until one does, but no more than `most`. No one takes more
+        than the effort, and all together no more than twice of it.
         """
         assert self.leaders is not None
         real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
         polytopes: list[tuple[Fraction, Grown]] = []
         closes: bool | None = None
         slack, left = _SLACK, 2 * effort.work
-        while left > 0 and _SLACK**3 <= slack <= 1:
+        while left > 0 and _SLACK**3 <= slack <= min(1, most):
             scaled = self.sigma * (1 + slack)
             grown = grow(self._body(real, scaled), effort.limited(left, HALF))
             polytopes += [(scaled, state) for state in ((grown,) if grown.closed else grown.states)]

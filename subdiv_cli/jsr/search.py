@@ -14,6 +14,7 @@ from functools import reduce
 import numpy as np
 
 from subdiv_cli.jsr.arrays import Array, Integers
+from subdiv_cli.jsr.ellipsoids import coordinates
 from subdiv_cli.jsr.family import Candidate, Family, Word
 from subdiv_cli.model import UNHURRIED, Effort
 
@@ -23,7 +24,8 @@ _FRONT = 48
 """The most products kept at each length."""
 _CELLS = (0.02, 0.4)
 """Products whose entries differ by less than such a share of the largest one are alike: two searches."""
-_SWEEPS, _REGULAR = 60, 1e-9
+_SMALL = 8
+"""The order up to which there are two of them."""
 
 
 def candidates(
@@ -44,28 +46,15 @@ def long_candidates(family: Family, rate: float, longest: int, effort: Effort) -
     In coordinates in which the matrices have small norms more products fall below the best radius. Of those that are
     alike up to a factor only the largest one is kept.
     """
-    ellipsoid = ellipsoidal_coordinates(family.floats / rate)
+    ellipsoid = coordinates(family.floats / rate)
     scaled = ellipsoid @ (family.floats / rate) @ np.linalg.inv(ellipsoid)
     with np.errstate(all="ignore"):
-        each = [_searched(family, scaled, longest, _unlike_front(cell), effort) for cell in _CELLS]
+        each = [
+            _searched(family, scaled, longest, _unlike_front(cell), effort)
+            for cell in _CELLS[: 2 if family.order <= _SMALL else 1]
+        ]
     best, contenders = max(each, key=lambda pair: pair[0])
     return best * rate, contenders
-
-
-def ellipsoidal_coordinates(scaled: Array) -> Array:
-    """An N×N matrix C such that all C M C^-1, of p matrices M, have nearly as small 2-norms as can be, in floats.
-
-    P = C'C is a fixed point of P -> Σ M'PM up to a factor: products of random letters grow alike in all directions.
-    """
-    n = scaled.shape[1]
-    form = np.eye(n)
-    for _ in range(_SWEEPS):
-        image = np.asarray(np.einsum("pji,jk,pkl->il", scaled, form, scaled)) + _REGULAR * np.eye(n)
-        form = (form + image * (n / np.trace(image))) / 2
-    try:
-        return np.asarray(np.linalg.cholesky(form).T)
-    except np.linalg.LinAlgError:
-        return np.eye(n)
 
 
 def _searched(

@@ -203,7 +203,7 @@ FORGED = [
     ("ellipse", "ellipsoid", set_in("witness", "words", [[0], [1], [2]])),
     ("ellipse", "ellipsoid", set_in("witness", "words", [[]])),
     ("ellipse", "ellipsoid", set_in("witness", "words", [])),
-    ("ellipse", "ellipsoid", set_in("work", 71)),
+    ("ellipse", "ellipsoid", set_in("work", 87)),
     ("tree_of_words", "ellipsoid", set_in("witness", "words", [[0], [1]])),
     ("tree_of_words", "ellipsoid", set_in("witness", "words", [[0, 0], [1]])),
     ("tree_of_words", "ellipsoid", set_in("witness", "words", [[0, 0], [0, 0, 1], [1]])),

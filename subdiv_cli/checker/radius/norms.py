@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
-from math import lcm
+from math import isqrt, lcm
+from operator import mul
 
 from subdiv_cli.checker import matrices
 from subdiv_cli.checker.core import Claim
@@ -17,8 +18,8 @@ from subdiv_cli.checker.radius.polytopes import IN_ONE_NORM, require_nonnegative
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import fraction_bits, isolated_root
 
-_PLACES = 80
-"""The binary places to which the entries of a form are cut where that leaves it positive."""
+_PLACES = 160
+"""The bits to which the entries of a form are cut where that leaves it positive."""
 
 
 def common_vector(c: Claim) -> str:
@@ -45,14 +46,14 @@ def ellipsoid(c: Claim) -> str:
     Every long word begins with one of these, so the norms of its products are bounded by powers of √x.
     """
     family, x, flat, words = c.family(), c.statement["bound"], c.witness["form"], c.witness["words"]
-    n, letters = family.order, sum(map(len, words))
+    n = family.order
     require(c.statement["length"] == 2 and x > 0, "the length is not 2, or the bound is not positive")
     require(len(flat) == n * (n + 1) // 2, "the form has not N(N + 1)/2 entries")
     require(_is_complete(words, len(family.matrices)), "the words are not the ends of all words, each in one way")
     longest = max(map(len, words))
     size = max(map(abs, flat)).bit_length()
     bits = longest * (2 * family.bits + 2 * n.bit_length() + fraction_bits(x)) + size
-    c.count((letters + 3 * len(words) + 1) * n**3, bits)
+    c.count((5 * len(words) + 1) * n**3, bits)
     p = [[flat[max(i, j) * (max(i, j) + 1) // 2 + min(i, j)] for j in range(n)] for i in range(n)]
     require(_is_positive(c, p, strictly=True), "the form is not positive definite")
     for word, (product, denominator) in zip(words, _products(family, words), strict=True):
@@ -90,17 +91,33 @@ def _products(family: RationalFamily, words: Sequence[Sequence[int]]) -> Iterato
 
 
 def _is_positive(c: Claim, form: Matrix, *, strictly: bool) -> bool:
-    """Whether an N×N symmetric form is positive semidefinite, or definite; first with its entries cut.
+    """Whether an N×N symmetric form is positive semidefinite, or definite; first with entries of one length.
 
     With Q = 2^s (C + R), 0 <= R_ij < 1, the eigenvalues of R are at least -N: C - N > 0 is enough.
     """
     n, longest = len(form), max(abs(x) for row in form for x in row).bit_length()
-    if (cut := longest - _PLACES) > 0:
-        c.spend(n**3, n * _PLACES)
-        if _pivots([[(x >> cut) - n * (i == j) for j, x in enumerate(row)] for i, row in enumerate(form)], True):
-            return True
+    cut = longest - _PLACES
+    c.spend(n**3, _PLACES)
+    if _has_root([[x >> cut if cut > 0 else x << -cut for x in row] for row in form]):
+        return True
     c.spend(n**3, n * longest)
     return _pivots(form, strictly)
+
+
+def _has_root(form: Matrix) -> bool:
+    """Whether C - N is positive definite for an N×N form C as Cholesky's G shows in integers, all rounded down.
+
+    With B = C - N(2g + 3), g^2 the largest entry on the diagonal, and 0 <= (B - GG')_ij <= 2g: B >= -2gN.
+    """
+    off, rows = len(form) * (2 * isqrt(max(0, *(row[i] for i, row in enumerate(form)))) + 3), list[list[int]]()
+    for i, row in enumerate(form):
+        g: list[int] = []
+        for j, above in enumerate(rows):
+            g.append((row[j] - sum(map(mul, g, above))) // above[j])
+        if (rest := row[i] - off - sum(map(mul, g, g))) <= 0:
+            return False
+        rows.append([*g, isqrt(rest)])
+    return True
 
 
 def _pivots(form: Matrix, strictly: bool) -> bool:
