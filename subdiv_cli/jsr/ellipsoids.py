@@ -43,6 +43,8 @@ _PLACES = 192
 _SMALL_ORDER = 12
 """The order up to which forms are sought by linear equations."""
 _DENOMINATOR = 10_000
+_HUGE = 1e12
+"""Matrices so much larger than their radius are none that floats know."""
 
 
 def coordinates(scaled: Array) -> Array:
@@ -52,11 +54,12 @@ def coordinates(scaled: Array) -> Array:
     """
     n = scaled.shape[1]
     form = np.eye(n)
-    for _ in range(_SWEEPS):
-        image = np.asarray(np.einsum("pji,jk,pkl->il", scaled, form, scaled)) + _REGULAR * np.eye(n)
-        form = (form + image * (n / np.trace(image))) / 2
+    with np.errstate(all="ignore"):
+        for _ in range(_SWEEPS):
+            image = np.asarray(np.einsum("pji,jk,pkl->il", scaled, form, scaled)) + _REGULAR * np.eye(n)
+            form = (form + image * (n / np.trace(image))) / 2
     try:
-        return np.asarray(np.linalg.cholesky(form).T)
+        return np.asarray(np.linalg.cholesky(form).T) if np.isfinite(form).all() else np.eye(n)
     except np.linalg.LinAlgError:
         return np.eye(n)
 
@@ -109,8 +112,10 @@ def ellipsoid_bound(family: Family, rate: float, effort: Effort) -> Radius | Non
     `rate` is a lower bound of the radius of the matrices divided by `family.unit`. Numbers x come nearer to it until
     trees have more words than the effort allows.
     """
-    scaled = family.floats / rate
     with np.errstate(all="ignore"):
+        scaled = family.floats / rate
+        if not np.abs(scaled).max() < _HUGE:
+            return None
         turned, excess = _fitted(scaled, effort)
         images = turned @ scaled @ np.linalg.inv(turned)
     if not np.isfinite(images).all():
@@ -211,8 +216,10 @@ def common_ellipsoid(family: Family, rate: float, contenders: Sequence[Candidate
     P is the unit form, or a solution of M'PM = ρ²P for all matrices that have only eigenvalues of modulus ρ; None where
     these do not do. `rate` is the radius of the candidates for the matrices divided by `family.unit`.
     """
+    if family.order > _SMALL_ORDER or not 1 / _HUGE < rate < _HUGE:
+        return None
     guess = Fraction(rate * rate).limit_denominator(_DENOMINATOR)
-    if family.order > _SMALL_ORDER or not guess or abs(float(guess) / rate**2 - 1) > 1e-11:
+    if not guess or abs(float(guess) / rate**2 - 1) > 1e-11:
         return None
     square = guess * family.unit**2
     for form in _forms(family, rate, square):

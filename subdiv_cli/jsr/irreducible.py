@@ -53,6 +53,8 @@ _LONGEST_ROOT = 60_000
 """The most bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
 _ROUNDING = 1e-9
 _MARGIN = 30
+_HUGE = 1e12
+"""Entries so much larger than the radius are not for floats."""
 _SMALLEST = Fraction(1, 1 << 600)
 """The smallest radius, measured in the largest entry: polytopes for smaller ones have no double coordinates."""
 _SLACK = Fraction(1, 64)
@@ -115,6 +117,8 @@ def _long(family: Family, shallow: Sequence[Candidate], effort: Effort) -> Seque
     if longest <= _DEEP:
         return None
     rate = 2.0 ** _rate(family, family.full_word(shallow[0]))
+    if not np.abs(family.floats).max() < rate * _HUGE:
+        return None
     best, contenders = long_candidates(family, rate, longest, effort)
     return _affordable(family, contenders) if best > rate * (1 + _ROUNDING) else None
 
