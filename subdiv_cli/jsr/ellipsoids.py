@@ -9,6 +9,7 @@ matrices, ρ is known exactly.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from math import lcm
@@ -37,6 +38,10 @@ _MOST_ENTRIES = 4000
 """The most entries of all products of a length whose norms are made small together."""
 _WORK_A_WORD = 12
 """The entries of a matrix that a word may have, for each unit of work."""
+_SHORT_BITS = 30
+"""The most bits of the bound."""
+_MOST_SPENT = 500_000_000
+"""What a checker may spend, in operations on numbers of 512 bits."""
 _ENTRY_BITS = 39
 _ROOM = 1e-7
 _PLACES = 192
@@ -56,7 +61,7 @@ def coordinates(scaled: Array) -> Array:
     form = np.eye(n)
     with np.errstate(all="ignore"):
         for _ in range(_SWEEPS):
-            image = np.asarray(np.einsum("pji,jk,pkl->il", scaled, form, scaled)) + _REGULAR * np.eye(n)
+            image = (scaled.transpose(0, 2, 1) @ form @ scaled).sum(axis=0) + _REGULAR * np.eye(n)
             form = (form + image * (n / np.trace(image))) / 2
     try:
         return np.asarray(np.linalg.cholesky(form).T) if np.isfinite(form).all() else np.eye(n)
@@ -126,7 +131,7 @@ def ellipsoid_bound(family: Family, rate: float, effort: Effort) -> Radius | Non
     for _ in range(_SHRINKS):
         near = excess * (1 - step) if best else excess
         words = _tree(images / (1 + near), most, effort)
-        if words is not None:
+        if words is not None and _is_affordable(family, words):
             best, excess = (1 + near, words), near
         elif best is None or step < 0.1:
             break
@@ -134,7 +139,7 @@ def ellipsoid_bound(family: Family, rate: float, effort: Effort) -> Radius | Non
             step /= 2
     if best is None:
         return None
-    x = _short((Fraction(best[0]) * Fraction(rate) * family.unit) ** 2)
+    x = _short((Fraction(best[0]) * Fraction(rate) * family.unit) ** 2, excess)
     form = _integers(turned.T @ turned)
     if not _is_proved(family, form, best[1], x, effort):
         return None
@@ -155,16 +160,24 @@ def _tree(images: Array, most: int, effort: Effort) -> list[Word] | None:
         words += [word for word, ends in zip(longer, small, strict=True) if ends]
         open_words = [word for word, ends in zip(longer, small, strict=True) if not ends]
         products = products[~small]
-        if not open_words:
-            return sorted(words)
         if len(words) + len(open_words) > most:
             return None
+        if not open_words:
+            return sorted(words)
     return None
 
 
-def _short(x: Fraction) -> Fraction:
-    """A number a little above x > 0 with 28 significant bits."""
-    unit = Fraction(2) ** (x.numerator.bit_length() - x.denominator.bit_length() - 28)
+def _is_affordable(family: Family, words: list[Word]) -> bool:
+    """Whether a checker need not spend too much on the products of these words, as it counts."""
+    n, longest = family.order, max(map(len, words))
+    bits = longest * (2 * family.bits + 2 * n.bit_length() + _SHORT_BITS)
+    return (5 * len(words) + 1) * n**3 * (1 + bits // 512) ** 2 <= _MOST_SPENT
+
+
+def _short(x: Fraction, excess: float) -> Fraction:
+    """A number a little above x > 0, by less than the excess, with few significant bits."""
+    bits = min(_SHORT_BITS, max(10, 6 - math.floor(math.log2(excess))))
+    unit = Fraction(2) ** (x.numerator.bit_length() - x.denominator.bit_length() - bits)
     return -(-x // unit) * unit
 
 

@@ -33,8 +33,10 @@ from subdiv_cli.jsr.weights import weighted_radius
 from subdiv_cli.model import HALF, Effort, Look, Root
 from subdiv_cli.model.proofs import RadiusProof, root_data
 
-LARGEST_BLOCK = 60
+LARGEST_BLOCK = 120
 """The largest order of matrices for which polytopes are tried."""
+_LARGE = 60
+"""The order beyond which only polytopes are grown that close soon."""
 _QUICK, _DEEP, _LONG = 10, 24, 300
 """The lengths of products in the first and in the second search, and where orders are small."""
 _THIN = 8
@@ -103,6 +105,8 @@ def _closed(family: Family, attempts: list[_Attempt], effort: Effort) -> Radius 
         quick = effort.limited(max(_QUICK_WORK, effort.work // 4), HALF)
         if (radius := quick.in_time(partial(attempts[-1].closed, quick))) is not None:
             return radius
+    if family.order > _LARGE:
+        return None
     deep = _affordable(family, candidates(family, _DEEP, effort=effort)[1])
     if deep != shallow or (last.leaders is not None and last.leaders.has_both_signs):
         attempts.append(_Attempt(family, deep, effort.look, squared=True))
@@ -140,7 +144,8 @@ def _enclosed(family: Family, attempts: Sequence[_Attempt], effort: Effort) -> R
     if ellipsoid is not None and family.order > _THIN:
         excess = 2.0**ellipsoid.ceiling / float(best.sigma) - 1
     states = [(attempt.sigma, state) for attempt in attempts for state in attempt.states]
-    if (bound := _best_bound(family, [pair for pair in states if pair[1].closed], effort)) is None:
+    bound = _best_bound(family, [pair for pair in states if pair[1].closed], effort)
+    if bound is None and (ellipsoid is None or family.order <= _LARGE):
         work = effort.work if excess > _CLOSE else effort.work // 4
         slackened = attempts[-1].slackened(effort.limited(work, HALF), excess)
         states = [*states, *slackened]
