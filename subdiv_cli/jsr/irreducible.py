@@ -203,16 +203,27 @@ def monotone_radius(family: Family, effort: Effort) -> Radius | None:
     shallow = candidates(family, _QUICK if family.order <= _MODERATE else _SHORT, effort=effort)[1]
     if not (contenders := _affordable(family, shallow)):
         return None
+    attempts = _both_ways(family, contenders, effort)
+    if (radius := _closing(attempts, _BRIEF_WORK, effort)) is not None:
+        return radius
     if family.order <= _SMALL and (long := _long(family, contenders, effort)) is not None:
-        contenders = long
+        attempts = _both_ways(family, long, effort)
+    return _closing(attempts, _QUICK_WORK, effort)
+
+
+def _both_ways(family: Family, contenders: Sequence[Candidate], effort: Effort) -> tuple[_Attempt, _Attempt]:
+    """Attempts at a family and at its transposes, whose words are reversed."""
     reversals = [Candidate(candidate.word[::-1], candidate.reflected) for candidate in contenders]
-    attempts = [_Attempt(family, contenders, effort.look), _Attempt(family.transposed(), reversals, effort.look)]
-    for work in (_BRIEF_WORK, _QUICK_WORK):
-        for number, attempt in enumerate(attempts):
-            quick = effort.limited(work, HALF)
-            if (radius := quick.in_time(partial(attempt.closed, quick))) is not None:
-                assert radius.word is not None
-                return carried("transposed", radius, radius.word[::-1]) if number else radius
+    return _Attempt(family, contenders, effort.look), _Attempt(family.transposed(), reversals, effort.look)
+
+
+def _closing(attempts: tuple[_Attempt, _Attempt], work: int, effort: Effort) -> Radius | None:
+    """The radius where the polytope of one of the two attempts closes, the second one at transposes."""
+    for number, attempt in enumerate(attempts):
+        quick = effort.limited(work, HALF)
+        if (radius := quick.in_time(partial(attempt.closed, quick))) is not None:
+            assert radius.word is not None
+            return carried("transposed", radius, radius.word[::-1]) if number else radius
     return None
 
 

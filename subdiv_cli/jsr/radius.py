@@ -39,7 +39,8 @@ def joint_spectral_radius(family: Family, effort: Effort) -> Radius | None:
         return zero_radius()
     if family.order > LARGEST_ORDER or not effort.allows(family.order**2):
         return None
-    if family.is_nonnegative and (radius := _of_nonnegative(family, effort)) is not None:
+    part = effort.limited(effort.work, HALF)
+    if family.is_nonnegative and (radius := part.in_time(lambda: _of_nonnegative(family, part))) is not None:
         return radius
     part = effort.limited(effort.work, HALF)
     if (blocks := part.in_time(lambda: decomposed(family, part.look))) is not None:
