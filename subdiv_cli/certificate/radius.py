@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from subdiv_cli.certificate.claims import MOST_WORK, WORK_A_SECOND, Claims, Json, polynomial
 from subdiv_cli.model.closed import rational
-from subdiv_cli.model.proofs import LeaderData, RadiusProof, RootData, TieData
+from subdiv_cli.model.proofs import LeaderData, LowerBound, RadiusProof, RootData, TieData
 
 if TYPE_CHECKING:
     from subdiv_cli.model.family import FamilyRadius
@@ -22,17 +22,29 @@ class Radii:
 
     def claim(self, data: RadiusProof, family: int, order: int) -> int:
         """The number of the claim that a proof on a family of matrices of this order is turned into."""
-        rule = data["rule"]
+        rule, witness = data["rule"], dict[str, Any]()
         if rule == "blocks":
             return self._of_blocks(data, family, order)
-        if rule == "distinct":
-            return self._of_distinct(data, family, order)
+        if rule in ("distinct", "transposed"):
+            return self._of_part(data, family, order)
+        if rule == "meeting-bounds":
+            lower, upper = self.below(data["below"], family, order), self.claim(data["part"], family, order)
+            name = "bounded" if data["bounded"] else "radius"
+            return self._exact(rule, name, family, data, {}, 1, [lower, upper])
+        if rule == "common-vector":
+            witness = {"left": data["left"], "vector": spelled(data["vector"])}
+            return self._upper(rule, family, 1, data["bound"], witness, self._p * order**2)
+        if rule == "ellipsoid":
+            words = data["words"]
+            witness = {"form": list(data["form"]), "words": spelled(words)}
+            work = (5 * len(words) + 1) * order**3
+            return self._upper(rule, family, 2, data["bound"], witness, work)
         if rule == "zero":
             return self._upper("zero", family, 1, Fraction(0), {}, order * order * self._p)
         if rule in ("polytope", "monotone-polytope"):
             weights = sum(map(len, data["images"])) // 2
             work = self._p * len(data["vertices"]) * order**2 + weights * order + order**3
-            witness: Json = {"symmetry": data["symmetry"], "bits": data["bits"], **_images(data)}
+            witness = {"symmetry": data["symmetry"], "bits": data["bits"], **_images(data)}
             witness["vertices"] = [[str(x) for x in v] for v in data["vertices"]]
             return self._upper(rule, family, 1, data["bound"], witness, work)
         if rule == "positive-symbol":
@@ -78,15 +90,31 @@ class Radii:
             return self._exact("radius-of-blocks", "radius", family, data, {}, 1, uses)
         return self._upper("upper-of-blocks", family, data["length"], data["bound"], {}, 1, uses)
 
-    def _of_distinct(self, data: RadiusProof, family: int, order: int) -> int:
-        letters, number = list(data["letters"]), len(self._families)
+    def _of_part(self, data: RadiusProof, family: int, order: int) -> int:
+        """The claim on a family of one that has some of its matrices, or their transposes."""
+        rule, number = data["rule"], len(self._families)
         self._families.append(None)
-        statement = {"property": "distinct", "family": family, "part": number}
-        work = self._p * len(letters) * order**2
-        distinct = self._claims.add("distinct", statement, {"letters": letters}, [], work)
+        statement = {"property": rule, "family": family, "part": number}
+        witness = {"letters": list(data["letters"])} if rule == "distinct" else {}
+        work = self._p * len(data.get("letters", (0,))) * order**2
+        relation = self._claims.add(rule, statement, witness, [], work)
         used = self.claim(data["part"], number, order)
         statement = {**self._claims.statement(used), "family": family}
-        return self._claims.add("of-distinct", statement, {}, [distinct, used], 1)
+        return self._claims.add(f"of-{rule}", statement, {}, [relation, used], 1)
+
+    def below(self, data: LowerBound, family: int, order: int) -> int:
+        """The number of the claim that a product has so large a spectral radius."""
+        word = list(data["word"])
+        statement = {
+            "property": "radius-lower",
+            "family": family,
+            "length": len(word),
+            "bound": rational(data["bound"]),
+        }
+        if "vector" not in data:
+            return self._claims.add("word", statement, {"word": word}, [], len(word) * order**3 + order**4)
+        witness = {"word": word, "sign": data["sign"], "left": data["left"], "vector": spelled(data["vector"])}
+        return self._claims.add("growing-vector", statement, witness, [], len(word) * order**2)
 
     def _exact(
         self,
@@ -164,13 +192,10 @@ def family_certificate(
     if not radius.proof:
         return None
     claims = Claims()
-    goal = [Radii(claims, [None], radius.letters, []).claim(radius.proof, 0, radius.order)]
+    radii = Radii(claims, [None], radius.letters, [])
+    goal = [radii.claim(radius.proof, 0, radius.order)]
     if radius.below:
-        word, order = radius.below["word"], radius.order
-        statement = {"family": 0, "length": len(word), "bound": rational(radius.below["bound"])}
-        work = len(word) * order**3 + order**4
-        lower = {"property": "radius-lower", **statement}
-        goal.append(claims.add("word", lower, {"word": list(word)}, [], work))
+        goal.append(radii.below(radius.below, 0, radius.order))
     rows = [[[rational(x) for x in row] for row in matrix] for matrix in matrices]
     room = MOST_WORK if seconds is None else min(MOST_WORK, int(seconds * WORK_A_SECOND))
     if sum(claim["work"] for claim in claims.made) > room:

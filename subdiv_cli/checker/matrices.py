@@ -78,6 +78,11 @@ def multiply(a: Matrix, b: Matrix) -> Matrix:
     return [[sum(map(mul, row, column)) for column in columns] for row in a]
 
 
+def transpose(a: Matrix) -> Matrix:
+    """The transpose of a matrix."""
+    return [list(row) for row in zip(*a, strict=True)]
+
+
 def apply(a: Matrix, v: Sequence[int]) -> list[int]:
     """The product of an integer matrix and a vector."""
     return [sum(map(mul, row, v)) for row in a]

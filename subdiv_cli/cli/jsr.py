@@ -28,6 +28,8 @@ Examples:
 \b
 A family is a TOML file with one list of square matrices, each a list of rows; numbers are exact:
   matrices = [[[1, 1], [0, 1]], [["4/5", 0], ["4/5", "4/5"]]]
+The list alone is JSON, and read too. So are an array p×N×N of NumPy (.npy), and
+the matrices of a .mat file, with pip install "subdiv[mat]".
 
 \b
 Exit codes:
@@ -48,6 +50,7 @@ _WIDE = 0.1
 @click.option(
     "--certificate", metavar="FILE", type=click.Path(dir_okay=False), help="Write the proof, for `subdiv verify`."
 )
+@click.option("--transpose", is_flag=True, help="Take the transposes: for matrices that act on rows.")
 @options.debug
 def command(
     file: str,
@@ -56,18 +59,24 @@ def command(
     effort: int,
     budget: float | None,
     certificate: str | None,
+    transpose: bool,
     debug: bool,
 ) -> ExitCode:
     """The joint spectral radius of a family of rational matrices.
 
-    That is the growth rate of the largest products, lim max ||M_(w_L) ... M_(w_1)||^(1/L). FILE is TOML; - is stdin.
+    That is the growth rate of the largest products, lim max ||M_(w_L) ... M_(w_1)||^(1/L). FILE is TOML, JSON or nested
+    lists, .npy or .mat; - is stdin. Floats are taken as the decimals that they spell.
     """
     from subdiv_cli.maskfile import MaskFileError
 
     try:
-        read, matrices = _read(file, parameters)
+        read, matrices, floats = _read(file, parameters)
     except MaskFileError as error:
         return complain(error.problems)
+    if floats:
+        emit("note: floats are taken as the decimals that they spell\n", sys.stderr)
+    if transpose:
+        matrices = tuple(tuple(zip(*matrix, strict=True)) for matrix in matrices)
     from subdiv_cli.pipeline import joint_spectral_radius
 
     with Progress().watching():
@@ -89,13 +98,16 @@ def command(
     return ExitCode.UNDECIDED if unwritten or (wide and not known) else ExitCode.PASSED
 
 
-def _read(file: str, parameters: tuple[str, ...]) -> tuple[MaskFile, Any]:
-    from subdiv_cli.kinds.reading import read_path
+def _read(file: str, parameters: tuple[str, ...]) -> tuple[MaskFile, Any, bool]:
+    """The file, its matrices, and whether they were floats."""
+    from subdiv_cli.cli.matrix_files import family_text
+    from subdiv_cli.kinds.reading import read_text
     from subdiv_cli.maskfile.option import parse_override
 
     overrides: dict[str, Fraction] = dict(parse_override(text) for text in parameters)
-    read = read_path(file, kind="matrices")
-    return read, read.scheme(overrides).matrices
+    text, floats = family_text(file)
+    read = read_text(text, file=file, wanted="matrices")
+    return read, read.scheme(overrides).matrices, floats
 
 
 def _as_json(_: MaskFile, radius: FamilyRadius, proof: str | None) -> str:

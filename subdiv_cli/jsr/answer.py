@@ -21,8 +21,10 @@ from subdiv_cli.jsr.radius import joint_spectral_radius, rough_radius
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.model import Effort, Interval, Root, exact_root
 from subdiv_cli.model.family import FamilyRadius
-from subdiv_cli.model.proofs import WordBound
+from subdiv_cli.model.proofs import LowerBound
 
+_LARGEST_PRODUCT = 60
+"""The largest order of a product that is a bound from below: its characteristic polynomial asks much of a checker."""
 _LONGEST_POLYNOMIAL, _LONGEST_RATIONAL = 256, 4096
 """The most bits of a number in a closed form."""
 
@@ -45,9 +47,11 @@ def _answered(family: Family, radius: Radius | None, effort: Effort) -> FamilyRa
     stopped: Literal["budget"] | None = "budget" if effort.struck else None
     if radius is None:
         return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)
+    if radius.exact is None and family.order > _LARGEST_PRODUCT:
+        radius = radius._replace(word=None)
     product = None if radius.word is None else WordProduct.of_word(family.matrices, radius.word)
     bounds = _enclosed(radius, product)
-    below: WordBound | None = None
+    below: LowerBound | None = None
     if radius.exact is None and product is not None and product.eigenvalue.rational != 0:
         below = {"word": product.word, "bound": radius_bound(product)}
     return FamilyRadius(

@@ -103,6 +103,10 @@ class Family:
         scaled = [[[float(to_fraction(x) / self.unit) for x in row] for row in m.table()] for m in self.matrices]
         return np.array(scaled)
 
+    def transposed(self) -> Family:
+        """The family of the transposes."""
+        return Family([m.transpose() for m in self.matrices])
+
     def product(self, word: Word) -> fmpq_mat:
         """The exact N×N product M_(w_ℓ) … M_(w_1) of the word w."""
         total = self.matrices[word[0]]

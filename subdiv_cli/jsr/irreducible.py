@@ -7,7 +7,8 @@ smaller matrices, proves as it is.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import partial
 
@@ -20,19 +21,32 @@ from subdiv_cli.jsr.balance import scales
 from subdiv_cli.jsr.body import Polytope, Start
 from subdiv_cli.jsr.closing import close
 from subdiv_cli.jsr.eigenspaces import surrounding
+from subdiv_cli.jsr.ellipsoids import common_ellipsoid, ellipsoid_bound
 from subdiv_cli.jsr.enclosing import RadiusBound, enclose
 from subdiv_cli.jsr.family import Candidate, Family
 from subdiv_cli.jsr.leaders import LONGEST_PRODUCT, Leader, Leaders, leaders, vector
 from subdiv_cli.jsr.polytope import Grown, grow, grow_on, measured
-from subdiv_cli.jsr.result import Radius
-from subdiv_cli.jsr.search import candidates
+from subdiv_cli.jsr.result import Radius, carried
+from subdiv_cli.jsr.search import candidates, long_candidates
+from subdiv_cli.jsr.search import rate as _rate
+from subdiv_cli.jsr.weights import weighted_radius
 from subdiv_cli.model import HALF, Effort, Look, Root
 from subdiv_cli.model.proofs import RadiusProof, root_data
 
-LARGEST_BLOCK = 60
+LARGEST_BLOCK = 120
 """The largest order of matrices for which polytopes are tried."""
-_QUICK, _DEEP = 10, 24
-"""The lengths of products in the first and in the second search."""
+_LARGE = 60
+"""The order beyond which only polytopes are grown that close soon."""
+_QUICK, _DEEP, _LONG = 10, 24, 300
+"""The lengths of products in the first and in the second search, and where orders are small."""
+_THIN = 8
+"""The order beyond which polytopes are not grown where they prove less than an ellipsoid."""
+_CLOSE = 0.1
+"""The relative width of an enclosure by an ellipsoid beyond which open polytopes may prove more."""
+_SMALL = 8
+"""The order up to which long products are searched before the polytopes of short ones are grown far."""
+_MODERATE, _SHORT = 30, 4
+"""The order beyond which eigenvalues take long, and the length of the products that are searched there first."""
 _QUICK_WORK = 1000
 """Gauges that are computed in the first polytope."""
 _BRIEF_WORK = 100
@@ -41,6 +55,8 @@ _LONGEST_ROOT = 60_000
 """The most bits of the coefficients of a root's polynomial; an enclosure has short numbers instead."""
 _ROUNDING = 1e-9
 _MARGIN = 30
+_HUGE = 1e12
+"""Entries so much larger than the radius are not for floats."""
 _SMALLEST = Fraction(1, 1 << 600)
 """The smallest radius, measured in the largest entry: polytopes for smaller ones have no double coordinates."""
 _SLACK = Fraction(1, 64)
@@ -58,7 +74,7 @@ def irreducible_radius(family: Family, effort: Effort) -> Radius | None:
     if family.order > LARGEST_BLOCK:
         return None
     if family.order > 1 and len(family.distinct) < family.letters:
-        return _of_distinct(family, effort)
+        return _of_distinct(family, effort, irreducible_radius)
     attempts: list[_Attempt] = []
     growing = effort.limited(effort.work, HALF)
     if (radius := growing.in_time(lambda: _closed(family, attempts, growing))) is not None:
@@ -81,12 +97,34 @@ def _closed(family: Family, attempts: list[_Attempt], effort: Effort) -> Radius 
     if not shallow:
         return None
     last = attempts[-1]
+    rate = 2.0 ** _rate(family, family.full_word(shallow[0]))
+    if (radius := common_ellipsoid(family, rate, shallow, effort)) is not None:
+        return radius
+    if (long := _long(family, shallow, effort)) is not None:
+        attempts.append(_Attempt(family, long, effort.look))
+        quick = effort.limited(max(_QUICK_WORK, effort.work // 4), HALF)
+        if (radius := quick.in_time(partial(attempts[-1].closed, quick))) is not None:
+            return radius
+    if family.order > _LARGE:
+        return None
     deep = _affordable(family, candidates(family, _DEEP, effort=effort)[1])
     if deep != shallow or (last.leaders is not None and last.leaders.has_both_signs):
         attempts.append(_Attempt(family, deep, effort.look, squared=True))
     elif last.has_closed:  # more of the same effort would find the same
         return None
     return attempts[-1].closed(effort.limited(max(_QUICK_WORK, effort.work // 2)))
+
+
+def _long(family: Family, shallow: Sequence[Candidate], effort: Effort) -> Sequence[Candidate] | None:
+    """The candidates among long products, where their radius is larger than that of the short ones."""
+    longest = min(_LONG, effort.work // family.order**2)
+    if longest <= _DEEP:
+        return None
+    rate = 2.0 ** _rate(family, family.full_word(shallow[0]))
+    if not np.abs(family.floats).max() < rate * _HUGE:
+        return None
+    best, contenders = long_candidates(family, rate, longest, effort)
+    return _affordable(family, contenders) if best > rate * (1 + _ROUNDING) else None
 
 
 def _enclosed(family: Family, attempts: Sequence[_Attempt], effort: Effort) -> Radius | None:
@@ -97,16 +135,27 @@ def _enclosed(family: Family, attempts: Sequence[_Attempt], effort: Effort) -> R
     attempts = [attempt for attempt in attempts if attempt.leaders is not None]
     if not attempts:
         return None
-    states = [(attempt.sigma, state) for attempt in attempts for state in attempt.states]
-    if (bound := _best_bound(family, [pair for pair in states if pair[1].closed], effort)) is None:
-        slackened = attempts[-1].slackened(effort.limited(effort.work, HALF))
-        bound = _best_bound(family, [*states, *slackened], effort)
-    if bound is None:
-        return None
     best = max(attempts, key=lambda attempt: attempt.sigma)
     assert best.leaders is not None
+    word, ellipsoid = family.full_word(best.leaders.each[0].candidate), None
+    if family.order > 1:
+        ellipsoid = ellipsoid_bound(family, float(best.sigma / family.unit), effort)
+    excess = math.inf
+    if ellipsoid is not None and family.order > _THIN:
+        excess = 2.0**ellipsoid.ceiling / float(best.sigma) - 1
+    states = [(attempt.sigma, state) for attempt in attempts for state in attempt.states]
+    bound = _best_bound(family, [pair for pair in states if pair[1].closed], effort)
+    if bound is None and (ellipsoid is None or family.order <= _LARGE):
+        work = effort.work if excess > _CLOSE else effort.work // 4
+        slackened = attempts[-1].slackened(effort.limited(work, HALF), excess)
+        states = [*states, *slackened]
+        if excess < _CLOSE:
+            states = [pair for pair in slackened if pair[1].closed]
+        bound = _best_bound(family, states, effort)
+    if bound is None or (ellipsoid is not None and ellipsoid.upper[1] < bound.upper**2):
+        return ellipsoid and ellipsoid._replace(word=word)
     proof: RadiusProof = {"length": 1, "bound": bound.upper, **bound.witness}
-    return Radius(family.full_word(best.leaders.each[0].candidate), None, (1, bound.upper), False, proof)
+    return Radius(word, None, (1, bound.upper), False, proof)
 
 
 def _best_bound(family: Family, states: Sequence[tuple[Fraction, Grown]], effort: Effort) -> RadiusBound | None:
@@ -140,20 +189,52 @@ def closed_radius(family: Family, effort: Effort) -> Radius | None:
     return brief.in_time(lambda: _Attempt(family, _affordable(family, contenders), brief.look).closed(brief))
 
 
-def _of_distinct(family: Family, effort: Effort) -> Radius | None:
+def monotone_radius(family: Family, effort: Effort) -> Radius | None:
+    """The radius of a family without negative entries, where a monotone polytope of it closes quickly.
+
+    In the given coordinates, or of the transposes; None otherwise.
+    """
+    if not family.size or family.order > LARGEST_BLOCK:
+        return zero_radius() if not family.size else None
+    if family.order > 1 and len(family.distinct) < family.letters:
+        return _of_distinct(family, effort, monotone_radius)
+    if (radius := weighted_radius(family, effort)) is not None:
+        return radius
+    shallow = candidates(family, _QUICK if family.order <= _MODERATE else _SHORT, effort=effort)[1]
+    if not (contenders := _affordable(family, shallow)):
+        return None
+    attempts = _both_ways(family, contenders, effort)
+    if (radius := _closing(attempts, _BRIEF_WORK, effort)) is not None:
+        return radius
+    if family.order <= _SMALL and (long := _long(family, contenders, effort)) is not None:
+        attempts = _both_ways(family, long, effort)
+    return _closing(attempts, _QUICK_WORK, effort)
+
+
+def _both_ways(family: Family, contenders: Sequence[Candidate], effort: Effort) -> tuple[_Attempt, _Attempt]:
+    """Attempts at a family and at its transposes, whose words are reversed."""
+    reversals = [Candidate(candidate.word[::-1], candidate.reflected) for candidate in contenders]
+    return _Attempt(family, contenders, effort.look), _Attempt(family.transposed(), reversals, effort.look)
+
+
+def _closing(attempts: tuple[_Attempt, _Attempt], work: int, effort: Effort) -> Radius | None:
+    """The radius where the polytope of one of the two attempts closes, the second one at transposes."""
+    for number, attempt in enumerate(attempts):
+        quick = effort.limited(work, HALF)
+        if (radius := quick.in_time(partial(attempt.closed, quick))) is not None:
+            assert radius.word is not None
+            return carried("transposed", radius, radius.word[::-1]) if number else radius
+    return None
+
+
+def _of_distinct(family: Family, effort: Effort, radius_of: Callable[[Family, Effort], Radius | None]) -> Radius | None:
     """The radius of the matrices that differ up to sign: their products are the products of all, up to sign."""
     letters = family.distinct
-    radius = irreducible_radius(Family([family.matrices[letter] for letter in letters]), effort)
+    radius = radius_of(Family([family.matrices[letter] for letter in letters]), effort)
     if radius is None:
         return None
-    proof: RadiusProof = {"rule": "distinct", "letters": letters, "part": radius.proof}
-    proof["length"] = radius.proof["length"]
-    if "root" in radius.proof:
-        proof["root"] = radius.proof["root"]
-    if "bound" in radius.proof:
-        proof["bound"] = radius.proof["bound"]
     word = None if radius.word is None else tuple(letters[letter] for letter in radius.word)
-    return radius._replace(word=word, proof=proof)
+    return carried("distinct", radius, word, letters)
 
 
 def _affordable(family: Family, contenders: Sequence[Candidate]) -> Sequence[Candidate]:
@@ -271,18 +352,18 @@ class _Attempt:
         assert self.leaders is not None
         return surrounding(self.family, self.leaders, lambda starts: self._body(starts, self.sigma), effort)
 
-    def slackened(self, effort: Effort) -> list[tuple[Fraction, Grown]]:
+    def slackened(self, effort: Effort, most: float = math.inf) -> list[tuple[Fraction, Grown]]:
         """The polytopes for matrices scaled down, each with the number that takes the place of σ.
 
-        By less and less as long as they close, or by more until one does. No one takes more than the effort, and all
-        together no more than twice of it.
+        By less and less as long as they close, or by more until one does, but no more than `most`. No one takes more
+        than the effort, and all together no more than twice of it.
         """
         assert self.leaders is not None
         real = [Start((), np.asarray(_start(self.family, leader).vector.real)) for leader in self.leaders.each]
         polytopes: list[tuple[Fraction, Grown]] = []
         closes: bool | None = None
         slack, left = _SLACK, 2 * effort.work
-        while left > 0 and _SLACK**3 <= slack <= 1:
+        while left > 0 and _SLACK**3 <= slack <= min(1, most):
             scaled = self.sigma * (1 + slack)
             grown = grow(self._body(real, scaled), effort.limited(left, HALF))
             polytopes += [(scaled, state) for state in ((grown,) if grown.closed else grown.states)]

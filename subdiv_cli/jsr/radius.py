@@ -7,18 +7,22 @@ bounds are asked that do not exceed it, where that is possible. What is found de
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from subdiv_cli.exact.rationals import to_fraction
 from subdiv_cli.jsr.enclosing import by_columns
 from subdiv_cli.jsr.family import Family, Word
-from subdiv_cli.jsr.irreducible import LARGEST_BLOCK, bounded, irreducible_radius, zero_radius
-from subdiv_cli.jsr.reduce import Blocks, decomposed
+from subdiv_cli.jsr.irreducible import LARGEST_BLOCK, bounded, irreducible_radius, monotone_radius, zero_radius
+from subdiv_cli.jsr.reduce import Blocks, by_pattern, decomposed
 from subdiv_cli.jsr.result import Radius
 from subdiv_cli.jsr.search import candidates, rate
+from subdiv_cli.jsr.weights import weighted_radius
 from subdiv_cli.model import HALF, UNHURRIED, Effort
 from subdiv_cli.model.proofs import RadiusProof, root_data
+
+RadiusOf = Callable[[Family, Effort], Radius | None]
+"""A function that finds the radius of a part."""
 
 LARGEST_ORDER = 120
 _LEAST_ORDER = 10
@@ -36,9 +40,25 @@ def joint_spectral_radius(family: Family, effort: Effort) -> Radius | None:
     if family.order > LARGEST_ORDER or not effort.allows(family.order**2):
         return None
     part = effort.limited(effort.work, HALF)
+    if family.is_nonnegative and (radius := part.in_time(lambda: _of_nonnegative(family, part))) is not None:
+        return radius
+    part = effort.limited(effort.work, HALF)
     if (blocks := part.in_time(lambda: decomposed(family, part.look))) is not None:
-        return _of_blocks(blocks, effort)
+        return _of_blocks(blocks, effort, irreducible_radius)
     return irreducible_radius(family, effort)
+
+
+def _of_nonnegative(family: Family, effort: Effort) -> Radius | None:
+    """The radius of a family without negative entries where it is soon known exactly in the given coordinates.
+
+    By one positive vector, or by monotone polytopes of its strong components; None otherwise.
+    """
+    if (radius := weighted_radius(family, effort)) is not None:
+        return radius
+    if (blocks := by_pattern(family)) is None:
+        return monotone_radius(family, effort)
+    radius = _of_blocks(blocks, effort, monotone_radius)
+    return radius if radius is not None and radius.exact is not None else None
 
 
 def rough_radius(family: Family, effort: Effort) -> Radius | None:
@@ -54,12 +74,12 @@ def rough_radius(family: Family, effort: Effort) -> Radius | None:
     return Radius(word, None, (1, bound.upper), False, {"length": 1, "bound": bound.upper, **bound.witness})
 
 
-def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
+def _of_blocks(blocks: Blocks, effort: Effort, radius_of: RadiusOf) -> Radius | None:
     """The largest radius of the parts: exact where it is of one part and the bounds of the others do not exceed it.
 
     Bounded products are not claimed: of parts with one radius they need not be.
     """
-    if (known := _of_parts(blocks.parts, effort)) is None:
+    if (known := _of_parts(blocks.parts, effort, radius_of)) is None:
         return None
     top = max(known, key=lambda part: (part.exact is not None, part.ceiling))
     others = [part for part in known if part is not top]
@@ -85,7 +105,7 @@ def _of_blocks(blocks: Blocks, effort: Effort) -> Radius | None:
     return Radius(word, None, (length, bound), False, {**witness, "length": length, "bound": bound})
 
 
-def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
+def _of_parts(parts: Sequence[Family], effort: Effort, radius_of: RadiusOf) -> list[Radius] | None:
     """The radius of every part, as far as it is known, or a bound that does not exceed the largest one.
 
     Each part has a share of the time, by its order, small ones as one of order `_LEAST_ORDER`. Where it gives no bound,
@@ -101,7 +121,7 @@ def _of_parts(parts: Sequence[Family], effort: Effort) -> list[Radius] | None:
         cost -= costs[k]
         if top is not None and seems[k] < _CLEARLY + _logarithm(top.upper[1]) / top.upper[0]:
             radius = bounded(parts[k], _floor(top), part)
-        if radius is None and (radius := irreducible_radius(parts[k], part)) is None:
+        if radius is None and (radius := radius_of(parts[k], part)) is None:
             radius = rough_radius(parts[k], UNHURRIED)
             if radius is None or top is None or not _at_most(radius.upper, _floor(top)):
                 return None

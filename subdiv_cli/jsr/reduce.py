@@ -46,6 +46,14 @@ def decomposed(family: Family, look: Look = no_clock) -> Blocks | None:
     return _blocks(family, basis * _diagonal_sum(bases), sizes)
 
 
+def by_pattern(family: Family) -> Blocks | None:
+    """The blocks that a permutation of the coordinates shows; None for a single one."""
+    if (components := _by_pattern(family.matrices)) is None:
+        return None
+    basis = _units([i for component in components for i in component], family.order).transpose()
+    return _blocks(family, basis, [len(component) for component in components])
+
+
 def _flag(matrices: Sequence[fmpq_mat], look: Look) -> tuple[fmpq_mat, list[int]]:
     """A basis of Z^N, the columns of an N×N matrix, along a flag of invariant subspaces, and the blocks' sizes.
 

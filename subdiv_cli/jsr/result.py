@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from subdiv_cli.jsr.family import Word
 from subdiv_cli.model import Root
-from subdiv_cli.model.proofs import RadiusProof
+from subdiv_cli.model.proofs import LowerBound, RadiusProof, root_data
 
 
 class Radius(NamedTuple):
@@ -26,8 +26,8 @@ class Radius(NamedTuple):
     """A proof as plain data: `rule`, `length`, `root` or `bound`, and the witness of the rule.
 
     `rule` names a rule of certificate/RADIUS.md (or `norm`, of FORMAT.md); `length` with `root` or `bound` is what is
-    proved: ρ^length = Λ or <= bound. Rule `blocks` has a proof for each of its `parts`, rule `distinct` one for its
-    `part`.
+    proved: ρ^length = Λ or <= bound. Rule `blocks` has a proof for each of its `parts`, rules `distinct`, `transposed`
+    and `meeting-bounds` one for their `part`.
     """
 
     @property
@@ -38,8 +38,11 @@ class Radius(NamedTuple):
 
     @property
     def method(self) -> str:
-        """The rule that does the work: for rule `distinct` that of its part."""
-        return self.proof.get("part", self.proof)["rule"]
+        """The rule that does the work: for rules with one part, such as `distinct`, that of the part."""
+        proof = self.proof
+        while "part" in proof:
+            proof = proof["part"]
+        return proof["rule"]
 
     @property
     def vertices(self) -> int | None:
@@ -49,6 +52,26 @@ class Radius(NamedTuple):
     def is_below(self, x: Fraction) -> bool:
         """Whether ρ < x is proved, x > 0."""
         return self.upper[1] < x ** self.upper[0]
+
+
+def meeting(part: RadiusProof, below: LowerBound, length: int, value: Fraction) -> Radius:
+    """The radius ρ with ρ^length = value, which the proof of a norm bounds from above, and a product from below."""
+    root = Root((-value.numerator, value.denominator), value, value)
+    proof: RadiusProof = {"rule": "meeting-bounds", "part": part, "below": below, "bounded": True}
+    proof |= {"length": length, "root": root_data(root)}
+    return Radius(below["word"], (length, root), (length, value), True, proof)
+
+
+def carried(rule: str, radius: Radius, word: Word | None, letters: Word = ()) -> Radius:
+    """The same radius of a family of which the first one has some letters (`distinct`), or the transposes."""
+    proof: RadiusProof = {"rule": rule, "part": radius.proof, "length": radius.proof["length"]}
+    if letters:
+        proof["letters"] = letters
+    if "root" in radius.proof:
+        proof["root"] = radius.proof["root"]
+    if "bound" in radius.proof:
+        proof["bound"] = radius.proof["bound"]
+    return radius._replace(word=word, proof=proof)
 
 
 def _vertices(proof: RadiusProof) -> int | None:

@@ -8,11 +8,13 @@ found is a suggestion; `products` decides what it proves.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import reduce
 
 import numpy as np
 
 from subdiv_cli.jsr.arrays import Array, Integers
+from subdiv_cli.jsr.ellipsoids import coordinates
 from subdiv_cli.jsr.family import Candidate, Family, Word
 from subdiv_cli.model import UNHURRIED, Effort
 
@@ -20,6 +22,10 @@ _TIE = 1e-10
 """Radii that differ by less, relatively, are taken for equal."""
 _FRONT = 48
 """The most products kept at each length."""
+_CELLS = (0.02, 0.4)
+"""Products whose entries differ by less than such a share of the largest one are alike: two searches."""
+_SMALL = 8
+"""The order up to which there are two of them."""
 
 
 def candidates(
@@ -31,7 +37,30 @@ def candidates(
     each mirrored pair, and half of a word whose other half is its mirror image. (0, ()) where every product met is
     nilpotent. The radius is that of the matrices divided by `family.unit`. Where the clock strikes, fewer lengths.
     """
-    matrices = family.floats
+    return _searched(family, family.floats, longest, _front(front), effort)
+
+
+def long_candidates(family: Family, rate: float, longest: int, effort: Effort) -> tuple[float, tuple[Candidate, ...]]:
+    """As `candidates`, of much longer products, where the radius `rate` of a shorter one is known.
+
+    In coordinates in which the matrices have small norms more products fall below the best radius. Of those that are
+    alike up to a factor only the largest one is kept.
+    """
+    ellipsoid = coordinates(family.floats / rate)
+    scaled = ellipsoid @ (family.floats / rate) @ np.linalg.inv(ellipsoid)
+    with np.errstate(all="ignore"):
+        each = [
+            _searched(family, scaled, longest, _unlike_front(cell), effort)
+            for cell in _CELLS[: 2 if family.order <= _SMALL else 1]
+        ]
+    best, contenders = max(each, key=lambda pair: pair[0])
+    return best * rate, contenders
+
+
+def _searched(
+    family: Family, matrices: Array, longest: int, front: Callable[[Array, float, int], Integers], effort: Effort
+) -> tuple[float, tuple[Candidate, ...]]:
+    """The largest radius of products of matrices that are similar to those of the family, and the candidates."""
     products: Array = matrices
     words: Integers = np.arange(family.letters)[:, None]
     best, rated = 0.0, []
@@ -44,7 +73,7 @@ def candidates(
         rated += [(float(rate), tuple(map(int, word))) for rate, word in zip(rates[near], words[near], strict=True)]
         if length == longest or not effort.allows(0):
             break
-        kept = _front(products, best, length, front)
+        kept = front(products, best, length)
         if not len(kept):
             break
         products, words = _children(matrices, products[kept], words[kept])
@@ -54,11 +83,30 @@ def candidates(
     return best, tuple(sorted(classes, key=lambda candidate: (len(candidate.word), candidate)))
 
 
-def _front(products: Array, best: float, length: int, most: int) -> Integers:
-    """The numbers of the M products (M×N×N) that may begin a better one, at most `most`, the largest norms first."""
-    norms = np.linalg.norm(products, ord=2, axis=(1, 2)) ** (1 / length)
-    order = np.argsort(-norms, kind="stable")
-    return np.asarray(order[norms[order] > best * (1 + _TIE)][:most])
+def _front(most: int) -> Callable[[Array, float, int], Integers]:
+    """The choice of at most so many products (of M×N×N) that may begin a better one, the largest norms first."""
+
+    def chosen(products: Array, best: float, length: int) -> Integers:
+        norms = np.linalg.norm(products, ord=2, axis=(1, 2)) ** (1 / length)
+        order = np.argsort(-norms, kind="stable")
+        return np.asarray(order[norms[order] > best * (1 + _TIE)][:most])
+
+    return chosen
+
+
+def _unlike_front(cell: float) -> Callable[[Array, float, int], Integers]:
+    """The same choice of products no two of which are about multiples of each other."""
+
+    def chosen(products: Array, best: float, length: int) -> Integers:
+        kept = _front(len(products))(products, best, length)
+        if not len(kept):
+            return kept
+        flat = products[kept].reshape(len(kept), -1)
+        largest = flat[np.arange(len(kept)), np.abs(flat).argmax(axis=1)]
+        _, first = np.unique(np.round(flat / (largest[:, None] * cell)), axis=0, return_index=True)
+        return np.asarray(kept[np.sort(first)][: 2 * _FRONT])
+
+    return chosen
 
 
 def _children(matrices: Array, products: Array, words: Integers) -> tuple[Array, Integers]:

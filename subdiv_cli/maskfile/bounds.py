@@ -29,7 +29,7 @@ MAX_FACTORS = 64
 """The most directions of a box spline, counted with their multiplicities."""
 MAX_ARITY = 64
 MAX_MATRICES = 64
-MAX_MATRIX_ORDER = 64
+MAX_MATRIX_ORDER = 120
 MAX_COMPONENTS = 16
 """The largest size m of the matrices of a mask."""
 MAX_VECTOR_LENGTH = 200

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from subdiv_cli.model.proofs import RadiusProof, WordBound
+from subdiv_cli.model.proofs import LowerBound, RadiusProof
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,7 +35,7 @@ class FamilyRadius:
     """The proof of the upper bound, or of ρ itself."""
     left_out: str | None = None
     """The reason why a better bound is not here, where there is one that the checker has not verified."""
-    below: WordBound | None = None
+    below: LowerBound | None = None
     """The proof of the lower bound, where ρ itself is not proved."""
 
     @property

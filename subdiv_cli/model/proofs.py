@@ -84,7 +84,7 @@ class TieData(TypedDict):
 class RadiusProof(PowerData, total=False):
     """A proof of a radius: a rule of RADIUS.md (or `norm`, of FORMAT.md), what it proves, and the witness of that rule.
 
-    `blocks` has a proof for each of its `parts`, `distinct` one for its `part`.
+    `blocks` has a proof for each of its `parts`, `distinct`, `transposed` and `meeting-bounds` one for their `part`.
     """
 
     rule: str
@@ -94,6 +94,13 @@ class RadiusProof(PowerData, total=False):
     # distinct
     letters: tuple[int, ...]
     part: "RadiusProof"
+    # meeting-bounds
+    below: "LowerBound"
+    # common-vector, ellipsoid
+    left: bool
+    vector: Numbers
+    form: tuple[int, ...]
+    words: tuple[tuple[int, ...], ...]
     # positive-symbol
     power: int
     squares: tuple[Fraction, ...]
@@ -113,8 +120,14 @@ class RadiusProof(PowerData, total=False):
     sigma: tuple[Fraction, ...]
 
 
-class WordBound(TypedDict):
-    """A product of a family and a number below its spectral radius."""
+class LowerBound(TypedDict):
+    """A product of a family and a number that its spectral radius is at least.
+
+    Where there is a vector, it is what the product, or its transpose (`left`), makes at least so many times as large.
+    """
 
     word: tuple[int, ...]
     bound: Fraction
+    sign: NotRequired[int]
+    left: NotRequired[bool]
+    vector: NotRequired[Numbers]

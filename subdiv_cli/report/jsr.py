@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from subdiv_cli.model.family import FamilyRadius
 from subdiv_cli.model.formulas import product
 from subdiv_cli.report.letters import clean, letters
@@ -10,11 +12,15 @@ from subdiv_cli.report.numbers import LONGEST, enclosed
 
 _NARROW = 1e-6
 """The relative width up to which an enclosure is as good as the number."""
+_LONG_NUMBER = re.compile(r"\d{21}")
+"""Numbers that nobody reads: their decimals say more."""
 _METHODS = {
     "closing": "an invariant polytope of {n}, closed at exactly this radius",
     "polytope": "an invariant polytope of {n}",
     "monotone-closing": "a monotone invariant polytope of {n}, closed at exactly this radius",
     "monotone-polytope": "a monotone invariant polytope of {n}",
+    "common-vector": "one positive vector that no matrix makes larger than so many times itself",
+    "ellipsoid": "an ellipsoid that products map into multiples of itself",
     "blocks": "a common block triangular form, and the largest radius of its blocks",
     "zero": "all matrices are zero",
 }
@@ -26,7 +32,7 @@ def render(radius: FamilyRadius, look: Look, *, file: str, name: str | None, pro
     if name:
         lines[1] = f"  {name} · {lines[1].strip()}"
     if radius.words:
-        attained = "attained by" if radius.exact is not None else "at least that of"
+        attained = "attained by" if radius.exact is not None or radius.digits else "at least that of"
         lines += [f"  {attained} the product {product(word, 'M', ' ')}, length {len(word)}" for word in radius.words]
     if radius.method:
         lines.append("  proof: " + _METHODS[radius.method].format(n=_count(radius.vertices)))
@@ -42,16 +48,16 @@ def _first(radius: FamilyRadius) -> str:
     if radius.upper is None:
         why = radius.left_out or ("the time budget ended" if radius.stopped else "a higher effort computes more")
         return f"? {title}: not one bound was found; {why}"
-    if radius.exact is None:
+    if radius.exact is None and radius.digits is None:
         sign = "✓" if radius.width <= _NARROW else "~"
         return f"{sign} {title} in {enclosed(radius.lower, radius.upper)}"
-    digits = (
-        f" = {radius.digits}"
-        if radius.digits and radius.digits.rstrip("…") != radius.exact and not _short(radius)
-        else ""
-    )
-    exact = radius.exact if len(radius.exact) <= LONGEST or not radius.digits else f"an algebraic number{digits}"
-    return f"✓ {title} = {exact}" + (digits if exact is radius.exact else "")
+    exact = radius.exact or "an algebraic number"
+    digits = radius.digits
+    if digits and (len(exact) > LONGEST or _LONG_NUMBER.search(exact)):
+        exact = "a long fraction" if exact.replace("/", "").isdigit() else "an algebraic number"
+    elif digits and (digits.rstrip("…") == exact or _short(radius)):
+        digits = None
+    return f"✓ {title} = {exact}" + (f" = {digits}" if digits else "")
 
 
 def _short(radius: FamilyRadius) -> bool:

@@ -136,6 +136,75 @@ def swap():
     return matrices_document([[["0", "1"], ["1", "0"]]], [bound])
 
 
+ONE = {"length": 1, "polynomial": ["-1", "1"], "low": "1", "high": "1"}
+
+
+def weighted():
+    """By hand: M_0 has row sums 1, and M_1 smaller ones, in units of 1 and 2; the radius 1 is that of M_0 alone."""
+    matrices = [[["1/2", "1/4"], ["0", "1"]], [["1/2", "0"], ["1/3", "1/2"]]]
+    vector = {"left": False, "vector": ["1", "2"]}
+    claims = [
+        claim(
+            "growing-vector", property="radius-lower", family=0, length=1, bound="1",
+            witness={"word": [0], "sign": 1, **vector},
+        ),
+        claim("common-vector", property="radius-upper", family=0, length=1, bound="1", witness=vector),
+        claim("meeting-bounds", [0, 1], property="bounded", family=0, witness={}, **ONE),
+    ]  # fmt: skip
+    return matrices_document(matrices, claims)
+
+
+def column_sums():
+    """By hand: columns of sum 1 and at most 1; the transposes have small row sums, and (0, 1) grows under M_0 M_0."""
+    matrices = [[["1", "1/2"], ["0", "1/2"]], [["0", "1/2"], ["1/2", "1/4"]]]
+    claims = [
+        claim("transposed", property="transposed", family=0, part=1, witness={}),
+        claim(
+            "common-vector", property="radius-upper", family=1, length=1, bound="1",
+            witness={"left": False, "vector": ["1", "1"]},
+        ),
+        claim("of-transposed", [0, 1], property="radius-upper", family=0, length=1, bound="1", witness={}),
+        claim(
+            "growing-vector", property="radius-lower", family=0, length=2, bound="1",
+            witness={"word": [0, 0], "sign": 1, "left": True, "vector": ["1", "1"]},
+        ),
+        claim("meeting-bounds", [3, 2], property="bounded", family=0, witness={}, **ONE),
+    ]  # fmt: skip
+    return matrices_document(matrices, claims)
+
+
+SELF_DUAL = [[[2, 1], [0, -2]], [[2, 0], [-1, -2]]]
+"""JSR 2: with P = ((4, 1), (1, 4)) both have M' P M = 4P."""
+
+
+def ellipse():
+    """By hand: RADIUS.md's example of `ellipsoid`, with the eigenvector (1, -4) of -2 from below."""
+    matrices = [[[str(x) for x in row] for row in m] for m in SELF_DUAL]
+    claims = [
+        claim(
+            "growing-vector", property="radius-lower", family=0, length=1, bound="2",
+            witness={"word": [0], "sign": -1, "left": False, "vector": ["1", "-4"]},
+        ),
+        claim(
+            "ellipsoid", property="radius-upper", family=0, length=2, bound="4",
+            witness={"form": [4, 1, 4], "words": [[0], [1]]},
+        ),
+        claim(
+            "meeting-bounds", [0, 1], property="bounded", family=0, witness={},
+            length=1, polynomial=["-2", "1"], low="2", high="2",
+        ),
+    ]  # fmt: skip
+    return matrices_document(matrices, claims)
+
+
+def tree_of_words():
+    """By hand: the swap of 2 and 1/2, and a half: no letter is small in P = 1, the words 00, 01 and 1 are. JSR 1."""
+    matrices = [[["0", "2"], ["1/2", "0"]], [["1/2", "0"], ["0", "1/2"]]]
+    witness = {"form": [1, 0, 1], "words": [[0, 0], [0, 1], [1]]}
+    bound = claim("ellipsoid", property="radius-upper", family=0, length=2, bound="1", witness=witness)
+    return matrices_document(matrices, [bound])
+
+
 def four_point_attained():
     """α = 2 and not attained; positive-symbol, holder-root, defective, not-attained."""
     return of_mask(four_point("1/16"))
@@ -155,6 +224,7 @@ ALL_RADIUS = {
     make.__name__: make
     for make in (
         golden, monotone, monotone_enclosed, one_vertex, signed, rotation, triangular, nilpotent, enclosed,
-        lower_of_blocks, swap, four_point_attained, four_point_polytope, quadratic,
+        lower_of_blocks, swap, weighted, column_sums, ellipse, tree_of_words,
+        four_point_attained, four_point_polytope, quadratic,
     )
 }  # fmt: skip

@@ -56,6 +56,10 @@ FAMILIES = {
     "enclosed": Family(1.40924722212, True),
     "lower_of_blocks": Family(2.0, True),
     "swap": Family(1.0, True),
+    "weighted": Family(1.0, True),
+    "column_sums": Family(1.0, True),
+    "ellipse": Family(2.0, True),
+    "tree_of_words": Family(1.0, True),
     "swap_and_halve": Family(1.0, True),
     "golden_in_two_letters": Family(PHI, True),
     "two_leaders": Family(2.0, True),
@@ -211,6 +215,9 @@ def known(document, name):
             assert all(any(m in (k, negative(k)) for k in kept) for m in matrices)
             assert c["statement"] == {"property": "distinct", "family": 0, "part": 1}
             families[1] = families[0]
+        if c["rule"] == "transposed":
+            assert c["statement"] == {"property": "transposed", "family": 0, "part": 1}
+            families[1] = families[0]
         if c["rule"] == "blocks":
             parts = parts_of(matrices, c["witness"])
             assert c["statement"]["family"] == 0
@@ -230,7 +237,7 @@ def is_true(s, families, name):
         return value is not None and abs(-math.log2(value) / s["length"] - scheme.alpha) < 1e-8
     if s["property"] == "attained":
         return s["holds"] == scheme.attained
-    if "family" not in s or s["property"] in ("family", "blocks", "distinct"):
+    if "family" not in s or s["property"] in ("family", "blocks", "distinct", "transposed"):
         return True
     family = families[s["family"]]
     power = family.radius ** s["length"]

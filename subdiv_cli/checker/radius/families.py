@@ -54,12 +54,30 @@ def distinct(c: Claim) -> None:
     c.introduce(c.statement["part"], RationalFamily(kept, family.denominator))
 
 
-def of_distinct(c: Claim) -> None:
+def transposed(c: Claim) -> None:
+    """The new family has the transposes: the transpose of a product is the product of the reversed word."""
+    family = c.family()
+    c.count(len(family.matrices) * family.order**2)
+    turned = [matrices.transpose(m) for m in family.matrices]
+    c.introduce(c.statement["part"], RationalFamily(turned, family.denominator))
+
+
+def of_distinct(c: Claim) -> object:
     """The norms and eigenvalues of products up to sign, and so the bounds, are the same for both families."""
+    return _of_part(c, "distinct")
+
+
+def of_transposed(c: Claim) -> object:
+    """Products and their transposes have the same eigenvalues, and norms that bound each other by a constant."""
+    return _of_part(c, "transposed")
+
+
+def _of_part(c: Claim, relation: str) -> object:
+    """The result of the claim that says the same of the part that the claim of this relation introduces."""
     c.count(1)
-    part = c.use("distinct", family=c.statement["family"]).statement["part"]
+    part = c.use(relation, family=c.statement["family"]).statement["part"]
     bound = {key: value for key, value in c.statement.items() if key != "property"}
-    c.use(c.statement["property"], **{**bound, "family": part})
+    return c.use(c.statement["property"], **{**bound, "family": part}).result
 
 
 def word(c: Claim) -> None:

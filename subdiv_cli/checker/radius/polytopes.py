@@ -17,6 +17,8 @@ from subdiv_cli.checker.matrices import RationalFamily
 from subdiv_cli.checker.reading import Rejected, require
 from subdiv_cli.checker.roots import fraction_bits
 
+IN_ONE_NORM = "all matrices have norms of at most the bound"
+"""The result of a claim that bounds a radius by one norm: then products are bounded by powers of the bound."""
 _PLACES = 64
 """The binary places of quotients that are rounded up."""
 _FIRST_PLACES = 64
@@ -144,16 +146,18 @@ def weight_count(c: Claim) -> int:
     return sum(map(len, c.witness["images"])) // 2
 
 
-def polytope(c: Claim) -> None:
+def polytope(c: Claim) -> str:
     """JSR <= x: the hull P of all ±v has M_i P ⊂ x P, also by M_i J v = ± J M_(p-1-i) v where P = J P."""
     check_images(c, body)
+    return IN_ONE_NORM
 
 
-def monotone_polytope(c: Claim) -> None:
+def monotone_polytope(c: Claim) -> str:
     """JSR <= x: |M_i z| <= M_i |z| is in x P for all z in the monotone hull P."""
     require_nonnegative(c.family())
     require(all(x >= 0 for v in c.witness["vertices"] for x in v), "a vertex has a negative coordinate")
     check_images(c, monotone_body)
+    return IN_ONE_NORM
 
 
 def check_images(c: Claim, make: Callable[..., SymmetricBody | MonotoneBody]) -> None:

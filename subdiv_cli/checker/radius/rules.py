@@ -10,7 +10,7 @@ from typing import Any
 from subdiv_cli.checker.core import Rulebook, Step, Subject
 from subdiv_cli.checker.numerals import fraction, long_integer
 from subdiv_cli.checker.plain import PlainReaders
-from subdiv_cli.checker.radius import closing, families, polytopes
+from subdiv_cli.checker.radius import closing, families, norms, polytopes
 from subdiv_cli.checker.reading import MAX_DEGREE, MAX_ORDER, MAX_VERTICES, Fields, reader, record, several
 
 MAX_COORDINATE = 40
@@ -35,6 +35,7 @@ ROOT = {"length": "length", "polynomial": "root", "low": "rational", "high": "ra
 _PROPERTIES: Mapping[str, Fields] = {
     "blocks": {**FAMILY, "parts": "natural[]"},
     "distinct": {**FAMILY, "part": "natural"},
+    "transposed": {**FAMILY, "part": "natural"},
     "radius-lower": {**FAMILY, "length": "length", "bound": "rational"},
     "radius-upper": {**FAMILY, "length": "length", "bound": "rational"},
     "radius": {**FAMILY, **ROOT},
@@ -61,14 +62,24 @@ _COMPLEX: Fields = {**_HULL, "leaders": several(record(_COMPLEX_LEADER)), "extra
 _REAL: Fields = {**_COMPLEX, "leaders": several(record(_LEADER)), "ties": several(record(_TIE), MAX_VERTICES)}
 _CLOSING: tuple[Fields, ...] = (_REAL, {**_REAL, "sigma": "rational[]"})
 _CHAIN = {"word": "natural[]", "sign": "sign", "vector": "rational[]"}
+_LEFT = {"left": "boolean", "vector": "rational[]"}
+_ANY_RADIUS = ("radius-lower", "radius-upper", "radius", "bounded")
 _RULES = {
     "blocks": Step(("blocks",), {}, ({"basis": "matrix", "sizes": "natural[]"},), families.blocks),
     "distinct": Step(("distinct",), {}, ({"letters": "natural[]"},), families.distinct),
-    "of-distinct": Step(("radius-lower", "radius-upper", "radius", "bounded"), {}, _NONE, families.of_distinct),
+    "of-distinct": Step(_ANY_RADIUS, {}, _NONE, families.of_distinct),
+    "transposed": Step(("transposed",), {}, _NONE, families.transposed),
+    "of-transposed": Step(_ANY_RADIUS, {}, _NONE, families.of_transposed),
     "word": Step(("radius-lower",), {}, ({"word": "natural[]"},), families.word),
+    "growing-vector": Step(
+        ("radius-lower",), {}, ({"word": "natural[]", "sign": "sign", **_LEFT},), norms.growing_vector
+    ),
     "zero": Step(("radius-upper",), {}, _NONE, families.zero),
     "polytope": Step(("radius-upper",), {}, (_VERTICES,), polytopes.polytope),
     "monotone-polytope": Step(("radius-upper",), {}, (_VERTICES,), polytopes.monotone_polytope),
+    "common-vector": Step(("radius-upper",), {}, (_LEFT,), norms.common_vector),
+    "ellipsoid": Step(("radius-upper",), {}, ({"form": "flat", "words": several("natural[]")},), norms.ellipsoid),
+    "meeting-bounds": Step(("radius", "bounded"), {}, _NONE, norms.meeting_bounds),
     "closing": Step(("radius", "bounded"), {}, _CLOSING, closing.closing),
     "monotone-closing": Step(("radius", "bounded"), {}, _CLOSING, closing.monotone_closing),
     "complex-closing": Step(("radius", "bounded"), {}, (_COMPLEX,), closing.complex_closing),
@@ -93,6 +104,7 @@ def on_radii(statement: Mapping[str, Any], name: str) -> str:
     return {
         "blocks": "{of}block triangular: families {parts}",
         "distinct": "{of}up to signs, matrices of family {part}",
+        "transposed": "{of}the transposes are family {part}",
         "radius-lower": "{jsr} >= {bound}",
         "radius-upper": "{jsr} <= {bound}",
         "radius": "{jsr} = {root}",

@@ -152,6 +152,9 @@ def _how(numbers: ScalarNumbers, radius: Radius) -> str:
         return f"the symbol of {operator} is not negative on |z| = 1{attains}"
     if rule == "blocks":
         return f"it is the largest of the radii of {len(radius.proof['sizes'])} diagonal blocks{attains}"
+    if rule in ("common-vector", "ellipsoid"):
+        norm = "a weighted norm" if rule == "common-vector" else "the norm of an ellipsoid"
+        return f"{norm} bounds the products{attains}"
     body = f"an invariant polytope of {radius.vertices} vertices"
     if radius.exact is None:
         return f"{body} bounds it"
