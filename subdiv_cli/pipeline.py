@@ -96,12 +96,13 @@ def check_steps(scheme: Scheme, steps: Sequence[SmoothingStep], effort: Effort) 
     """The results of a scheme and of what the last of several smoothing steps makes of it, checked independently.
 
     Raises DisagreementError where the checker says no, and where both converge and their exponents do not differ by the
-    orders that the steps gain.
+    orders that the steps gain, or differ by more where a step promises no more.
     """
     before, after = check(scheme, (), effort).result, check(steps[-1].scheme, (), effort).result
     orders, one, other = sum(step.orders for step in steps), before.holder, after.holder
     both = before.convergent is after.convergent is Verdict.PROVED
-    if both and one and other and not (_reaches(one, orders, other) and _reaches(other, -orders, one)):
+    exactly = all(step.exactly for step in steps)
+    if both and one and other and not (_reaches(other, -orders, one) and (_reaches(one, orders, other) or not exactly)):
         raise DisagreementError(f"the exponents of two schemes do not differ by {orders}")
     return before, after
 

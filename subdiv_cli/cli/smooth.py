@@ -32,7 +32,7 @@ Examples:
 \b
 Exit codes:
   0    written and checked
-  1    impossible: a hypothesis of the procedure fails, or what it makes does not converge
+  1    impossible: a hypothesis of the procedure fails, or the smoother scheme does not converge
   2    not written: usage, an unreadable or invalid mask, a file that cannot be written
   3    written, and it is not decided within the effort whether the scheme converges
 """

@@ -314,6 +314,8 @@ class SmoothingStep(NamedTuple):
     """The procedure and its source, the same for all schemes of a kind: `procedure 23 of Moosmüller, Dyn 2018`."""
     details: str
     """The numbers of this step: `dim E_A = 1`."""
+    exactly: bool = True
+    """Whether the exponent changes by just these orders where both converge; else by no more."""
 
 
 class Smoothing(NamedTuple):

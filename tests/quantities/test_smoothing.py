@@ -201,6 +201,19 @@ def test_exponents_that_do_not_differ_by_the_orders_gained_are_an_internal_error
             check_steps(b_spline(2), [step._replace(orders=orders)], Effort())
 
 
+def test_the_derived_scheme_may_be_rougher_than_derivatives():
+    """A quartic spline, α = 4, beside half of Chaikin's scheme, which dies out; S_∂A has Chaikin's limits, α = 2."""
+    half = [Fraction(x, 8) for x in (1, 3, 3, 1)]
+    mask = vector_scheme(diagonal(scalar(b_spline(4).coefficients), scalar(half)))
+    (step,) = smoothing_steps(mask, 1, inverse=True)
+    assert not step.exactly
+    assert [result.holder.exact for result in check_steps(mask, [step], Effort())] == [4, 2]
+    with pytest.raises(DisagreementError):
+        check_steps(mask, [step._replace(orders=-3)], Effort())
+    (whole,) = smoothing_steps(step.scheme, 1)
+    assert [result.holder.exact for result in check_steps(step.scheme, [whole], Effort())] == [2, 3]
+
+
 def taylor_operator(f):
     """Component i < d - 1: Δ c_i - Σ_(j>i) c_j/(j-i)!; the last one as it is."""
     found = {}

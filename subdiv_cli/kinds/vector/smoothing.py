@@ -11,9 +11,12 @@ block-diagonal matrix commutes with diag(Δ I, I). Where S_B converges, p^n Δ_R
 which have values in E_A = E_B, are integrals of limits of S_B, and each of these occurs, as Δ_R is onto: α grows by
 exactly 1.
 
-∂A of `derived` solves the same equation for B, with R canonical for A. Where Procedure 23 applies to ∂A, it leads back
-to A iff E_∂A = E_A. The other way round ∂ leads from A = I B to B where one R is canonical for both; else to the mask
-W(z) B(z) W(z^p)^-1 with a unimodular W, whose limits are those of B.
+∂A of `derived` solves the same equation for B, with R canonical for A. Where S_∂A converges, its limits are, in these
+coordinates, the derivatives of those of S_A and m - r other components, in E_∂A. So its exponent is at most α - 1; it
+is α - 1 where E_∂A has the dimension r, since derivatives of limits have values in no smaller space: the others are
+combinations of them then. It may be less where E_∂A is larger: what dies out under S_A need not under S_∂A. Where
+Procedure 23 applies to ∂A, it leads back to A iff E_∂A = E_A. The other way round ∂ leads from A = I B to B where one R
+is canonical for both; else to the mask W(z) B(z) W(z^p)^-1 with a unimodular W, whose limits are those of B.
 """
 
 from __future__ import annotations
@@ -52,7 +55,9 @@ def derived(scheme: VectorScheme) -> SmoothingStep:
     p, terms = scheme.arity, terms_of(scheme)
     transformation, r = canonical(p, terms)
     back = conjugated(derivation.derived(p, terms, transformation, r), transformation.inv())
-    return SmoothingStep(scheme_of(p, back), -1, f"the derived scheme of {_SOURCE}, section 4", f"dim E_A = {r}")
+    exactly = len(derivation.constants_and_mean(p, back)[0]) == r
+    source = f"the derived scheme of {_SOURCE}, section 4"
+    return SmoothingStep(scheme_of(p, back), -1, source, f"dim E_A = {r}", exactly)
 
 
 def canonical(p: int, terms: Terms) -> tuple[fmpq_mat, int]:
