@@ -213,7 +213,14 @@ def loaded_by(*arguments):
 
 
 def test_help_loads_neither_numpy_nor_flint_nor_rich():
-    for arguments in (["--help"], ["check", "--help"], ["show", "--help"], ["plot", "--help"], ["--version"]):
+    for arguments in (
+        ["--help"],
+        ["check", "--help"],
+        ["show", "--help"],
+        ["plot", "--help"],
+        ["sweep", "--help"],
+        ["--version"],
+    ):
         assert not {"numpy", "flint", "rich", "matplotlib"} & loaded_by(*arguments)
 
 

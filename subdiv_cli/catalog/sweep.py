@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from subdiv_cli.kinds.kind import Scheme
 
 
-class Family(NamedTuple):
+class ParameterFamily(NamedTuple):
     """A mask over one parameter."""
 
     mask: MaskFile
@@ -33,7 +33,9 @@ class Family(NamedTuple):
         return scheme
 
 
-def rows(family: Family, values: Sequence[Fraction], columns: Sequence[Column], work: int, **run: Any) -> Iterator[Row]:
+def rows(
+    family: ParameterFamily, values: Sequence[Fraction], columns: Sequence[Column], work: int, **run: Any
+) -> Iterator[Row]:
     """The rows of these values, in their order; one where there is no scheme has an invalid result.
 
     `work` is the effort for each question, `run` the further arguments of `check_all`: cache, jobs and listeners. No
@@ -47,7 +49,7 @@ def rows(family: Family, values: Sequence[Fraction], columns: Sequence[Column], 
             schemes[value] = invalid(family.mask.file, error.problems)
     there = [value for value, scheme in schemes.items() if not isinstance(scheme, Result)]
     results: Iterator[Result] = iter(())
-    if there and any(column.property is not None for column in columns):
+    if there and any(column.about is not None for column in columns):
         overrides = {**{name: (value,) for name, value in family.fixed.items()}, family.parameter: there}
         target = family.mask if family.mask.file == "-" or not family.mask.source.toml else family.mask.file
         results = check_all([target], overrides=overrides, work=work, **run)
@@ -61,11 +63,11 @@ def rows(family: Family, values: Sequence[Fraction], columns: Sequence[Column], 
 
 def _row(value: Fraction, result: Result, scheme: Scheme, columns: Sequence[Column], effort: Effort) -> Row:
     """The row of a result, without its findings, which would fill the memory."""
-    undecided = [c.name for c in columns if c.property is not None and is_undecided(result, c.property)]
+    undecided = [c.name for c in columns if c.about is not None and is_undecided(result, c.about)]
     known: dict[str, Fraction] = {}
     norms = kind_named(scheme.kind).norms
     for column in columns:
-        if column.property is not None or norms is None:
+        if column.about is not None or norms is None:
             continue
         powers = norms(scheme, column.nu, effort)
         if powers is None:

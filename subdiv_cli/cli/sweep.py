@@ -18,7 +18,7 @@ from subdiv_cli.cli.streams import complain, emit, look_of, put, put_file, why_n
 if TYPE_CHECKING:
     from fractions import Fraction
 
-    from subdiv_cli.catalog.sweep import Family
+    from subdiv_cli.catalog.sweep import ParameterFamily
     from subdiv_cli.model.sweep import Column, Sweep
 
 _EPILOG = """\b
@@ -54,7 +54,7 @@ class _Values(Progress):
 
 
 @click.command("sweep", epilog=_EPILOG, short_help="A table or picture of exponents and norms along a family.")
-@click.argument("words", nargs=-1, metavar="[FILE | -] NAME=FROM:TO:STEP")
+@click.argument("words", nargs=-1, type=click.Path(), metavar="[FILE | -] NAME=FROM:TO:STEP")
 @single.options
 @click.option("--columns", default=_DEFAULT, show_default=True, metavar="NAME,...", help="What is asked at each value.")
 @click.option(
@@ -85,9 +85,9 @@ def command(
     NAME=FROM:TO:STEP is FROM, FROM + STEP, ... up to TO, exactly; NAME=1/16,1/20 are these values. Other parameters
     are set with -p. Values are checked as `check` does it, in parallel, and results are kept for both.
 
-    A value at which there is no mask is a row with the reason. With --plot the exponents are drawn with their
-    certified band, from the lower to the upper bound, and grey where the product of matrices changes that attains
-    the exponent.
+    A value at which there is no mask is a row with the reason. --plot draws exponents and norms: a line joins exact
+    values, a band lower and upper bounds, both certified at the values, not between them. It is grey between two values
+    where the product of matrices is another one that attains the Hoelder exponent.
     """
     wanted = _columns(columns)
     if plot is not None:
@@ -151,7 +151,7 @@ def _drawable(plot: str, columns: tuple[Column, ...]) -> None:
         raise click.UsageError("--plot draws exponents and norms: add holder, sobolev or norm:1:2 to --columns")
 
 
-def _family(words: tuple[str, ...], meant: single.Named) -> tuple[Family, tuple[Fraction, ...]]:
+def _family(words: tuple[str, ...], meant: single.Named) -> tuple[ParameterFamily, tuple[Fraction, ...]]:
     """The mask, its parameter and the values. Ends the command where one of them cannot be read."""
     if not words or "=" not in words[-1]:
         example = "subdiv sweep four_point.toml w=0:1/4:1/100"
@@ -159,7 +159,7 @@ def _family(words: tuple[str, ...], meant: single.Named) -> tuple[Family, tuple[
     if len(meant.files) > 1:
         raise click.UsageError(f"one mask and one parameter, and {len(words)} are named; set others with -p")
     meant.usage()
-    from subdiv_cli.catalog.sweep import Family
+    from subdiv_cli.catalog.sweep import ParameterFamily
     from subdiv_cli.maskfile import MaskFileError
     from subdiv_cli.maskfile.mask import no_such_parameter
     from subdiv_cli.maskfile.option import parse_override, parse_values
@@ -176,7 +176,7 @@ def _family(words: tuple[str, ...], meant: single.Named) -> tuple[Family, tuple[
         single.complain(error.problems)
     if strange := [each for each in (name, *fixed) if each not in mask.parameters]:
         single.complain([replace(no_such_parameter(each, mask.parameters), file=mask.file) for each in strange])
-    return Family(mask, name, fixed), values
+    return ParameterFamily(mask, name, fixed), values
 
 
 def _report(sweep: Sweep, form: str) -> str:

@@ -59,7 +59,7 @@ def parse_values(text: str) -> tuple[str, tuple[Fraction, ...]]:
         for item in rest.split(","):
             values |= dict.fromkeys(_range(item, at))
             if len(values) > MOST_VALUES:
-                raise _too_many(len(values), at)
+                raise _too_many(at)
             at += len(item) + 1
         return name, tuple(values)
     except Fault as fault:
@@ -106,14 +106,13 @@ def _range(text: str, at: int) -> Iterator[Fraction]:
         help = f"write {'-' if step > 0 else ''}{shown_number(abs(step))}, or exchange FROM and TO"
         raise Fault(faults.BAD_PARAMETER, f"the step leads away from {shown_number(last)}", help, places[2])
     if count > MOST_VALUES:
-        raise _too_many(count, places[2])
+        raise _too_many(places[2])
     return (first + i * step for i in range(count))
 
 
-def _too_many(count: int, at: int) -> Fault:
+def _too_many(at: int) -> Fault:
     """The fault of more values than are taken at once."""
-    message = f"these are {shown_number(Fraction(count))} values; the limit is {MOST_VALUES}"
-    return Fault(faults.OUT_OF_BOUNDS, message, "take a larger step", at)
+    return Fault(faults.OUT_OF_BOUNDS, f"these are more than {MOST_VALUES} values", "take a larger step", at)
 
 
 def _number(text: str, at: int) -> Fraction:

@@ -22,9 +22,17 @@ class Column(NamedTuple):
 
     name: str
     """The name on the command line: `holder`, `norm:1:2`."""
-    property: Property | None = None
+    about: Property | None = None
     nu: int = 0
     level: int = 0
+
+    @property
+    def title(self) -> str:
+        """The name in tables: `Hölder exponent`, `‖(S_1/p)^2‖∞`."""
+        if self.about is not None:
+            return self.about.title
+        quotient = f"S_{self.nu}/p"
+        return f"‖{quotient}‖∞" if self.level == 1 else f"‖({quotient})^{self.level}‖∞"
 
 
 class Row(NamedTuple):

@@ -14,7 +14,7 @@ from subdiv_cli.plot.figure import saved
 _SIZE = (8.0, 3.6)
 _MOST_LABELS = 12
 """The most changes of the product that are labelled; more would stand upon each other."""
-_GREY = "0.5"
+_LETTERS = {"holder": "α", "sobolev": "s"}
 
 
 class Point(NamedTuple):
@@ -54,7 +54,7 @@ def picture(sweep: Sweep, form: str) -> bytes:
 
 def is_drawn(column: Column) -> bool:
     """Whether a column has numbers to be drawn: exponents or norms."""
-    return column.property is None or column.property.form == "exponent"
+    return column.about is None or column.about.form == "exponent"
 
 
 def bands(sweep: Sweep) -> Iterator[Band]:
@@ -63,13 +63,7 @@ def bands(sweep: Sweep) -> Iterator[Band]:
     for column in filter(is_drawn, sweep.columns):
         points = tuple(point for row in rows if (point := _point(row, column)) is not None)
         marks = tuple(_marks(rows)) if column.name == "holder" else ()
-        yield Band(f"{_name(column)} — {sweep.title}", points, marks)
-
-
-def _name(column: Column) -> str:
-    if column.property is not None:
-        return {"holder": "α", "sobolev": "s"}.get(column.name, column.property.title)
-    return f"‖((1/p) S_{column.nu})^{column.level}‖∞"
+        yield Band(f"{_LETTERS.get(column.name, column.title)} — {sweep.title}", points, marks)
 
 
 def _point(row: Row, column: Column) -> Point | None:
@@ -77,7 +71,7 @@ def _point(row: Row, column: Column) -> Point | None:
     x = enclosed(row.value)
     if x.lower is None:
         return None
-    if column.property is None:
+    if column.about is None:
         norm = row.norms.get(column.name)
         known = Interval() if norm is None else enclosed(norm)
         return Point(x.lower, *_ends(known.lower, known.upper), exact=norm is not None)
@@ -102,18 +96,18 @@ def _marks(rows: Sequence[Row]) -> Iterator[tuple[float, float, str]]:
 def _paint(axes: Any, band: Band) -> None:
     x = [point.x for point in band.points]
     lower, upper = [point.lower for point in band.points], [point.upper for point in band.points]
-    filled = axes.fill_between(x, lower, upper, alpha=0.3, linewidth=0.8, label="lower to upper bound")
+    enclosed_only = [point for point in band.points if not point.exact and not math.isnan(point.lower + point.upper)]
+    filled = axes.fill_between(x, lower, upper, alpha=0.3, label="lower to upper bound" if enclosed_only else None)
     filled.set_gid("band")
     exact = [point.lower if point.exact else math.nan for point in band.points]
-    (line,) = axes.plot(x, exact, "o-", color="C0", linewidth=1.2, markersize=2.5, label="exact")
+    (line,) = axes.plot(x, exact, "o-", color="C0", linewidth=0.7, markersize=2.5, label="exact")
     line.set_gid("exact")
-    open_points = [point for point in band.points if not point.exact]
     for bound, marker in (("lower", "^"), ("upper", "v")):
-        y = [getattr(point, bound) for point in open_points]
-        if any(map(math.isfinite, y)):
-            axes.plot([p.x for p in open_points], y, marker, color="C1", markersize=3, label=f"{bound} bound")
+        ends = [(p.x, y) for p in band.points if not p.exact and not math.isnan(y := getattr(p, bound))]
+        if ends:
+            axes.plot(*zip(*ends, strict=True), marker, color="C1", markersize=3, label=f"{bound} bound")
     for number, (left, right, label) in enumerate(band.marks):
-        span = axes.axvspan(left, right, color=_GREY, alpha=0.3, linewidth=1)
+        span = axes.axvspan(left, right, color="0.5", alpha=0.3, linewidth=1)
         span.set_gid(f"change-{number}")
         if len(band.marks) <= _MOST_LABELS:
             axes.annotate(

@@ -1,4 +1,4 @@
-"""A sweep as a table for people, as CSV and as JSON (sweep.schema.json): a row for each value of the parameter."""
+"""A sweep as a table for people, as CSV and as JSON (sweep_schema.json): a row for each value of the parameter."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def table(sweep: Sweep, look: Look) -> str:
             word = "" if row.product is None else product(row.product, "T")
             cells.append(page.cell(word + _CHANGED if row.value in changed else word))
         lines.append([page.cell(number(row.value)), *cells])
-    titles = [_title(column) for column in sweep.columns]
+    titles = [column.title for column in sweep.columns]
     page.table([sweep.parameter, *titles, *(["product"] if names_products else [])], lines)
     if changed:
         page.put(
@@ -57,31 +57,20 @@ def _names_products(sweep: Sweep) -> bool:
     return wanted and any(row.product is not None for row in sweep.rows)
 
 
-def _title(column: Column) -> str:
-    if column.property is not None:
-        return column.property.title
-    power = f"({_half(column)})^{column.level}" if column.level > 1 else _half(column)
-    return f"‖{power}‖∞"
-
-
-def _half(column: Column) -> str:
-    return f"S_{column.nu}/p"
-
-
 def _cell(page: Page, row: Row, column: Column) -> Cell:
     """The cell of a column; a verdict has its colour, and a dash stands for no answer."""
     if row.result.status == "invalid":
         return page.cell("!", "bad")
-    if column.property is None:
+    if column.about is None:
         text = valued(row.norms[column.name]) if column.name in row.norms else None
     else:
-        given: Any = getattr(row.result, column.property.key)
+        given: Any = getattr(row.result, column.about.key)
         if isinstance(given, Verdict):
             return page.cell(marks.of_verdict(given).text, marks.of_verdict(given).role)
         if isinstance(given, Exponent):
             text = interval(given, brief=True)
         else:
-            text = words.value(row.result, column.property, bare=True)
+            text = words.value(row.result, column.about, bare=True)
     if text is not None:
         return page.cell(text)
     return page.cell(*("?", "open") if column.name in row.undecided else ("–", "none"))
@@ -105,20 +94,20 @@ def _csv_row(sweep: Sweep, row: Row) -> dict[str, Any]:
         line |= _csv_cells(row, column)
     if any(column.name == "holder" for column in sweep.columns):
         line["product"] = None if row.product is None else " ".join(map(str, row.product))
-    return {**line, "error": "; ".join(map(_sentence, row.result.problems)) or None}
+    return {**line, "error": "; ".join(dict.fromkeys(map(_sentence, row.result.problems))) or None}
 
 
 def _csv_cells(row: Row, column: Column) -> dict[str, Any]:
-    if column.property is None:
+    if column.about is None:
         known = row.norms.get(column.name)
         return _enclosed(column.name, Interval() if known is None else enclosed(known))
-    given: Any = getattr(row.result, column.property.key)
+    given: Any = getattr(row.result, column.about.key)
     if isinstance(given, Verdict):
         return {column.name: None if row.result.status == "invalid" else given.value}
     if isinstance(given, Smoothness):
         order = "infinity" if given.order == INFINITY else given.order
         return {column.name: order, f"{column.name}_sharp": str(given.sharp).lower()}
-    if column.property.form != "exponent":
+    if column.about.form != "exponent":
         return {column.name: given}
     exponent = given or Exponent()
     exact = None if exponent.exact is None else spelled(exponent.exact)
@@ -151,8 +140,8 @@ def _json_row(sweep: Sweep, row: Row) -> Iterator[tuple[str, Any]]:
     for column in sweep.columns:
         if row.result.status == "invalid":
             yield column.name, None
-        elif column.property is not None:
-            yield column.name, of_property(row.result, column.property)
+        elif column.about is not None:
+            yield column.name, of_property(row.result, column.about)
         else:
             known = row.norms.get(column.name)
             yield column.name, None if known is None else as_value(enclosed(known))
