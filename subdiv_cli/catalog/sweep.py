@@ -48,7 +48,7 @@ def rows(
         except MaskFileError as error:
             schemes[value] = invalid(family.mask.file, error.problems)
     there = [value for value, scheme in schemes.items() if not isinstance(scheme, Result)]
-    results: Iterator[Result] = iter(())
+    results: Iterator[Result] = (Result(file=family.mask.file, status="undecided") for _ in there)
     if there and any(column.about is not None for column in columns):
         overrides = {**{name: (value,) for name, value in family.fixed.items()}, family.parameter: there}
         target = family.mask if family.mask.file == "-" or not family.mask.source.toml else family.mask.file
@@ -57,8 +57,7 @@ def rows(
         if isinstance(scheme, Result):
             yield Row(value, scheme)
         else:
-            result = next(results, Result(file=family.mask.file, status="undecided", kind=family.mask.kind))
-            yield _row(value, result, scheme, columns, Effort(work))
+            yield _row(value, next(results), scheme, columns, Effort(work))
 
 
 def _row(value: Fraction, result: Result, scheme: Scheme, columns: Sequence[Column], effort: Effort) -> Row:

@@ -14,14 +14,16 @@ from lxml import etree
 from support import four_point, subdiv
 
 import subdiv_cli
+from subdiv_cli import pipeline
 from subdiv_cli.catalog import masks_directory
 from subdiv_cli.catalog.task import Done
 from subdiv_cli.cli import progress
 from subdiv_cli.cli.sweep import _Values
 from subdiv_cli.maskfile.option import MOST_VALUES
-from subdiv_cli.model import Result
+from subdiv_cli.model import Exponent, Finding, Result, Verdict
+from subdiv_cli.model.findings import HOLDER_UPPER
 from subdiv_cli.model.properties import BY_KEY
-from subdiv_cli.model.sweep import Row, changes
+from subdiv_cli.model.sweep import Row, changes, maximizing_product
 
 MASKS = masks_directory()
 FOUR = MASKS / "scalar" / "four_point.toml"
@@ -158,6 +160,27 @@ def test_an_enclosure_that_is_wide_is_not_decided(sweep, tmp_path):
         assert row["holder"]["upper"] - row["holder"]["lower"] > 1
     assert len(vertices(group(picture, "band"))) == 5, "two ends at two values, and one number"
     assert "2.17 .. 4" in sweep(*words).stdout
+    rows = data(sweep(*words[:2], "--columns", "convergent,smoothness", "--effort", 40, "--format", "json"))["rows"]
+    assert [row["undecided"] for row in rows] == [[], ["smoothness"], ["smoothness"]]
+
+
+def test_a_norm_beyond_the_effort_is_not_decided(sweep):
+    """Level 9 has more coefficients than that; at w = 0 there is no S_3, which is an answer."""
+    words = [FOUR, "w=0,1/16", "--columns", "norm:3:9", "--effort", 500]
+    run = sweep(*words, "--format", "json")
+    assert run.returncode == 3
+    assert [(row["norm:3:9"], row["undecided"]) for row in data(run)["rows"]] == [(None, []), (None, ["norm:3:9"])]
+    assert [line.split() for line in sweep(*words).stdout.splitlines()[-2:]] == [["0", "–"], ["1/16", "?"]]
+
+
+@pytest.mark.parametrize(("exact", "word"), [(Q(1), (0, 1)), (None, None)])
+def test_only_an_exact_exponent_is_attained_by_a_product(exact, word):
+    finding = Finding(
+        code="SD312", name="holder-upper", verdict=Verdict.PROVED, statement="", source="",
+        answers=((HOLDER_UPPER, Exponent(upper=1.0)),), witness={"word": (1, 0)},
+    )  # fmt: skip
+    result = Result(file="", status="passed", findings=(finding,), holder=Exponent(0.5, 1.0, exact))
+    assert maximizing_product(result) == word
 
 
 def group(picture, name):
@@ -222,12 +245,15 @@ def test_a_value_without_a_mask_is_a_row(sweep):
 
 
 def test_an_internal_error_is_none_of_the_values(sweep, monkeypatch):
-    def broken(*_):
-        raise ZeroDivisionError("ours")
+    def broken(scheme, *rest, check=pipeline.check):
+        if scheme == four_point("1/17"):
+            raise ZeroDivisionError("ours")
+        return check(scheme, *rest)
 
-    monkeypatch.setattr("subdiv_cli.pipeline.check", broken)
+    monkeypatch.setattr(pipeline, "check", broken)
     run = sweep(FOUR, "w=1/17,1/18")
     assert run.returncode == 2
+    assert re.search(r"^  1/18 +✓ proved", run.stdout, re.MULTILINE)
     assert "error[SD099] internal error: ZeroDivisionError: ours" in run.stderr
 
 
