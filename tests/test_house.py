@@ -214,7 +214,8 @@ def loaded_by(*arguments):
 
 
 def test_help_loads_neither_numpy_nor_flint_nor_rich():
-    for arguments in (["--help"], ["check", "--help"], ["show", "--help"], ["plot", "--help"], ["--version"]):
+    helps = [[command, "--help"] for command in ("check", "show", "plot", "sweep")]
+    for arguments in (["--help"], *helps, ["--version"]):
         assert not {"numpy", "flint", "rich", "matplotlib"} & loaded_by(*arguments)
 
 

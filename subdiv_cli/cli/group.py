@@ -21,6 +21,7 @@ COMMANDS = {
     "check": ("subdiv_cli.cli.check", "Check masks: convergence, smoothness, expectations."),
     "show": ("subdiv_cli.cli.show", "Take a mask apart: symbol, matrices, stencils, Q, error bounds."),
     "plot": ("subdiv_cli.cli.plot", "Draw the refinable function, its derivatives, and curves."),
+    "sweep": ("subdiv_cli.cli.sweep", "A table or picture of exponents and norms along a family."),
     "smooth": ("subdiv_cli.cli.smooth", "Write a smoother scheme, or the derived one: a new mask file."),
     "blend": ("subdiv_cli.cli.blend", "Join two masks by special rules that keep polynomials."),
     "jsr": ("subdiv_cli.cli.jsr", "Joint spectral radius of matrices, with proof."),

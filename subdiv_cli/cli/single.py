@@ -93,27 +93,36 @@ def read(meant: Named) -> One:
 def read_family(meant: Named) -> list[One]:
     """The masks that are named, at every combination of their parameters' values. Exits with 2 as `read` does."""
     meant.usage()
-    from subdiv_cli.kinds.option import from_given
-    from subdiv_cli.kinds.reading import read_path
     from subdiv_cli.maskfile import MaskFileError
     from subdiv_cli.maskfile.mask import no_such_parameter
-    from subdiv_cli.maskfile.option import Given, parse_override
+    from subdiv_cli.maskfile.option import parse_override
 
     try:
         values: dict[str, list[Fraction]] = {}
         for name, value in map(parse_override, meant.parameters):
             values.setdefault(name, []).append(value)
-        given = Given(meant.start, meant.arity, tuple(values))
-        if meant.mask is not None:
-            masks = [from_given(meant.mask, given)]
-        else:
-            masks = [read_path(file, capability=meant.capability, given=given) for file in meant.files]
+        masks = read_masks(meant, tuple(values))
         there = {name for mask in masks for name in mask.parameters}
         if len(masks) > 1 and (strange := [name for name in values if name not in there]):
             complain([no_such_parameter(name, there) for name in strange])
         return [one for mask in masks for one in _variants(mask, values, alone=len(masks) == 1)]
     except MaskFileError as error:
         complain(error.problems)
+
+
+def read_masks(meant: Named, names: tuple[str, ...]) -> list[MaskFile]:
+    """The masks that are named, at no values of their parameters yet; `names` are those that the command line gives.
+
+    Raises MaskFileError.
+    """
+    from subdiv_cli.kinds.option import from_given
+    from subdiv_cli.kinds.reading import read_path
+    from subdiv_cli.maskfile.option import Given
+
+    given = Given(meant.start, meant.arity, names)
+    if meant.mask is not None:
+        return [from_given(meant.mask, given)]
+    return [read_path(file, capability=meant.capability, given=given) for file in meant.files]
 
 
 def _variants(mask: MaskFile, values: Mapping[str, Sequence[Fraction]], *, alone: bool) -> Iterator[One]:

@@ -7,7 +7,7 @@ the verdicts of earlier stages, and answers with findings.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import wraps
@@ -363,3 +363,8 @@ class Kind:
     portraits: Portraits | None = None
     drawings: tuple[Drawings, ...] | None = None
     smoothing: Smoothing | None = None
+    norms: Callable[[Any, int, Effort], Iterator[Fraction] | None] | None = None
+    """The norms ‖((1/p) S_ν)^L‖∞ of a scheme of arity p for L = 1, 2, …, to the end of the effort.
+
+    None where there is no scheme S_ν of divided differences of order ν >= 1.
+    """

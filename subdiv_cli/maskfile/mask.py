@@ -134,7 +134,8 @@ def no_such_parameter(name: str, parameters: Collection[str]) -> Problem:
     message = f"no mask here has a parameter {shown(name)}"
     guess = near(name, parameters)
     there = ", ".join(shown(p) for p in sorted(parameters)[:8])
-    help = f"did you mean {shown(guess)}?" if guess else f"there are {there}" if there else "leave -p out"
+    none = "declare it in [parameters], or leave it out"
+    help = f"did you mean {shown(guess)}?" if guess else f"there are {there}" if there else none
     return faults.BAD_PARAMETER.problem(message, help, file="-p")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -11,7 +12,7 @@ from subdiv_cli.maskfile.bounds import MAX_FILE_BYTES
 from subdiv_cli.maskfile.expressions import evaluate
 from subdiv_cli.maskfile.grammar import parse
 from subdiv_cli.maskfile.laurent import Work
-from subdiv_cli.maskfile.problems import Fault, MaskFileError, near, shown
+from subdiv_cli.maskfile.problems import Fault, MaskFileError, near, shown, shown_number
 from subdiv_cli.maskfile.properties import KEYS, ORDER, TRUTHS, comparison, expectation
 from subdiv_cli.maskfile.tokens import is_name
 from subdiv_cli.model import Expectation
@@ -27,6 +28,8 @@ class Given(NamedTuple):
 
 
 NOTHING_GIVEN = Given()
+MOST_VALUES = 10_000
+"""The most values of a parameter that a sweep takes."""
 
 
 _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
@@ -34,28 +37,89 @@ _PROPERTY = re.compile(r"([^\W\d]\w*)\s*([=<>≥≤].*)?", re.DOTALL)
 
 def parse_override(text: str) -> tuple[str, Fraction]:
     """The name and the value that `-p w=1/20` gives, any expression in numbers. Raises MaskFileError."""
-    left, equals, value = text.partition("=")
-    name = left.strip()
     try:
-        if not equals:
-            help = f"write NAME=VALUE: -p {shown(name) if is_name(name) else 'w'}=1/20"
-            raise Fault(faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', help, len(text))
-        if not is_name(name):
-            raise Fault(
-                faults.BAD_PARAMETER, f'"{shown(name)}" cannot be a parameter\'s name', "write NAME=VALUE: -p w=1/20"
-            )
-        if not value.strip():
-            raise Fault(
-                faults.BAD_PARAMETER, f"no value for {shown(name)}", f"write a number: -p {shown(name)}=1/20", len(text)
-            )
-        if len(text) > MAX_FILE_BYTES:
-            raise Fault(faults.OUT_OF_BOUNDS, "the value is too long", "use a shorter number")
-        node = parse(value, (), at=len(left) + 1)
-        number = evaluate(node, {}, Work()).constant()
+        name, value, at = _assignment(text, "-p w=1/20")
+        if ":" in value:
+            help = f"for a table over a range: `subdiv sweep FILE {shown(text)}`"
+            message = f"-p gives {shown(name)} a value, not a range"
+            raise Fault(faults.BAD_PARAMETER, message, help, at + value.index(":"))
+        return name, _number(value, at)
     except Fault as fault:
         raise _of_option(text, fault, "-p") from None
+
+
+def parse_values(text: str) -> tuple[str, tuple[Fraction, ...]]:
+    """The name and the different values that `w=-1/2:1/2:1/100` or `w=1/16,1/20` gives, in this order.
+
+    `a:b:h` is a, a + h, …, up to b. Raises MaskFileError.
+    """
+    try:
+        name, rest, at = _assignment(text, "w=0:1/4:1/100")
+        values: dict[Fraction, None] = {}
+        for item in rest.split(","):
+            values |= dict.fromkeys(_range(item, at))
+            if len(values) > MOST_VALUES:
+                raise _too_many(at)
+            at += len(item) + 1
+        return name, tuple(values)
+    except Fault as fault:
+        raise _of_option(text, fault, "NAME=FROM:TO:STEP") from None
+
+
+def _assignment(text: str, example: str) -> tuple[str, str, int]:
+    """The name, the text behind `=`, and where that begins. Raises Fault where one of them is missing."""
+    left, equals, value = text.partition("=")
+    name = left.strip()
+    option, right = example.split("w=")
+    if not equals:
+        help = f"write NAME=VALUE: {option}{shown(name) if is_name(name) else 'w'}={right}"
+        raise Fault(faults.BAD_PARAMETER, f'"{shown(text)}" gives no value', help, len(text))
+    if not is_name(name):
+        message = f'"{shown(name)}" cannot be a parameter\'s name'
+        raise Fault(faults.BAD_PARAMETER, message, f"write NAME=VALUE: {example}")
+    if not value.strip():
+        help = f"write a number: {option}{shown(name)}={right}"
+        raise Fault(faults.BAD_PARAMETER, f"no value for {shown(name)}", help, len(text))
+    if len(text) > MAX_FILE_BYTES:
+        raise Fault(faults.OUT_OF_BOUNDS, "the value is too long", "use a shorter number")
+    return name, value, len(left) + 1
+
+
+def _range(text: str, at: int) -> Iterator[Fraction]:
+    """The values of an item, `a` or `a:b:h`. Raises Fault."""
+    parts = text.split(":")
+    if len(parts) not in (1, 3):
+        help = "write FROM:TO:STEP, as in 0:1/4:1/100"
+        raise Fault(faults.BAD_PARAMETER, f'"{shown(text.strip())}" is neither a value nor a range', help, at)
+    numbers, places = [], []
+    for part in parts:
+        places.append(at)
+        numbers.append(_number(part, at))
+        at += len(part) + 1
+    if len(parts) == 1:
+        return iter(numbers)
+    first, last, step = numbers
+    if not step:
+        raise Fault(faults.BAD_PARAMETER, "the step is 0", "a step leads from FROM towards TO", places[2])
+    count = (last - first) // step + 1
+    if count < 1:
+        help = f"write {'-' if step > 0 else ''}{shown_number(abs(step))}, or exchange FROM and TO"
+        raise Fault(faults.BAD_PARAMETER, f"the step leads away from {shown_number(last)}", help, places[2])
+    if count > MOST_VALUES:
+        raise _too_many(places[2])
+    return (first + i * step for i in range(count))
+
+
+def _too_many(at: int) -> Fault:
+    """The fault of more values than are taken at once."""
+    return Fault(faults.OUT_OF_BOUNDS, f"these are more than {MOST_VALUES} values", "take a larger step", at)
+
+
+def _number(text: str, at: int) -> Fraction:
+    """The number of an expression without names, which stands there in the text of an option. Raises Fault."""
+    number = evaluate(parse(text, (), at=at), {}, Work()).constant()
     assert number is not None, "z is not declared here"
-    return name, number
+    return number
 
 
 def parse_expectation(key: str, value: object) -> Expectation:

@@ -70,8 +70,8 @@ class Exponent(NamedTuple):
     def of_derivative(self, n: int) -> Exponent:
         """The exponent of the n-th derivative of functions that have this one, which is less by n; bounds outward."""
         return Exponent(
-            lower=None if self.lower is None else _outward(Fraction(self.lower) - n, -inf),
-            upper=None if self.upper is None else _outward(Fraction(self.upper) - n, inf),
+            lower=None if self.lower is None else outward(Fraction(self.lower) - n, -inf),
+            upper=None if self.upper is None else outward(Fraction(self.upper) - n, inf),
             exact=self.exact if self.exact is None or isinstance(self.exact, float) else plus(self.exact, -n),
             attained=self.attained,
             digits=None if self.digits is None else _digits_less(self.digits, n),
@@ -84,8 +84,8 @@ def _digits_less(digits: str, n: int) -> str | None:
     return None if "e" in digits or int(whole) < n else f"{int(whole) - n}{point}{rest}"
 
 
-def _outward(x: Fraction, towards: float) -> float:
-    """The double next to x in a direction, x itself where it is one."""
+def outward(x: Fraction, towards: float) -> float:
+    """The double next to x in a direction, x itself where it is one. Raises OverflowError beyond all doubles."""
     nearest = float(x)
     return nearest if (nearest >= x if towards > 0 else nearest <= x) else nextafter(nearest, towards)
 

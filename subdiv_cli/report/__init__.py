@@ -6,7 +6,7 @@ people: `words` says it, `marks` has the signs of verdicts, `reasons` the rows o
 certain digits, `letters` finds ASCII for the mathematics where it must, `page` gathers the lines in columns and
 `findings` leaves out what says the same again. `blocks` and `grids` set what kinds hand over (stencils, formulas,
 matrices), of which the pages of `show` consist. `problems` shows what is wrong with a file. `look` is all that a format
-knows beside the results. A format's module is imported when it is asked for.
+knows beside the results. A format's module is imported when it is asked for. `jsr` and `sweep` render no results.
 """
 
 from __future__ import annotations

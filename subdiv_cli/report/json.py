@@ -70,9 +70,9 @@ def as_data(result: Result, look: Look) -> dict[str, Any]:
         "parameters": plain(result.parameters),
         "status": result.status,
         "stopped": result.stopped,
-        "errors": [_error(problem) for problem in result.problems],
+        "errors": [as_error(problem) for problem in result.problems],
         "facts": plain(result.facts),
-        **{row.key: _property(result, row) for row in sorted(PROPERTIES, key=lambda row: row.form != "order")},
+        **{row.key: of_property(result, row) for row in sorted(PROPERTIES, key=lambda row: row.form != "order")},
         "expectations": [_expectation(result, judged) for judged in result.expectations],
         "findings": [_finding(finding) for finding in look.shown(result.findings)],
         "certificate": result.certificate,
@@ -84,7 +84,8 @@ def as_data(result: Result, look: Look) -> dict[str, Any]:
     }
 
 
-def _property(result: Result, row: Property) -> Any:
+def of_property(result: Result, row: Property) -> Any:
+    """A property of a result as JSON data."""
     given: Any = getattr(result, row.key)
     match row.form:
         case "verdict":
@@ -110,7 +111,8 @@ def _smoothness(smooth: Smoothness) -> dict[str, Any]:
     return {"order": "infinity" if smooth.order == INFINITY else smooth.order, "sharp": smooth.sharp}
 
 
-def _error(problem: Problem) -> dict[str, Any]:
+def as_error(problem: Problem) -> dict[str, Any]:
+    """A problem as JSON data."""
     return {
         "code": problem.code,
         "message": problem.message,
@@ -151,7 +153,7 @@ def _finding(finding: Finding) -> dict[str, Any]:
         "name": finding.name,
         "verdict": finding.verdict.value,
         "statement": finding.statement,
-        "value": _value(finding.value),
+        "value": as_value(finding.value),
         "source": finding.source,
         "reason": finding.reason,
         "why": finding.why,
@@ -160,7 +162,8 @@ def _finding(finding: Finding) -> dict[str, Any]:
     }
 
 
-def _value(value: Interval | None) -> dict[str, Any] | None:
+def as_value(value: Interval | None) -> dict[str, Any] | None:
+    """A number with its enclosure as JSON data."""
     if value is None:
         return None
     return {"exact": value.exact, "lower": finite(value.lower), "upper": finite(value.upper)}

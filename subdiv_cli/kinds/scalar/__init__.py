@@ -39,6 +39,7 @@ KIND = Kind(
         options=frozenset({"tolerance"}),
     ),
     drawings=(_CURVES, _FUNCTIONS),
+    norms=late("subdiv_cli.kinds.scalar.numbers.scalar:norms"),
     smoothing=Smoothing(
         late("subdiv_cli.kinds.scalar.smoothing:smoother"),
         late("subdiv_cli.kinds.scalar.smoothing:derived"),

@@ -125,11 +125,14 @@ class ScalarNumbers:
         return self._norms[nu]
 
     def _needed_norms(self, nu: int) -> Iterator[Fraction]:
-        symbol = self.difference(nu).scale(self.p ** (nu - 1))
-        for norm in power_norms(symbol, self.p, self.effort):
+        for norm in self.every_norm(nu):
             yield norm
             if norm < 1:
                 return
+
+    def every_norm(self, nu: int) -> Iterator[Fraction]:
+        """The norms ‖((1/p) S_ν)^L‖∞ for L = 1, 2, …, ν <= k, to the end of the effort."""
+        return power_norms(self.difference(nu).scale(self.p ** (nu - 1)), self.p, self.effort)
 
     @cached_property
     def growth(self) -> Growth | None:
@@ -178,3 +181,9 @@ class ScalarNumbers:
     def cycle(self) -> int | None:
         """The smallest n whose cycle of n-th roots of unity makes the translates dependent."""
         return next(cycles(self.symbol, self.p), None)
+
+
+def norms(scheme: ScalarScheme, nu: int, effort: Effort) -> Iterator[Fraction] | None:
+    """The norms ‖((1/p) S_ν)^L‖∞ for L = 1, 2, …, to the end of the effort; None where there is no S_ν, ν >= 1."""
+    numbers = ScalarNumbers(scheme, effort)
+    return numbers.every_norm(nu) if nu <= numbers.order else None
