@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -32,7 +32,7 @@ def root_of(s: Statement) -> RealRoot:
 def isolated_root(c: Claim) -> RealRoot:
     """The root that the claim's statement names. Raises Rejected unless there is exactly one.
 
-    Beyond degree 1 the polynomial changes its sign, and by Sturm it has one distinct real root between.
+    Beyond degree 1 the polynomial changes its sign, and it is monotone between, or by Sturm has one distinct real root.
     """
     m, low, high = root = root_of(c.statement)
     d = len(m) - 1
@@ -41,11 +41,22 @@ def isolated_root(c: Claim) -> RealRoot:
     if (exact := root.rational) is not None:
         require(low <= exact <= high, "the root is not in its interval")
         return root
-    size = max(map(abs, m)).bit_length()
-    c.spend(d**3, (d + 1) * size + d * max(fraction_bits(low), fraction_bits(high)))
+    size, more = max(map(abs, m)).bit_length(), d * max(fraction_bits(low), fraction_bits(high))
+    c.spend(9 * d, size + more)
     require(value(m, low) * value(m, high) < 0, "the root's polynomial does not change its sign in the interval")
-    require(sturm_count(m, low, high) == 1, "the root's interval does not have exactly one root")
+    if not _is_monotone(m, low, high):
+        c.spend(d**3, (d + 1) * size + more)
+        require(sturm_count(m, low, high) == 1, "the root's interval does not have exactly one root")
     return root
+
+
+def _is_monotone(m: Sequence[int], low: Fraction, high: Fraction) -> bool:
+    """Whether m' is certainly not zero in [low, high], 0 < low: |m'(low)| > (high - low) Σ k(k-1)|m_k| high^(k-2)."""
+    d, width = len(m) - 1, high - low
+    slope = [k * x for k, x in enumerate(m)][1:]
+    bend = [k * abs(x) for k, x in enumerate(slope)][1:]
+    left = abs(value(slope, low)) * high.denominator ** (d - 2) * width.denominator
+    return bool(left > width.numerator * value(bend, high) * low.denominator ** (d - 1))
 
 
 def fraction_bits(x: Fraction) -> int:

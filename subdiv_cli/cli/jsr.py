@@ -100,7 +100,7 @@ def command(
 
 def _read(file: str, parameters: tuple[str, ...]) -> tuple[MaskFile, Any, bool]:
     """The file, its matrices, and whether they were floats."""
-    from subdiv_cli.cli.matrix_files import family_text
+    from subdiv_cli.kinds.family_files import family_text
     from subdiv_cli.kinds.reading import read_text
     from subdiv_cli.maskfile.option import parse_override
 

@@ -14,11 +14,12 @@ from subdiv_cli.exact.enclosures import ball, interval
 from subdiv_cli.exact.linalg import matrix
 from subdiv_cli.exact.rationals import whole
 from subdiv_cli.exact.text import certain
-from subdiv_cli.jsr.family import Family
+from subdiv_cli.jsr.family import Family, Word
 from subdiv_cli.jsr.irreducible import zero_radius
 from subdiv_cli.jsr.products import WordProduct, radius_bound
 from subdiv_cli.jsr.radius import joint_spectral_radius, rough_radius
 from subdiv_cli.jsr.result import Radius
+from subdiv_cli.jsr.weights import growing_bound
 from subdiv_cli.model import Effort, Interval, Root, exact_root
 from subdiv_cli.model.family import FamilyRadius
 from subdiv_cli.model.proofs import LowerBound
@@ -47,13 +48,10 @@ def _answered(family: Family, radius: Radius | None, effort: Effort) -> FamilyRa
     stopped: Literal["budget"] | None = "budget" if effort.struck else None
     if radius is None:
         return FamilyRadius(order=family.order, letters=family.letters, stopped=stopped)
-    if radius.exact is None and family.order > _LARGEST_PRODUCT:
+    below = None if radius.exact is not None or radius.word is None else _below(family, radius.word)
+    if radius.exact is None and below is None and family.order > _LARGEST_PRODUCT:
         radius = radius._replace(word=None)
-    product = None if radius.word is None else WordProduct.of_word(family.matrices, radius.word)
-    bounds = _enclosed(radius, product)
-    below: LowerBound | None = None
-    if radius.exact is None and product is not None and product.eigenvalue.rational != 0:
-        below = {"word": product.word, "bound": radius_bound(product)}
+    bounds = _enclosed(radius, below)
     return FamilyRadius(
         order=family.order,
         letters=family.letters,
@@ -71,6 +69,14 @@ def _answered(family: Family, radius: Radius | None, effort: Effort) -> FamilyRa
     )
 
 
+def _below(family: Family, word: Word) -> LowerBound | None:
+    """The proof that the radius is at least that of a product; None where it is 0, or too dear for a checker."""
+    if family.order > _LARGEST_PRODUCT:
+        return growing_bound(family, word) if family.is_nonnegative else None
+    product = WordProduct.of_word(family.matrices, word)
+    return None if product.eigenvalue.rational == 0 else {"word": word, "bound": radius_bound(product)}
+
+
 def _best(radius: Radius | None, rough: Radius | None) -> Radius | None:
     """The radius with the smaller bound, and the product of the first where it has one."""
     if radius is None or rough is None:
@@ -84,7 +90,7 @@ def _primitive(word: tuple[int, ...]) -> tuple[int, ...]:
     return next(word[:d] for d in lengths if word[:d] * (len(word) // d) == word)
 
 
-def _enclosed(radius: Radius, product: WordProduct | None) -> Interval:
+def _enclosed(radius: Radius, below: LowerBound | None) -> Interval:
     length, bound = radius.upper
     with ctx.workprec(192):
         power = ball(1) / length
@@ -95,9 +101,9 @@ def _enclosed(radius: Radius, product: WordProduct | None) -> Interval:
         if bound == 0:
             return Interval(lower=0.0, upper=0.0, exact="0")
         upper = interval(ball(bound) ** power).upper
-        if product is None or product.eigenvalue.rational == 0:
+        if below is None:
             return Interval(lower=0.0, upper=upper)
-        return Interval(lower=interval(ball(radius_bound(product)) ** (ball(1) / len(product.word))).lower, upper=upper)
+        return Interval(lower=interval(ball(below["bound"]) ** (ball(1) / len(below["word"]))).lower, upper=upper)
 
 
 def _closed_form(length: int, root: Root) -> str | None:

@@ -40,9 +40,9 @@ _LARGE = 60
 _QUICK, _DEEP, _LONG = 10, 24, 300
 """The lengths of products in the first and in the second search, and where orders are small."""
 _THIN = 8
-"""The order beyond which polytopes are not grown where they prove less than an ellipsoid."""
-_CLOSE = 0.1
-"""The relative width of an enclosure by an ellipsoid beyond which open polytopes may prove more."""
+"""The order beyond which an ellipsoid proves more than most polytopes that are not closed: they are left out."""
+_CLOSE = 0.03
+"""The relative width of such an enclosure beyond which, up to a moderate order, they are measured all the same."""
 _SMALL = 8
 """The order up to which long products are searched before the polytopes of short ones are grown far."""
 _MODERATE, _SHORT = 30, 4
@@ -141,15 +141,16 @@ def _enclosed(family: Family, attempts: Sequence[_Attempt], effort: Effort) -> R
     if family.order > 1:
         ellipsoid = ellipsoid_bound(family, float(best.sigma / family.unit), effort)
     excess = math.inf
-    if ellipsoid is not None and family.order > _THIN:
-        excess = 2.0**ellipsoid.ceiling / float(best.sigma) - 1
+    if ellipsoid is not None and family.order > _THIN and not family.is_nonnegative:
+        top, bottom = best.sigma.as_integer_ratio()
+        excess = 2.0 ** (ellipsoid.ceiling - math.log2(top) + math.log2(bottom)) - 1
     states = [(attempt.sigma, state) for attempt in attempts for state in attempt.states]
     bound = _best_bound(family, [pair for pair in states if pair[1].closed], effort)
     if bound is None and (ellipsoid is None or family.order <= _LARGE):
-        work = effort.work if excess > _CLOSE else effort.work // 4
+        work = effort.work // 4 if excess < math.inf else effort.work
         slackened = attempts[-1].slackened(effort.limited(work, HALF), excess)
         states = [*states, *slackened]
-        if excess < _CLOSE:
+        if excess < (_CLOSE if family.order <= _MODERATE else math.inf):
             states = [pair for pair in slackened if pair[1].closed]
         bound = _best_bound(family, states, effort)
     if bound is None or (ellipsoid is not None and ellipsoid.upper[1] < bound.upper**2):

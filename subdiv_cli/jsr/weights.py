@@ -27,6 +27,8 @@ _SHORT = 2
 """The length of the products that may have the radius."""
 _SWEEPS = 2000
 _NEAR = 1e-10
+_ROUNDED = 40
+"""The binary places of a vector that grows."""
 _DENOMINATORS = (1, 60, 1000, 1 << 20)
 """The largest denominators of a vector's entries over the largest one, and of the radius."""
 
@@ -124,3 +126,25 @@ def _attained(
             return None
         u = vectors[0]
     return {"word": word, "bound": bound, "sign": 1, "left": left, "vector": u}
+
+
+def growing_bound(family: Family, word: tuple[int, ...]) -> LowerBound | None:
+    """A lower bound of the radius by a product Π of matrices that are not negative: Π v >= x v for a rounded v >= 0.
+
+    v is about its leading eigenvector; None where that has the eigenvalue 0.
+    """
+    floats = family.floats[list(word)]
+    v = np.ones(family.order)
+    for _ in range(_SWEEPS):
+        image = v
+        for m in floats:
+            image = m @ image
+        if not image.max() > 0:
+            return None
+        v = v / v.max() + image / image.max()
+    rounded = [Fraction(round(x * (1 << _ROUNDED)), 1 << _ROUNDED) for x in (v / v.max()).tolist()]
+    images = [to_fraction(x) for x in (family.product(word) * matrix([[x] for x in rounded])).entries()]
+    bound = min(y / x for x, y in zip(rounded, images, strict=True) if x)
+    digits = Fraction(1, 10**20)
+    bound = bound if bound < digits else bound // digits * digits
+    return {"word": word, "bound": bound, "sign": 1, "left": False, "vector": tuple(rounded)} if bound else None

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from support import subdiv
 
-from subdiv_cli.cli.matrix_files import family_text
+from subdiv_cli.kinds.family_files import family_text
 from subdiv_cli.maskfile.problems import MaskFileError
 
 PAIR = [[[1, 1], [0, 1]], [["4/5", 0], ["4/5", "4/5"]]]
