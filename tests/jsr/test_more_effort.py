@@ -57,7 +57,8 @@ LATER_IS_WORSE = [
 def test_the_best_bound_of_all_attempts_is_taken(monkeypatch):
     """The polytope of the shortest products has 18 vertices and the bound 7.3411…; those of later ones, 7.4988…."""
     monkeypatch.setattr(irreducible, "_QUICK_WORK", 20)
-    monkeypatch.setattr(irreducible._Attempt, "slackened", lambda attempt, effort: [])
+    monkeypatch.setattr(irreducible._Attempt, "slackened", lambda attempt, effort, most: [])
+    monkeypatch.setattr(irreducible, "ellipsoid_bound", lambda family, rate, effort: None)
     rows = Family([matrix([[Fraction(x) for x in row] for row in m]) for m in LATER_IS_WORSE])
     radius = irreducible.irreducible_radius(rows, Effort(110))
     assert radius.exact is None
