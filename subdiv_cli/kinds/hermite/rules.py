@@ -43,7 +43,6 @@ TAYLOR_SCHEME = row(
     "Merrien & Sauer 2012, Theorem 21; Moosmüller & Dyn 2018, Theorem 34 and Lemma 35",
     VectorDerivedWitness,
     proves="taylor derived derived-norm hermite-convergent smooth",
-    holds=True,
 )
 
 
