@@ -360,7 +360,8 @@ class _Proof:
             return [self.box.sobolev(witness["value"])]
         if witness["by"] == rules.HOLDER_LOWER.code:
             return self._between(witness)
-        return [self._mean_squares(finding, lower=not witness["holds"])]
+        above = [self._at_most(witness["above"])] if "above" in witness else []
+        return [self._mean_squares(finding, lower=not witness["holds"]), *above]
 
     def _between(self, witness: MultivariateSobolevWitness) -> list[int]:
         """The claims that bound the Sobolev exponent by the Hölder exponent."""
@@ -368,11 +369,13 @@ class _Proof:
         below = (first, *first.otherwise)[witness["below"]]
         lower = rules.HOLDER_LOWER.witness_of(below)
         statement = {"length": lower["length"], "bound": rational(upper_bound(lower))}
-        claims = [self.claims.prove("sobolev-at-least", statement, uses=self._lower(below)[:1])]
-        if "above" not in witness:
-            return claims
+        claim = self.claims.prove("sobolev-at-least", statement, uses=self._lower(below)[:1])
+        return [claim, *([self._at_most(witness["above"])] if "above" in witness else [])]
+
+    def _at_most(self, place: int) -> int:
+        """The claim that bounds the Sobolev exponent from above by the Hölder exponent, in that place."""
         first = self.facts[rules.HOLDER_UPPER]
-        above = (first, *first.otherwise)[witness["above"]]
+        above = (first, *first.otherwise)[place]
         upper = rules.HOLDER_UPPER.witness_of(above)
         length, bound = upper["length"], upper["radius"]
         if upper["by"] == rules.SUM_RULES.code:
@@ -380,7 +383,7 @@ class _Proof:
         else:
             length, bound, uses = 2 * length, bound**2 / self.m**length, [self._above(above)]
         statement = {"length": length, "bound": rational(bound)}
-        return [*claims, self.claims.prove("sobolev-at-most", statement, uses=uses)]
+        return self.claims.prove("sobolev-at-most", statement, uses=uses)
 
     def _mean_squares(self, finding: Finding, *, lower: bool) -> int:
         """The claim on s by the growth of mean squares, or on its bound from below."""

@@ -270,13 +270,13 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
     Always s - dimension/2 <= α <= s, α the Hölder exponent. Hypotheses: M isotropic, the order, that the mask is no box
     spline: checked; stability (SD616), for equality.
 
-    Where Λ is not known, α <= s, and s <= α + dimension/2 and s <= k for stable φ, by the bounds of SD614 and SD615.
+    Where that is no equality, α <= s and s <= α + dimension/2, and s <= k for stable φ, by bounds of SD614 and SD615.
 
     Witness: `by`, SD603 and `value`; or SD609, as SD614 has it, and `variables_above` of a factor that bounds s
     from above; or SD614, with the places, `below` and `above`, of the bounds among those that are known; or SD602, the
     order of the differences, with `polynomial`, that of Λ, integers, lowest power first; `low` and `high`, which
-    enclose Λ and no other zero of it; `holds`, whether s is equal to the bound. `proof`: these, and the `cofactor` that
-    makes the polynomial annihilate the sequences.
+    enclose Λ and no other zero of it; `holds`, whether s is equal to the bound, and `above` where another bounds it
+    from above. `proof`: these, and the `cofactor` that makes the polynomial annihilate the sequences.
     """
     if numbers.box is not None:
         return (_sobolev_of_box_spline(numbers.box.depth),)
@@ -288,8 +288,10 @@ def sobolev(numbers: MultivariateNumbers, facts: Facts) -> tuple[Finding, ...]:
         return (SOBOLEV.skipped(_SOBOLEV_QUESTION, reason),)
     known = numbers.mean_squares
     stably = facts.verdict(STABILITY) is Verdict.PROVED
-    by_growth = [] if known is None or known.growth is None else [_of_mean_squares(numbers, known.growth, stably)]
-    findings = [*by_growth, *_between(numbers, facts)]
+    findings = [*_between(numbers, facts)]
+    if known is not None and known.growth is not None:
+        by_growth = _of_mean_squares(numbers, known.growth, stably)
+        findings = [by_growth, *findings] if stably else _by_both(by_growth, findings)
     if findings:
         return (best_of(findings),)
     large = "the operator on correlations is too large for this effort"
@@ -315,6 +317,20 @@ def _between(numbers: MultivariateNumbers, facts: Facts) -> Iterator[Finding]:
             statement = f"{rounded_down(low)} ≤ s ≤ {rounded_up(high)}, {why}"
             yield SOBOLEV.proved(statement, {**witness, "above": j}, Interval(low, high), why=why)
         yield SOBOLEV.proved(f"s ≥ {rounded_down(low)}, {why}", witness, Interval(lower=low), why=why)
+
+
+def _by_both(by_growth: Finding, between: list[Finding]) -> list[Finding]:
+    """The findings on s where mean squares bound it from below only, with the best bounds first."""
+    if not between or _lower_of(between[0]) >= _lower_of(by_growth):
+        return [*between, by_growth]
+    witness = SOBOLEV.witness_of(between[0])
+    if "above" not in witness or between[0].value is None or between[0].value.upper is None:
+        return [by_growth, *between]
+    high, why = between[0].value.upper, f"{by_growth.why}; from above by the Hölder exponent"
+    both: MultivariateSobolevWitness = {**SOBOLEV.witness_of(by_growth), "above": witness["above"]}
+    value = Interval(_lower_of(by_growth), high)
+    statement = f"{rounded_down(_lower_of(by_growth))} ≤ s ≤ {rounded_up(high)}: {why}"
+    return [SOBOLEV.proved(statement, both, value, proof=by_growth.proof, why=why), *between]
 
 
 def _apart(finding: Finding | None) -> list[tuple[int, Finding]]:
