@@ -104,7 +104,7 @@ def command(
                     break
                 checked.append((scheme, check(scheme, (), part)))
     scheme, known = max(checked, key=lambda pair: _exponent(pair[1])) if best else checked[0]
-    text = _text(scheme, known, files, spacing, degree, positive, best)
+    text = _text(scheme, known, files, spacing, degree, support, positive, best)
     if output is None:
         emit(text, sys.stdout, encoding="utf-8")
     elif not put_file(output, text):
@@ -144,6 +144,7 @@ def _text(
     files: list[MaskFile],
     spacing: tuple[Fraction, Fraction],
     degree: int | None,
+    support: int | None,
     positive: bool,
     best: bool,
 ) -> str:
@@ -155,6 +156,7 @@ def _text(
     if set(spacing) != {Fraction(1)}:
         words += ["--spacing", f"{spacing[0]},{spacing[1]}"]
     words += [] if degree is None else ["--degree", str(degree)]
+    words += [] if support is None else ["--support", str(support)]
     words += ["--positive"] * positive + ["--best"] * best
     title = f"{names[0]} joined to {names[1]}"
     mask = from_scheme(scheme, name=title, expectations=tuple(_expectations(checked)))

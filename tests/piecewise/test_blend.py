@@ -38,6 +38,22 @@ def test_knots_are_inserted_where_spacings_change():
     assert (result.generation, result.holder.exact) == (3, 3)
 
 
+def test_rules_of_the_other_mask_are_positive_too():
+    """Without negative weights: rules that the other mask has, where these have some, are replaced by means."""
+    wide = type(FOUR)(arity=2, start=-7, coefficients=FOUR.coefficients)
+    assert min(w for _, row in blended(wide, FOUR, degree=1)[0].scheme.special for _, w in row) < 0
+    for blend in blended(wide, FOUR, degree=1, positive=True):
+        assert len(blend.rules) == len(blend.scheme.special) > 1
+        assert min(w for _, row in blend.scheme.special for _, w in row) > 0
+        assert check(blend.scheme, (), Effort()).result.generation == 1
+
+
+def test_special_rules_are_where_files_may_have_them():
+    far = type(CUBIC)(arity=2, start=100, coefficients=CUBIC.coefficients)
+    with pytest.raises(ImpossibleError, match="beyond 100; shift the masks towards 0"):
+        blended(CUBIC, far)
+
+
 def test_nothing_is_changed_where_nothing_must_be():
     assert all(not blend.scheme.special for blend in blended(CUBIC, CUBIC))
     assert not blended(FOUR, CUBIC, degree=1)[0].rules
@@ -150,6 +166,7 @@ def test_options_of_the_command():
     assert read_text(run.stdout, file="blend.toml").scheme({}).spacing == (1, 2)
     more = blend_command("four_point", "bspline_degree_3", "--support", "6")
     assert more.returncode == 0
+    assert more.stdout.splitlines()[0].endswith(" --support 6")
     best = blend_command("bspline_degree_5", "bspline_degree_6", "--best")
     assert (best.returncode, "Hölder exponent 5" in best.stderr) == (0, True)
 

@@ -164,6 +164,16 @@ def test_limits_that_are_constant_near_zero():
     assert result.generation == 0
 
 
+def test_cells_of_both_sides_need_the_same_data():
+    """A mask so wide that it reads all data of the other side: where the spacings differ, it keeps no linear data."""
+    weights = (-5, 0, 49, 0, -245, 0, 1225, 2048, 1225, 0, -245, 0, 49, 0, -5)
+    wide = type(HAT)(arity=2, start=-7, coefficients=tuple(Fraction(x, 2048) for x in weights))
+    assert answer(PiecewiseScheme(HAT, wide)).generation == 1
+    for spacing in ((1, 2), (3, 1)):
+        scheme = PiecewiseScheme(HAT, wide, tuple(map(Fraction, spacing)))
+        assert answer(scheme).generation == answer(mirrored(scheme)).generation == 0
+
+
 def test_limits_that_vanish_are_no_convergence():
     """A row of sum 1/2 makes limits 0 at 0; a mask whose limits are all 0 does not converge either."""
     half = at_points((0, ((0, Fraction(1, 2)),)))

@@ -231,6 +231,8 @@ def test_an_irrational_radius_is_the_only_root_outside():
     assert with_claim("plain", "eigenvalues", claim["statement"], (), claim["witness"]).verified
     forged = {**claim["witness"], "inner": "3/10"}
     assert "not one root outside" in with_claim("plain", "eigenvalues", claim["statement"], (), forged).line
+    squared = {**claim["statement"], "length": 2}
+    assert "that is not inside" in with_claim("plain", "eigenvalues", squared, (), claim["witness"]).line
 
 
 FACTS = {

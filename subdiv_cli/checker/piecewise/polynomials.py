@@ -31,7 +31,8 @@ def generation(c: Claim) -> None:
 def is_generated(window: Window, d: int) -> bool:
     """Whether there is a sequence with S q = p^-d q that is that of the masks where the cells have their data.
 
-    With q known at those points, S q - p^-d q = 0 on the window is linear in the other values.
+    Where cells of both sides need the same data, both masks must agree. With q known at those points, S q - p^-d q = 0
+    on the window is linear in the other values.
     """
     p, known = window.masks.arity, dict[int, Fraction]()
     for cells in window.cells:
@@ -39,7 +40,9 @@ def is_generated(window: Window, d: int) -> bool:
         if polynomial is None:
             return False
         for i in cells.points:
-            known[i] = sum((x * i**r for r, x in enumerate(polynomial)), Fraction(0))
+            x = sum((c * i**r for r, c in enumerate(polynomial)), Fraction(0))
+            if known.setdefault(i, x) != x:
+                return False
     unknown = [i for i in window.points if i not in known]
     rows: list[Row] = []
     for i in window.points:

@@ -56,8 +56,8 @@ def eigenvalues(c: Claim) -> None:
     """ρ^ℓ = Λ for the spectral radius ρ of one matrix, from factors of its characteristic polynomial.
 
     A factor whose roots have one modulus by its coefficients, of degree 1, or of degree 2 with complex roots or roots
-    ± r, has |λ|^ℓ = Λ; or it is the polynomial of Λ, or that of -Λ, and all of its roots but one lie in |z| < r, where
-    r^ℓ < Λ. All roots of the others lie in |z| < r, and one factor is not of those.
+    ± r, has |λ|^ℓ = Λ; or, for ℓ = 1, it is the polynomial of Λ, or that of -Λ, and all of its roots but one lie in
+    |z| < r, where r^ℓ < Λ. All roots of the others lie in |z| < r, and one factor is not of those.
     """
     factors, r, length = c.witness["factors"], c.witness["inner"], c.statement["length"]
     f = polynomial_of(c, c.family())
@@ -72,7 +72,7 @@ def eigenvalues(c: Claim) -> None:
         square = _square(g)
         if square is not None and root.rational is not None and square**length == root.rational**2:
             reached = True
-        elif root.rational is None and _primitive(g) in own:
+        elif root.rational is None and length == 1 and _primitive(g) in own:
             require(_roots_inside(g, r) == len(g) - 2, f"factor {number} has not one root outside the inner radius")
             reached = True
         else:

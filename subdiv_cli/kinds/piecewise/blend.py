@@ -17,6 +17,7 @@ from typing import NamedTuple
 from subdiv_cli.exact.programs import Optimum, largest_least_weight
 from subdiv_cli.kinds.piecewise.numbers.polynomials import Polynomial, at, eigen_polynomials
 from subdiv_cli.kinds.piecewise.scheme import PiecewiseScheme, Row
+from subdiv_cli.kinds.piecewise.text import LARGEST_POINT
 from subdiv_cli.kinds.scalar.scheme import ScalarScheme
 
 _BOUNDARIES = (1, 0)
@@ -124,11 +125,13 @@ def _blend(
         if wanted.are_met(i, plain.ordinary(i)):
             continue
         other = _row_of(right if i < 0 else left, i)
-        if wanted.are_met(i, other):
+        if wanted.are_met(i, other) and not (positive and any(weight < 0 for _, weight in other)):
             rows.append((i, other))
             continue
         rules[i] = _rule(wanted, i, support, positive)
         rows.append((i, rules[i].row))
+    if any(abs(x) > LARGEST_POINT for i, row in rows for x in (i, *dict(row))):
+        raise ImpossibleError(f"special rules lie or read beyond {LARGEST_POINT}; shift the masks towards 0")
     return Blend(PiecewiseScheme(left, right, spacing, tuple(rows)), len(wanted.left) - 1, rules, wanted.boundary)
 
 

@@ -69,7 +69,10 @@ def sequences(functionals: Functionals) -> tuple[tuple[Fraction, ...], ...]:
 def _sequence(functionals: Functionals, polynomials: Sequence[Polynomial]) -> tuple[Fraction, ...] | None:
     """The values of q_d, d the degree of the polynomials of both sides; None where there is no such sequence."""
     window, a = functionals.window, functionals.refinement
-    known = dict(known_values(functionals.cells, polynomials))
+    given_twice = known_values(functionals.cells, polynomials)
+    known = dict(given_twice)
+    if any(known[i] != x for i, x in given_twice):
+        return None
     degree, size = len(polynomials[0]) - 1, len(window)
     system = a - identity(size) * to_fmpq(Fraction(1, functionals.scheme.arity**degree))
     rows = system.tolist()
