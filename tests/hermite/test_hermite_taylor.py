@@ -7,7 +7,7 @@ from math import factorial
 
 import pytest
 from flint import fmpq, fmpq_mat
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from matrix_masks import HERMITE_CUBIC, conjugated, de_rham, hermite_interpolation, merrien, scheme, smoothed_jets
 
@@ -58,6 +58,7 @@ def remainders(c, d):
 
 
 @pytest.mark.parametrize("name", MASKS)
+@settings(max_examples=20)
 @given(data=st.data())
 def test_the_law(name, data):
     """T S_A c = p^-(d-1) S_B T c, equation (30) of Moosmüller & Dyn for d = 2 = p."""
