@@ -99,3 +99,13 @@ def test_the_words_of_a_tree_are_the_ends_of_all_words():
         total = np.linalg.multi_dot([np.eye(2), *(images[k] for k in reversed(word))])
         assert np.linalg.norm(total, 2) < 1
     assert _tree(images, len(words) - 1, Effort()) is None
+
+
+@pytest.mark.parametrize("scale", [Fraction(18 * 10**30), Fraction(7, 10**25), Fraction(18, 10**6)])
+def test_units_of_the_numbers_do_not_matter(scale):
+    """A turn and a swap times a number: the unit circle shows that it is the radius."""
+    family = [[[scale * x for x in row] for row in m] for m in (TURN, [[0, 1], [1, 0]])]
+    found = proved(family)
+    assert found.root[1] == (-((scale ** found.root[0]).numerator), (scale ** found.root[0]).denominator)
+    assert found.bounded
+    assert "ellipsoid" in found.rules
