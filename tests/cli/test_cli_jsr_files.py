@@ -113,6 +113,38 @@ def test_bad_files_are_refused(tmp_path, data, message):
     assert "Traceback" not in run.stderr
 
 
+@pytest.mark.parametrize(
+    ("text", "place", "message"),
+    [
+        ("[[[1, 2],\n [3 4]]]", ":2:5", "this is not valid JSON: Expecting ',' delimiter"),
+        ('{"matrices": [[[1]]]', ":1:21", "this is not valid JSON: Expecting ',' delimiter"),
+        ("[[[01]]]", ":1:5", "this is not valid JSON"),
+        ("[" * 30_000, "", "this is not valid JSON: it is nested too deep"),
+        ('{"matrices": [[[1]]], "name": {}}', "", "the name is no text"),
+        ('{"matrices": [[[1]]], "name": 5}', "", "the name is no text"),
+    ],
+)
+def test_text_that_is_no_json_is_refused_where_it_goes_wrong(tmp_path, text, place, message):
+    file = tmp_path / "bad"
+    file.write_text(text, encoding="utf-8")
+    run = subdiv("jsr", file)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert message in run.stderr
+    assert f"--> {file}{place}\n" in run.stderr
+
+
+@pytest.mark.parametrize("shape", ["(True, True)", "(1, 1), 1: 2", "(1, ", "(1 * 10**9,)"])
+def test_headers_that_numpy_does_not_expect(tmp_path, shape):
+    """Whatever numpy raises, the file is refused, and with the same words every time."""
+    header = f"{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}}}\n".encode()
+    file = tmp_path / "bad.npy"
+    file.write_bytes(b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header + bytes(8))
+    run = subdiv("jsr", file)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert "error[SD006] the array cannot be read: " in run.stderr
+    assert "0x" not in run.stderr
+
+
 def test_rows_of_two_lengths_are_named_by_their_place(tmp_path):
     file = tmp_path / "bad.json"
     file.write_text("[[[1, 2], [3]]]", encoding="utf-8")
@@ -186,6 +218,7 @@ def test_without_scipy_the_extra_is_named(monkeypatch, tmp_path):
         ('[[["12345678901234567890123/3"]]]', "✓ joint spectral radius = a long fraction = 4.115226300411522"),
         ('[[["5/3"]]]', "✓ joint spectral radius = 5/3 = 1.66666"),
         ("[[[2]]]", "✓ joint spectral radius = 2\n"),
+        ("[[[1e400]]]", "✓ joint spectral radius = a long fraction = 1.000000000000000e400\n"),
     ],
 )
 def test_long_numbers_are_shown_by_their_decimals(tmp_path, matrices, line):
