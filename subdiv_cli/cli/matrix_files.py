@@ -123,25 +123,25 @@ def _check_size(data: bytes) -> None:
 
 def _mat(data: bytes, file: str) -> list[Any]:
     """The matrices in the variables of a file, in the order of their names; N×N×p and cell arrays have several."""
-    load, errors = _loadmat(file)
+    load = _loadmat(file)
     try:
         variables = load(io.BytesIO(data), chars_as_strings=False)
-    except errors as error:
+    except Exception as error:  # many kinds, of compression too
         raise _fault(f"the file cannot be read: {error}", "save it by save -v7", file) from None
     named = [variables[name] for name in sorted(variables, key=_natural) if not name.startswith("__")]
     return [matrix for value in named for matrix in _members(value)]
 
 
-def _loadmat(file: str) -> tuple[Callable[..., dict[str, Any]], tuple[type[Exception], ...]]:
-    """The function of scipy that reads .mat files, and what it raises."""
+def _loadmat(file: str) -> Callable[..., dict[str, Any]]:
+    """The function of scipy that reads .mat files."""
     try:
-        loadmat, bad = import_module("scipy.io").loadmat, import_module("scipy.io.matlab").MatReadError
+        loadmat: Callable[..., dict[str, Any]] = import_module("scipy.io").loadmat
     except ImportError:
         problem = faults.UNREADABLE_FILE.problem(
             ".mat files are read by scipy, which is not installed", 'pip install "subdiv[mat]"', file=file
         )
         raise MaskFileError([problem]) from None
-    return loadmat, (bad, ValueError, TypeError, NotImplementedError, OSError, EOFError, LookupError, MemoryError)
+    return loadmat
 
 
 def _natural(name: str) -> tuple[str, int, str]:
@@ -164,6 +164,7 @@ def _of_arrays(arrays: list[Any], file: str) -> FamilyText:
             raise _fault(f"a matrix has the shape {array.shape}", f"save {_SHAPES}, N at most {MAX_MATRIX_ORDER}", file)
         if array.dtype.kind not in "biuf":
             raise _fault(f"the numbers are of type {array.dtype}", "save real numbers", file)
+    arrays = [array.toarray() if hasattr(array, "toarray") else array for array in arrays]  # sparse ones
     matrices = [[[_number(x, file) for x in row] for row in array] for array in arrays[: MAX_MATRICES + 1]]
     floats = any(array.dtype.kind == "f" and (array % 1).any() for array in arrays)
     return FamilyText(f"matrices = {_spelled(matrices)}\n", floats)

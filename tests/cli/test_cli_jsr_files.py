@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import sys
+import zlib
 from types import ModuleType
 
 import numpy as np
@@ -160,8 +161,9 @@ def as_scipy(monkeypatch, variables):
         pass
 
     def loadmat(stream, **_):
-        if not stream.read().startswith(b"MATLAB"):
+        if not (data := stream.read()).startswith(b"MATLAB"):
             raise MatReadError("Unknown mat file type")
+        zlib.decompress(data.removeprefix(b"MATLAB 5.0") or zlib.compress(b""))
         return {"__version__": "1.0", **variables}
 
     package, io_module, matlab = ModuleType("scipy"), ModuleType("scipy.io"), ModuleType("scipy.io.matlab")
@@ -177,14 +179,25 @@ def cells(*matrices):
     return array
 
 
+class Sparse:
+    """A matrix as scipy.sparse has them: no array, but it makes one."""
+
+    def __init__(self, full):
+        self.full, self.ndim, self.shape, self.dtype = full, full.ndim, full.shape, full.dtype
+
+    def toarray(self):
+        return self.full
+
+
 @pytest.mark.parametrize(
     "variables",
     [
         {"M10": FLOATS[1], "M2": FLOATS[0]},
         {"M": np.moveaxis(FLOATS, 0, 2)},
         {"M": cells(*FLOATS)},
+        {"A": Sparse(FLOATS[0]), "B": Sparse(FLOATS[1])},
     ],
-    ids=["variables", "pages", "cells"],
+    ids=["variables", "pages", "cells", "sparse"],
 )
 def test_variables_of_a_mat_file(monkeypatch, tmp_path, variables):
     as_scipy(monkeypatch, variables)
@@ -194,13 +207,14 @@ def test_variables_of_a_mat_file(monkeypatch, tmp_path, variables):
     assert family_text(str(file)) == family_text(str(tmp_path / "pair.npy"))
 
 
-def test_a_mat_file_that_is_none(monkeypatch, tmp_path):
+@pytest.mark.parametrize(("data", "message"), [(b"text", "Unknown mat file type"), (b"MATLAB 5.0?", "decompressing")])
+def test_a_mat_file_that_is_none(monkeypatch, tmp_path, data, message):
     as_scipy(monkeypatch, {})
     file = tmp_path / "pair.mat"
-    file.write_bytes(b"text")
+    file.write_bytes(data)
     with pytest.raises(MaskFileError) as raised:
         family_text(str(file))
-    assert "Unknown mat file type" in raised.value.problems[0].message
+    assert message in raised.value.problems[0].message
 
 
 def test_without_scipy_the_extra_is_named(monkeypatch, tmp_path):
