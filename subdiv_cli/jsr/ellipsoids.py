@@ -106,7 +106,7 @@ def _fitted(scaled: Array, effort: Effort) -> tuple[Array, float]:
         turned = _improved(products, turned, effort)
         norms = np.linalg.norm(turned @ products @ np.linalg.inv(turned), ord=2, axis=(1, 2))
         excess = min(excess, float(norms.max()) ** (1 / length) * (1 + 4 * _ROOM) - 1)
-        if len(products) * len(scaled) * n**2 > _MOST_ENTRIES:
+        if max(len(scaled), 2) ** (length + 1) * n**2 > _MOST_ENTRIES or not effort.allows(0):
             return turned, max(excess, _ROOM)
         products, length = (scaled[:, None] @ products[None]).reshape(-1, n, n), length + 1
 
