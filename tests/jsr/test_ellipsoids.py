@@ -116,8 +116,8 @@ def test_units_of_the_numbers_do_not_matter(scale):
 def test_a_single_matrix_whose_polytope_does_not_close(seconds):
     """Its powers do not become more with their length: the search for coordinates ends all the same."""
     rng = random.Random(3)
-    m = [[Fraction(rng.randint(-9, 9)) for _ in range(12)] for _ in range(12)]
-    found = joint_spectral_radius([m], Effort(200, seconds)).radius
+    m = [[Fraction(rng.randint(-9, 9)) for _ in range(20)] for _ in range(20)]
+    found = joint_spectral_radius([m], Effort(500, seconds)).radius
     truth = max(abs(np.linalg.eigvals(np.array(m, dtype=float))))
     assert found.lower <= truth * (1 + 1e-12)
     assert truth * (1 - 1e-12) <= found.upper <= 1.1 * truth
