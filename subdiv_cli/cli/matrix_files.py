@@ -17,7 +17,6 @@ from subdiv_cli.kinds.reading import load_path, text_of
 from subdiv_cli.maskfile import rules as faults
 from subdiv_cli.maskfile.bounds import MAX_MATRICES, MAX_MATRIX_ORDER
 from subdiv_cli.maskfile.problems import MaskFileError
-from subdiv_cli.model import Problem
 
 _NPY = b"\x93NUMPY"
 _NO_TOML = re.compile(r"\s*(\{|(\[\s*){3}|(\[\s*)+[\d.+-])")
@@ -55,7 +54,7 @@ def _of_json(text: str, file: str) -> str | None:
         value: Any = json.loads(text.removeprefix("\ufeff"), parse_float=_Spelled, parse_int=_Spelled)
     except (ValueError, RecursionError) as error:
         if _NO_TOML.match(text.removeprefix("\ufeff")) or file.lower().endswith(".json"):
-            raise MaskFileError([_not_json(error, file)]) from None
+            raise _not_json(error, file) from None
         return None
     name = None
     if isinstance(value, dict):
@@ -73,14 +72,14 @@ def _of_json(text: str, file: str) -> str | None:
     return head + f"matrices = {_spelled(value if depth == 3 else [value])}\n"
 
 
-def _not_json(error: ValueError | RecursionError, file: str) -> Problem:
-    """The problem where a text that must be JSON is none."""
+def _not_json(error: ValueError | RecursionError, file: str) -> MaskFileError:
+    """The error where a text that must be JSON is none."""
     message, help = "this is not valid JSON: it is nested too deep", "write [[[1, 1], [0, 1]], [[1, 0], [1, 1]]]"
     if not isinstance(error, json.JSONDecodeError):
-        return faults.TOML_SYNTAX.problem(message, help, file=file)
+        return MaskFileError([faults.TOML_SYNTAX.problem(message, help, file=file)])
     message = f"this is not valid JSON: {error.msg}"
     place = {"line": error.lineno, "column": error.colno, "source": error.doc.split("\n")[error.lineno - 1]}
-    return faults.TOML_SYNTAX.problem(message, help, file=file, **place)
+    return MaskFileError([faults.TOML_SYNTAX.problem(message, help, file=file, **place)])
 
 
 class _Spelled(str):
