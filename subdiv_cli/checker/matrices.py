@@ -113,6 +113,11 @@ def inverse(a: Matrix) -> tuple[Matrix, int] | None:
     return [[row[i] for i in order] for row in a], before
 
 
+def minor_bits(a: Matrix) -> int:
+    """The bits that no minor of a matrix has more of (Hadamard): the squares of its rows bound that of a minor."""
+    return sum(sum(x * x for x in row).bit_length() for row in a) // 2 + 1
+
+
 def inverse_norm(a: Matrix) -> Fraction | None:
     """The norm ‖a^-1‖₁, the largest absolute column sum; None for a singular matrix."""
     if (inverted := inverse(a)) is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Callable, Iterable
 from importlib import import_module
 from math import prod
@@ -29,8 +30,9 @@ def npy_matrices(data: bytes, most: int, largest: int) -> tuple[Spelled, bool]:
     try:
         _check_size(data)
         array = np.load(io.BytesIO(data), allow_pickle=False)
-    except (ValueError, EOFError, OSError, MemoryError) as error:
-        raise ArrayFileError(f"the array cannot be read: {error}", "save it by numpy.save, as numbers") from None
+    except Exception as error:  # a header is parsed as Python, and raises whatever that does
+        why = re.sub(r"[: ]*(<.* at 0x.*|\n.*)", "", str(error), flags=re.DOTALL)
+        raise ArrayFileError(f"the array cannot be read: {why}", "save it by numpy.save, as numbers") from None
     if array.ndim not in (2, 3):
         raise ArrayFileError(f"the array has the shape {array.shape}", _SHAPES)
     return _of_arrays([array] if array.ndim == 2 else list(array[: most + 1]), largest)
@@ -41,10 +43,10 @@ def mat_matrices(data: bytes, most: int, largest: int) -> tuple[Spelled, bool]:
 
     An array N×N×p, or of cells, has several. Raises ArrayFileError, and ImportError without scipy.
     """
-    load, errors = _loadmat()
+    load: Callable[..., dict[str, Any]] = import_module("scipy.io").loadmat
     try:
         variables = load(io.BytesIO(data), chars_as_strings=False)
-    except errors as error:
+    except Exception as error:  # many kinds, of compression too
         raise ArrayFileError(f"the file cannot be read: {error}", "save it by save -v7") from None
     named = [variables[name] for name in sorted(variables, key=_natural) if not name.startswith("__")]
     return _of_arrays([matrix for value in named for matrix in _members(value)][: most + 1], largest)
@@ -57,12 +59,6 @@ def _check_size(data: bytes) -> None:
     shape, _, dtype = read(stream)
     if prod(shape) * dtype.itemsize > len(data):
         raise ValueError("the file ends before the array does")
-
-
-def _loadmat() -> tuple[Callable[..., dict[str, Any]], tuple[type[Exception], ...]]:
-    """The function of scipy that reads .mat files, and what it raises."""
-    load, bad = import_module("scipy.io").loadmat, import_module("scipy.io.matlab").MatReadError
-    return load, (bad, ValueError, TypeError, NotImplementedError, OSError, EOFError, LookupError, MemoryError)
 
 
 def _natural(name: str) -> tuple[str, int, str]:
@@ -85,6 +81,8 @@ def _of_arrays(arrays: list[Any], largest: int) -> tuple[Spelled, bool]:
             raise ArrayFileError(f"a matrix has the shape {array.shape}", f"{_SHAPES}, N at most {largest}")
         if array.dtype.kind not in "biuf":
             raise ArrayFileError(f"the numbers are of type {array.dtype}", "save real numbers")
+    arrays = [array.toarray() if hasattr(array, "toarray") else array for array in arrays]  # sparse ones
+    for array in arrays:
         if not np.isfinite(array).all():
             raise ArrayFileError(f"a number is {array[~np.isfinite(array)][0]}", "save finite numbers")
     floats = any(array.dtype.kind == "f" and (array % 1).any() for array in arrays)

@@ -106,7 +106,7 @@ def _fitted(scaled: Array, effort: Effort) -> tuple[Array, float]:
         turned = _improved(products, turned, effort)
         norms = np.linalg.norm(turned @ products @ np.linalg.inv(turned), ord=2, axis=(1, 2))
         excess = min(excess, float(norms.max()) ** (1 / length) * (1 + 4 * _ROOM) - 1)
-        if len(products) * len(scaled) * n**2 > _MOST_ENTRIES:
+        if max(len(scaled), 2) ** (length + 1) * n**2 > _MOST_ENTRIES or not effort.allows(0):
             return turned, max(excess, _ROOM)
         products, length = (scaled[:, None] @ products[None]).reshape(-1, n, n), length + 1
 
@@ -231,10 +231,8 @@ def common_ellipsoid(family: Family, rate: float, contenders: Sequence[Candidate
     """
     if family.order > _SMALL_ORDER or not 1 / _HUGE < rate < _HUGE:
         return None
-    guess = Fraction(rate * rate).limit_denominator(_DENOMINATOR)
-    if not guess or abs(float(guess) / rate**2 - 1) > 1e-11:
+    if (square := _square(family, rate)) is None:
         return None
-    square = guess * family.unit**2
     for form in _forms(family, rate, square):
         if not effort.allows(0):
             return None
@@ -244,6 +242,16 @@ def common_ellipsoid(family: Family, rate: float, contenders: Sequence[Candidate
                 return None
             words: list[Word] = [(letter,) for letter in range(family.letters)]
             return meeting(_proof(form, words, square), below, 2, square)
+    return None
+
+
+def _square(family: Family, rate: float) -> Fraction | None:
+    """The rational that ρ² seems to be: of small numerator and denominator, or so beside the largest entry."""
+    for unit in (family.unit, family.size):
+        share = (rate * float(family.unit / unit)) ** 2
+        guess = Fraction(share).limit_denominator(_DENOMINATOR)
+        if guess and abs(float(guess) / share - 1) < 1e-11:
+            return guess * unit**2
     return None
 
 

@@ -44,8 +44,13 @@ def joint_spectral_radius(family: Family, effort: Effort) -> Radius | None:
         return radius
     part = effort.limited(effort.work, HALF)
     if (blocks := part.in_time(lambda: decomposed(family, part.look))) is not None:
-        return _of_blocks(blocks, effort, irreducible_radius)
+        return _of_blocks(blocks, effort, _some_radius)
     return irreducible_radius(family, effort)
+
+
+def _some_radius(family: Family, effort: Effort) -> Radius | None:
+    """The radius of a part, or a rough bound where the effort does not suffice for a better one."""
+    return irreducible_radius(family, effort) or rough_radius(family, UNHURRIED)
 
 
 def _of_nonnegative(family: Family, effort: Effort) -> Radius | None:

@@ -8,6 +8,7 @@ and not larger than that of a product, u is rounded and the rest is exact.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -38,7 +39,7 @@ def weighted_radius(family: Family, effort: Effort) -> Radius | None:
     if not family.size:
         return None
     rate, contenders = candidates(family, _SHORT, effort=effort)
-    sigma = _rational(rate, family.unit)
+    sigma = _rational(rate, family)
     if sigma is None:
         return None
     for left in (False, True):
@@ -57,11 +58,12 @@ def weighted_radius(family: Family, effort: Effort) -> Radius | None:
     return None
 
 
-def _rational(rate: float, unit: Fraction) -> Fraction | None:
-    """The rational of small numerator and denominator that a radius seems to be."""
-    for most in _DENOMINATORS:
-        guess = Fraction(rate).limit_denominator(most)
-        if guess > 0 and abs(float(guess) / rate - 1) < _NEAR:
+def _rational(rate: float, family: Family) -> Fraction | None:
+    """The rational that a radius seems to be: of small numerator and denominator, or so beside the largest entry."""
+    for most, unit in itertools.product(_DENOMINATORS, (family.unit, family.size)):
+        share = rate * float(family.unit / unit)
+        guess = Fraction(share).limit_denominator(most)
+        if guess > 0 and abs(float(guess) / share - 1) < _NEAR:
             return guess * unit
     return None
 

@@ -6,6 +6,7 @@ Nested lists and JSON, NumPy's .npy, MATLAB's .mat (by scipy). Floats are taken 
 from __future__ import annotations
 
 import json
+import re
 from typing import Any, NamedTuple
 
 from subdiv_cli.kinds.reading import load_path, text_of
@@ -14,6 +15,8 @@ from subdiv_cli.maskfile.bounds import MAX_MATRICES, MAX_MATRIX_ORDER
 from subdiv_cli.maskfile.problems import MaskFileError
 
 _NPY = b"\x93NUMPY"
+_NO_TOML = re.compile(r"\s*(\{|(\[\s*){3}|(\[\s*)+[\d.+-])")
+"""The beginning of a text that is no TOML with a family."""
 
 
 class FamilyText(NamedTuple):
@@ -58,20 +61,34 @@ def _of_json(text: str, file: str) -> str | None:
         return None
     try:
         value: Any = json.loads(text.removeprefix("\ufeff"), parse_float=_Spelled, parse_int=_Spelled)
-    except (ValueError, RecursionError):
+    except (ValueError, RecursionError) as error:
+        if _NO_TOML.match(text.removeprefix("\ufeff")) or file.lower().endswith(".json"):
+            raise _not_json(error, file) from None
         return None
     name = None
     if isinstance(value, dict):
         if unknown := value.keys() - {"matrices", "name"}:
             raise _fault(f"the object has the key {min(unknown)!r}", "keep `matrices`, and `name` if you like", file)
         name, value = value.get("name"), value.get("matrices")
+        if not isinstance(name, str | None) or isinstance(name, _Spelled):
+            raise _fault("the name is no text", "write a string under `name`, or leave it out", file)
     depth, inner = 0, value
     while isinstance(inner, list):
         depth, inner = depth + 1, inner[0] if inner else None
     if depth not in (2, 3):
         raise _fault("these are no matrices", "write a list of matrices, each a list of rows", file)
-    head = "" if name is None else f"name = {json.dumps(str(name))}\n"
+    head = "" if name is None else f"name = {json.dumps(name)}\n"
     return head + f"matrices = {_toml(value if depth == 3 else [value])}\n"
+
+
+def _not_json(error: ValueError | RecursionError, file: str) -> MaskFileError:
+    """The error where a text that must be JSON is none."""
+    message, help = "this is not valid JSON: it is nested too deep", "write [[[1, 1], [0, 1]], [[1, 0], [1, 1]]]"
+    if not isinstance(error, json.JSONDecodeError):
+        return MaskFileError([faults.TOML_SYNTAX.problem(message, help, file=file)])
+    message = f"this is not valid JSON: {error.msg}"
+    place = {"line": error.lineno, "column": error.colno, "source": error.doc.split("\n")[error.lineno - 1]}
+    return MaskFileError([faults.TOML_SYNTAX.problem(message, help, file=file, **place)])
 
 
 class _Spelled(str):

@@ -45,7 +45,7 @@ def render(radius: FamilyRadius, look: Look, *, file: str, name: str | None, pro
 
 def _first(radius: FamilyRadius) -> str:
     title = "joint spectral radius"
-    if radius.upper is None:
+    if radius.upper is None and radius.exact is None and radius.digits is None:
         why = radius.left_out or ("the time budget ended" if radius.stopped else "a higher effort computes more")
         return f"? {title}: not one bound was found; {why}"
     if radius.exact is None and radius.digits is None:

@@ -5,7 +5,7 @@ import random
 from fractions import Fraction
 
 import pytest
-from hand_made_radius import ALL_RADIUS, OF_RADII, of_family, of_mask
+from hand_made_radius import ALL_RADIUS, OF_RADII, matrices_document, of_family, of_mask
 from support import four_point, six_point
 
 from subdiv_cli.checker import check_document
@@ -277,3 +277,17 @@ def test_families_of_random_integers_are_verified():
         ]
         kinds |= {c["rule"] for c in of_family(matrices)["claims"]}
     assert kinds >= {"closing", "complex-closing", "blocks", "zero"}
+
+
+@pytest.mark.parametrize(("order", "bits", "limits"), [(40, 8, True), (60, 500, False), (120, 60, False)])
+def test_a_basis_of_long_minors_is_not_inverted(order, bits, limits):
+    """Minors are as long as all rows together; the checker says that they are too long, before it computes them."""
+    rng = random.Random(order)
+    basis = [[str(rng.getrandbits(bits)) for _ in range(order)] for _ in range(order)]
+    unit = [[str(int(i == j)) for j in range(order)] for i in range(order)]
+    said = {"property": "blocks", "family": 0, "parts": [1, 2]}
+    witness = {"basis": basis, "sizes": [1, order - 1]}
+    made = {"rule": "blocks", "statement": said, "witness": witness, "uses": [], "work": 2 * order**3}
+    outcome = check_document(matrices_document([unit], [made]))
+    assert outcome.verified == limits, outcome.line
+    assert outcome.exhausted != limits

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import sys
+import zlib
 from types import ModuleType
 
 import numpy as np
@@ -113,6 +114,38 @@ def test_bad_files_are_refused(tmp_path, data, message):
     assert "Traceback" not in run.stderr
 
 
+@pytest.mark.parametrize(
+    ("text", "place", "message"),
+    [
+        ("[[[1, 2],\n [3 4]]]", ":2:5", "this is not valid JSON: Expecting ',' delimiter"),
+        ('{"matrices": [[[1]]]', ":1:21", "this is not valid JSON: Expecting ',' delimiter"),
+        ("[[[01]]]", ":1:5", "this is not valid JSON"),
+        ("[" * 30_000, "", "this is not valid JSON: it is nested too deep"),
+        ('{"matrices": [[[1]]], "name": {}}', "", "the name is no text"),
+        ('{"matrices": [[[1]]], "name": 5}', "", "the name is no text"),
+    ],
+)
+def test_text_that_is_no_json_is_refused_where_it_goes_wrong(tmp_path, text, place, message):
+    file = tmp_path / "bad"
+    file.write_text(text, encoding="utf-8")
+    run = subdiv("jsr", file)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert message in run.stderr
+    assert f"--> {file}{place}\n" in run.stderr
+
+
+@pytest.mark.parametrize("shape", ["(True, True)", "(1, 1), 1: 2", "(1, ", "(1 * 10**9,)"])
+def test_headers_that_numpy_does_not_expect(tmp_path, shape):
+    """Whatever numpy raises, the file is refused, and with the same words every time."""
+    header = f"{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}}}\n".encode()
+    file = tmp_path / "bad.npy"
+    file.write_bytes(b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header + bytes(8))
+    run = subdiv("jsr", file)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert "error[SD006] the array cannot be read: " in run.stderr
+    assert "0x" not in run.stderr
+
+
 def test_rows_of_two_lengths_are_named_by_their_place(tmp_path):
     file = tmp_path / "bad.json"
     file.write_text("[[[1, 2], [3]]]", encoding="utf-8")
@@ -128,8 +161,9 @@ def as_scipy(monkeypatch, variables):
         pass
 
     def loadmat(stream, **_):
-        if not stream.read().startswith(b"MATLAB"):
+        if not (data := stream.read()).startswith(b"MATLAB"):
             raise MatReadError("Unknown mat file type")
+        zlib.decompress(data.removeprefix(b"MATLAB 5.0") or zlib.compress(b""))
         return {"__version__": "1.0", **variables}
 
     package, io_module, matlab = ModuleType("scipy"), ModuleType("scipy.io"), ModuleType("scipy.io.matlab")
@@ -145,14 +179,25 @@ def cells(*matrices):
     return array
 
 
+class Sparse:
+    """A matrix as scipy.sparse has them: no array, but it makes one."""
+
+    def __init__(self, full):
+        self.full, self.ndim, self.shape, self.dtype = full, full.ndim, full.shape, full.dtype
+
+    def toarray(self):
+        return self.full
+
+
 @pytest.mark.parametrize(
     "variables",
     [
         {"M10": FLOATS[1], "M2": FLOATS[0]},
         {"M": np.moveaxis(FLOATS, 0, 2)},
         {"M": cells(*FLOATS)},
+        {"A": Sparse(FLOATS[0]), "B": Sparse(FLOATS[1])},
     ],
-    ids=["variables", "pages", "cells"],
+    ids=["variables", "pages", "cells", "sparse"],
 )
 def test_variables_of_a_mat_file(monkeypatch, tmp_path, variables):
     as_scipy(monkeypatch, variables)
@@ -162,13 +207,14 @@ def test_variables_of_a_mat_file(monkeypatch, tmp_path, variables):
     assert family_text(str(file)) == family_text(str(tmp_path / "pair.npy"))
 
 
-def test_a_mat_file_that_is_none(monkeypatch, tmp_path):
+@pytest.mark.parametrize(("data", "message"), [(b"text", "Unknown mat file type"), (b"MATLAB 5.0?", "decompressing")])
+def test_a_mat_file_that_is_none(monkeypatch, tmp_path, data, message):
     as_scipy(monkeypatch, {})
     file = tmp_path / "pair.mat"
-    file.write_bytes(b"text")
+    file.write_bytes(data)
     with pytest.raises(MaskFileError) as raised:
         family_text(str(file))
-    assert "Unknown mat file type" in raised.value.problems[0].message
+    assert message in raised.value.problems[0].message
 
 
 def test_without_scipy_the_extra_is_named(monkeypatch, tmp_path):
@@ -186,6 +232,7 @@ def test_without_scipy_the_extra_is_named(monkeypatch, tmp_path):
         ('[[["12345678901234567890123/3"]]]', "✓ joint spectral radius = a long fraction = 4.115226300411522"),
         ('[[["5/3"]]]', "✓ joint spectral radius = 5/3 = 1.66666"),
         ("[[[2]]]", "✓ joint spectral radius = 2\n"),
+        ("[[[1e400]]]", "✓ joint spectral radius = a long fraction = 1.000000000000000e400\n"),
     ],
 )
 def test_long_numbers_are_shown_by_their_decimals(tmp_path, matrices, line):

@@ -12,6 +12,7 @@ from proved import block_diagonal, inverse, products, proved, times, transposed
 
 from subdiv_cli.jsr.ellipsoids import _tree
 from subdiv_cli.model import Effort
+from subdiv_cli.pipeline import joint_spectral_radius
 
 TURN = [[Fraction(3, 5), Fraction(-4, 5)], [Fraction(4, 5), Fraction(3, 5)]]
 
@@ -99,3 +100,24 @@ def test_the_words_of_a_tree_are_the_ends_of_all_words():
         total = np.linalg.multi_dot([np.eye(2), *(images[k] for k in reversed(word))])
         assert np.linalg.norm(total, 2) < 1
     assert _tree(images, len(words) - 1, Effort()) is None
+
+
+@pytest.mark.parametrize("scale", [Fraction(18 * 10**30), Fraction(7, 10**25), Fraction(18, 10**6)])
+def test_units_of_the_numbers_do_not_matter(scale):
+    """A turn and a swap times a number: the unit circle shows that it is the radius."""
+    family = [[[scale * x for x in row] for row in m] for m in (TURN, [[0, 1], [1, 0]])]
+    found = proved(family)
+    assert found.root[1] == (-((scale ** found.root[0]).numerator), (scale ** found.root[0]).denominator)
+    assert found.bounded
+    assert "ellipsoid" in found.rules
+
+
+@pytest.mark.parametrize("seconds", [None, 10])
+def test_a_single_matrix_whose_polytope_does_not_close(seconds):
+    """Its powers do not become more with their length: the search for coordinates ends all the same."""
+    rng = random.Random(3)
+    m = [[Fraction(rng.randint(-9, 9)) for _ in range(20)] for _ in range(20)]
+    found = joint_spectral_radius([m], Effort(500, seconds)).radius
+    truth = max(abs(np.linalg.eigvals(np.array(m, dtype=float))))
+    assert found.lower <= truth * (1 + 1e-12)
+    assert truth * (1 - 1e-12) <= found.upper <= 1.1 * truth

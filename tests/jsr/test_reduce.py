@@ -97,3 +97,13 @@ def test_the_largest_block_is_exact_and_the_others_are_bounded() -> None:
     parts = radius.proof["parts"]
     assert isinstance(parts, tuple)
     assert sorted("bound" in part for part in parts if isinstance(part, dict)) == [False, True]
+
+
+def test_a_block_without_a_bound_of_its_own_has_a_rough_one(monkeypatch):
+    """As where the clock strikes in it: the blocks still say more than all of the matrices, with 1000 beside them."""
+    monkeypatch.setattr("subdiv_cli.jsr.radius.irreducible_radius", lambda *_: None)
+    family = Family([fmpq_mat([[1, -1, 1000], [1, 1, 1000], [0, 0, 1]]), fmpq_mat([[1, 1, 0], [-1, 1, 9], [0, 0, 1]])])
+    found = joint_spectral_radius(family, Effort())
+    assert found is not None
+    assert found.upper[1] ** 2 <= 5 ** found.upper[0]
+    assert found.upper[1] ** 2 >= 2 ** found.upper[0]

@@ -64,3 +64,11 @@ def test_one_row_sum_too_large(seed):
     found, known = proved(family), products(family)
     assert found.lower <= known.upper
     assert found.upper >= known.lower
+
+
+@pytest.mark.parametrize("scale", [Fraction(18 * 10**30), Fraction(7, 10**25), Fraction(18, 10**6)])
+def test_units_of_the_numbers_do_not_matter(scale):
+    family = [[[Fraction(1, 2), Fraction(1, 2)], [Fraction(1, 3), Fraction(2, 3)]], [[1, 0], [Fraction(1, 4), 0]]]
+    found = proved([[[scale * x for x in row] for row in m] for m in family])
+    assert found.root == (1, (-scale.numerator, scale.denominator))
+    assert "common-vector" in found.rules

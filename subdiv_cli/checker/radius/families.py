@@ -25,9 +25,11 @@ def blocks(c: Claim) -> None:
     require(
         sum(sizes) == order == basis.order, "the sizes of the blocks do not add up, or the basis is of another order"
     )
-    bits = family.bits + basis.bits
+    bits, p = family.bits + basis.bits, basis.matrices[0]
     c.count((len(family.matrices) + 1) * order**3, (order.bit_length() + 1) * bits)
-    p = basis.matrices[0]
+    longest = matrices.minor_bits(p)
+    c.spend(8 * order**3, longest)  # two products and a division, which takes longer than they do
+    c.spend(len(family.matrices) * order**3 * (longest // 512), bits)
     if (inverted := matrices.inverse(p)) is None:
         raise Rejected("the basis is not one")
     changed = [matrices.multiply(inverted[0], matrices.multiply(m, p)) for m in family.matrices]
