@@ -49,7 +49,7 @@ MASKS = {
     "tensor": shipped_multivariate("tensor_cubic_four_point"),
     "corner cutting": curve("corner_cutting_5_8_1_8"),
     "corners": curve("takagi", a="1/8"),
-    "de Rham": curve("de_rham_1_3"),
+    "Koch": curve("koch"),
     "double knots": vector("double_knot_cubic"),
     "blocks": vector("six_point_in_threes"),
     "two schemes": vector("two_four_points"),

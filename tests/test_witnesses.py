@@ -54,7 +54,7 @@ PROOFS = {
 }
 """The forms of further data, of other rules those of mean squares."""
 UNSEEN = {("SD201", key) for key in ("eigenvalues", "matrix")}
-UNSEEN |= {(code, "bound") for code in ("SD621", "SD704", "SD707", "SD710", "SD715")}
+UNSEEN |= {(code, "bound") for code in ("SD621", "SD704", "SD707", "SD710", "SD715", "SD811", "SD818")}
 """A mask that fails its eigen-condition has a product that shows it too, which comes first; radii are known exactly."""
 
 
