@@ -28,7 +28,7 @@ Examples:
 \b
 A family is a TOML file with one list of square matrices, each a list of rows; numbers are exact:
   matrices = [[[1, 1], [0, 1]], [["4/5", 0], ["4/5", "4/5"]]]
-The list alone is JSON, and read too. So are an array p×N×N of NumPy (.npy), and
+The list alone is JSON, and read too. So are an array p x N x N of NumPy (.npy), and
 the matrices of a .mat file, with pip install "subdiv[mat]".
 
 \b

@@ -105,7 +105,11 @@ def made(name):
     if name in ("corner_cutting", "takagi"):  # bounds of the exponent, where the exact one is known
         on_curve, known = number("annihilators"), number("components")
         about = claims[on_curve]["statement"]["family"]
-        radius = number("monotone-closing", family=about)
+        radius = next(
+            i
+            for i, c in enumerate(claims)
+            if c["statement"]["property"] in ("radius", "bounded", "radius-upper") and c["statement"]["family"] == about
+        )
         fits = [i for i, c in enumerate(claims) if c["rule"] == "derivative"]
         bound = {"length": 1, "bound": "3/8" if fits else "1/2"}
         add("holder-lower", bound, {}, [known, radius, on_curve, *fits], 2)
