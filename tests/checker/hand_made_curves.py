@@ -108,7 +108,7 @@ def made(name):
         radius = next(
             i
             for i, c in enumerate(claims)
-            if c["statement"]["property"] in ("radius", "bounded", "radius-upper") and c["statement"]["family"] == about
+            if c["statement"]["property"] in ("radius", "bounded") and c["statement"]["family"] == about
         )
         fits = [i for i, c in enumerate(claims) if c["rule"] == "derivative"]
         bound = {"length": 1, "bound": "3/8" if fits else "1/2"}

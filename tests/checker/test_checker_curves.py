@@ -171,7 +171,7 @@ def test_a_corner_does_not_fit():
     """The radius inside the pieces alone would say more: the claim that wants it needs derivatives that fit."""
     made = copy.deepcopy(MADE["takagi_1_8"])
     known, family, corner = (number("takagi_1_8", rule) for rule in ("components", "annihilators", "derivative"))
-    radius = next(i for i, c in enumerate(made["claims"]) if c["rule"] == "monotone-closing" and i > family)
+    radius = next(i for i, c in enumerate(made["claims"]) if c["statement"]["property"] == "bounded" and i > family)
     root = {key: made["claims"][radius]["statement"][key] for key in ("length", "polynomial", "low", "high")}
     for rule, statement in (
         ("smooth", {"order": 1}),
