@@ -126,15 +126,17 @@ def rate(family: Family, word: Word) -> float:
 def representative(word: Word, family: Family) -> Candidate:
     """The candidate that stands for a word: the least rotation of its primitive root.
 
-    In a symmetric family it is the least one of the word and of its mirror image.
+    In a symmetric family it is the least one of the word and of its mirror image. Where one rotation has a half that is
+    the mirror image of the other, all have: rotated by a half each is its own mirror image.
     """
     root = _primitive_root(word)
+    rotations = _rotations(root)
     if not family.symmetry:
-        return Candidate(min(_rotations(root)))
-    rotations = [*_rotations(root), *_rotations(_mirrored(root, family))]
-    half = len(root) // 2
-    halves = [w[:half] for w in rotations if len(w) % 2 == 0 and w[half:] == _mirrored(w[:half], family)]
-    return Candidate(min(halves), reflected=True) if halves else Candidate(min(rotations))
+        return Candidate(min(rotations))
+    mirrored, half = _mirrored(root, family), len(root) // 2
+    if len(root) % 2 == 0 and root[half:] + root[:half] == mirrored:
+        return Candidate(min(w[:half] for w in rotations), reflected=True)
+    return Candidate(min(*rotations, *_rotations(mirrored)))
 
 
 def _rotations(word: Word) -> list[Word]:
