@@ -19,6 +19,8 @@ from matrix_masks import (
     scalar,
     scheme,
 )
+from number_mutations import at, changed, places
+from number_mutations import put as replace_at
 from support import cases
 
 import subdiv_cli
@@ -269,26 +271,6 @@ def test_a_certificate_of_a_vector_mask_is_none_of_a_hermite_mask():
     assert not check_document(found).verified
 
 
-def places(value, path=()):
-    """The paths of all numbers and booleans in a claim, numbers as text too."""
-    if isinstance(value, dict):
-        for key, inner in value.items():
-            yield from places(inner, (*path, key))
-    elif isinstance(value, list):
-        for i, inner in enumerate(value):
-            yield from places(inner, (*path, i))
-    elif isinstance(value, bool | int) or (isinstance(value, str) and re.fullmatch(r"-?\d+(/\d+)?", value)):
-        yield path
-
-
-def changed(value):
-    if isinstance(value, bool):
-        return [not value]
-    if isinstance(value, int):
-        return [value + 1, value - 1]
-    return [str(Fraction(value) + 1), str(-Fraction(value)) if Fraction(value) else "1/2"]
-
-
 @pytest.mark.parametrize("name", ["cubic", "quintic", "unseen", "rough", "twice", "two constants", "example"])
 def test_every_number_changed(name):
     """A certificate with one number of these rules changed is rejected, or all that it states is true all the same."""
@@ -297,15 +279,9 @@ def test_every_number_changed(name):
     numbers = [number for number, claim in enumerate(found["claims"]) if claim["rule"] in own]
     everywhere = [(number, place) for number in numbers for place in places(found["claims"][number])]
     for number, place in everywhere[:: max(1, len(everywhere) // cases(60))]:
-        inner = found["claims"][number]
-        for key in place:
-            inner = inner[key]
-        for new in changed(inner):
+        for new in changed(at(found["claims"][number], place)):
             forged = json.loads(json.dumps(found))
-            at = forged["claims"][number]
-            for key in place[:-1]:
-                at = at[key]
-            at[place[-1]] = new
+            replace_at(forged["claims"][number], place, new)
             forged["goal"] = [forged["claims"][number]["statement"]]
             outcome = check_document(forged)
             rejected += not outcome.verified

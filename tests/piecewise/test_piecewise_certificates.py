@@ -9,6 +9,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 from bsplines import spline_scheme
+from number_mutations import at, changed, places, put
 from random_piecewise import mask
 from support import cases
 
@@ -204,14 +205,14 @@ def test_eigenvalues_need_all_factors_and_a_radius_between():
     claim = LEVIN["claims"][ZERO[0]]
     statement, witness = claim["statement"], claim["witness"]
     assert witness["factors"] == [["-57", "296"], ["1", "16"]]
-    for changed, why in (
+    for other, why in (
         ({"factors": [["-57", "296"]]}, "another degree"),
         ({"factors": [["-57", "296"], ["1", "17"]]}, "not the characteristic polynomial"),
         ({"factors": [["-57", "296"], ["1", "0"]]}, "no leading coefficient"),
         ({"inner": "1/5"}, "not below the root"),
         ({"inner": "1/16"}, "factor 1 has a root that is not inside"),
     ):
-        assert why in with_claim("Levin", "eigenvalues", statement, (), {**witness, **changed}).line, changed
+        assert why in with_claim("Levin", "eigenvalues", statement, (), {**witness, **other}).line, changed
     small = {**statement, **exact("radius", ["-1", "16"], "1/16")}
     assert "not inside" in with_claim("Levin", "eigenvalues", small, (), {**witness, "inner": "1/32"}).line
     other = {**statement, **exact("radius", ["-1", "5"], "1/5")}
@@ -272,34 +273,6 @@ def is_true(s, name):
     return s["property"] in {"side", "family", "vanishing", "radius", "radius-upper"}
 
 
-def places(value, path=()):
-    """The paths of all numbers and booleans in a claim, without those in certificates inside."""
-    if isinstance(value, dict):
-        for key, inner in value.items():
-            if key != "certificate":
-                yield from places(inner, (*path, key))
-    elif isinstance(value, list):
-        for i, inner in enumerate(value):
-            yield from places(inner, (*path, i))
-    elif isinstance(value, bool | int) or (isinstance(value, str) and re.fullmatch(r"-?\d+(/\d+)?", value)):
-        yield path
-
-
-def changed(value):
-    if isinstance(value, bool):
-        return [not value]
-    if isinstance(value, int):
-        return [value + 1, value - 1]
-    x = Fraction(value)
-    return [str(x + 1), str(-x) if x else "1/2"]
-
-
-def at(value, place):
-    for key in place:
-        value = value[key]
-    return value
-
-
 @pytest.mark.parametrize("name", FACTS)
 def test_every_number_changed(name):
     """A certificate with one number changed is rejected, or all that it states is true all the same."""
@@ -308,7 +281,7 @@ def test_every_number_changed(name):
     for number, place in everywhere[:: max(1, len(everywhere) // cases(60))]:
         for new in changed(at(results["claims"][number], place)):
             forged = json.loads(json.dumps(results))
-            at(forged["claims"][number], place[:-1])[place[-1]] = new
+            put(forged["claims"][number], place, new)
             forged["goal"] = [forged["claims"][number]["statement"]]
             outcome = check_document(forged)
             rejected, kept = rejected + (not outcome.verified), kept + outcome.verified

@@ -12,6 +12,7 @@ import jsonschema
 import pytest
 from flint import fmpq_mat
 from matrix_masks import DGHM, DOUBLE_KNOT_CUBIC, blocked, diagonal, merrien, scalar, scheme
+from number_mutations import at, changed, places, put
 from support import cases
 
 import subdiv_cli
@@ -248,27 +249,6 @@ def root(s):
     return -math.log2(zero) / s["length"]
 
 
-def places(value, path=()):
-    """The paths of all numbers and booleans in a claim, numbers as text too."""
-    if isinstance(value, dict):
-        for key, inner in value.items():
-            yield from places(inner, (*path, key))
-    elif isinstance(value, list):
-        for i, inner in enumerate(value):
-            yield from places(inner, (*path, i))
-    elif isinstance(value, bool | int) or (isinstance(value, str) and re.fullmatch(r"-?\d+(/\d+)?", value)):
-        yield path
-
-
-def changed(value):
-    if isinstance(value, bool):
-        return [not value]
-    if isinstance(value, int):
-        return [value + 1, value - 1]
-    x = Fraction(value)
-    return [str(x + 1), str(-x) if x else "1/2"]
-
-
 @pytest.mark.parametrize("name", ["double knots", "two four-points", "ends", "unequal", "Jordan", "example", "Merrien"])
 def test_every_number_changed(name):
     """A certificate with one number changed is rejected, or all that it states is true all the same."""
@@ -288,16 +268,6 @@ def test_every_number_changed(name):
                 new,
             )
     assert rejected > kept / 2, (rejected, kept)
-
-
-def at(value, place):
-    for key in place:
-        value = value[key]
-    return value
-
-
-def put(value, place, new):
-    at(value, place[:-1])[place[-1]] = new
 
 
 @pytest.mark.parametrize("name", ["double knots", "two four-points", "example"])
